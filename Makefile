@@ -198,7 +198,7 @@ test-torch: build ## run the tests of differentiable functions in PyTorch, in .t
 	"$$uv" pip install --quiet --python .tools/torch/bin/python --requirement pyproject.toml --extra torch --extra all --group dev --group tools "$(TORCH)"
 	PATH="$(CURDIR)/.tools/torch/bin:$$PATH" "$$uv" pip install --quiet --python .tools/torch/bin/python \
 		--no-build-isolation --no-deps --config-settings=build-dir=build/torch --editable .
-	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/twins
+	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/traced
 
 # Needs clang++ (on Debian and Ubuntu the package clang).
 test-clang: ## compile the core by clang++ and run the tests, in .tools/clang

@@ -14,7 +14,7 @@ from benchmarks.report import Table
 from benchmarks.settings import Settings
 from benchmarks.timing import Contender, race
 from benchmarks.truth import intensity
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _WAVE, _NM = 520e-9, 1e-7  # the latter the pixel in the sample
 _LENS, _COPY = "a lens's stack, samples", "psfmodels, vectorial, sf=1"

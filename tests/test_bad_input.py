@@ -285,9 +285,9 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
     [
         (lambda: lm.measures.spot.axis_strehl(1), "answer must be a PSF, got 1"),
         (lambda: lm.measures.spot.fwhm("psf"), "answer must be a PSF, got 'psf'"),
-        (lambda: lm.measures.image_transfer.sampled_otf(None, 0.1), "answer must be a PSF, got None"),
-        (lambda: lm.measures.encircled.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
-        (lambda: lm.measures.encircled.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
+        (lambda: lm.measures.transfer.sampled_otf(None, 0.1), "answer must be a PSF, got None"),
+        (lambda: lm.measures.energy.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
+        (lambda: lm.measures.energy.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
         (lambda: lm.best_focus(SPHERICAL, 1.0, method="x"), "method must be a RadialMethod, got 'x'"),
         (lambda: lm.psf(SPHERICAL, 3, 0.5).plot(ax=1), "ax must be axes of matplotlib or None, got 1"),
         (lambda: lm.ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
@@ -296,7 +296,7 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
             lambda: field_tables.read_rows([], [], "noll"),
             "the first columns must be height, or x and y, got none",
         ),
-        (lambda: lm.optics.opening.Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),
+        (lambda: lm.optics.aperture.opening.Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),
         (lambda: SPHERICAL.rule(2.5), "degree must be an integer, got 2.5"),
         (lambda: SPHERICAL.v("nan"), "radius must hold real numbers, got 'nan'"),
         (lambda: lm.Hankel().field(SPHERICAL, ["1", "2"]), "v must hold real numbers, got ['1', '2']"),
@@ -379,7 +379,7 @@ def test_errors_of_large_values_are_those_of_small_ones():
 
 def test_no_radii_give_no_energies():
     assert lm.psf(SPHERICAL, 3, 0.5).encircled_energy([]).shape == (0,)
-    assert lm.measures.encircled.encircled(SPHERICAL, []).fraction.shape == (0,)
+    assert lm.measures.energy.encircled(SPHERICAL, []).fraction.shape == (0,)
 
 
 @pytest.mark.parametrize(

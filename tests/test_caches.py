@@ -151,7 +151,9 @@ def test_clearing_frees_what_is_kept_and_changes_no_bit():
     before = asked()
     held, limit = engine.table_bytes()
     assert 2**20 < held < limit < 2**31
-    assert {"lommel.psf._kept", "lommel.optics.debye._collected"} <= {name for name, count in kept().items() if count}
+    assert {"lommel.psf._kept", "lommel.optics.layers.debye._collected"} <= {
+        name for name, count in kept().items() if count
+    }
     lm.clear_caches()
     assert engine.table_bytes() == (0, limit)
     assert {name for name, count in kept().items() if count} == set()

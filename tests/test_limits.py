@@ -13,7 +13,7 @@ import lommel as lm
 from lommel.base import validation
 from lommel.base.checksums import sealed
 from lommel.base.encoding import clipped_share
-from lommel.imaging.layers import _behind
+from lommel.imaging.occlusion import _behind
 from lommel.io import psf_files
 from lommel.measures import aperture_means
 

@@ -65,7 +65,7 @@ Proof sampled(const Light& light, const std::vector<double>& edge, const lommel:
     return {numbers[1], numbers[2]};
 }
 
-// Averages over pixels from finer samples: as methods/averaging.py has it, some rows of pixels at once. The bound is over what
+// Averages over pixels from finer samples: as methods/pixels/averaging.py has it, some rows of pixels at once. The bound is over what
 // the largest average anywhere is at least.
 struct Averages {
     static constexpr double single = 2e-7;  // tolerance from which on samples are stored in single precision

@@ -24,7 +24,7 @@ def _homes() -> dict[str, str]:
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
-        from lommel.base.version import version
+        from lommel.base.optional import version
 
         return version()
     homes = _homes()

@@ -3,6 +3,7 @@
 from lommel import (
     adapters as adapters,
     base as base,
+    blur as blur,
     estimation as estimation,
     field as field,
     imaging as imaging,
@@ -13,8 +14,6 @@ from lommel import (
     microscopy as microscopy,
     optics as optics,
     page as page,
-    reports as reports,
-    sensor as sensor,
     show as show,
     special as special,
     stacks as stacks,
@@ -24,7 +23,7 @@ from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.core.caches import clear_caches as clear_caches
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
 from lommel.estimation.fisher import fisher as fisher
-from lommel.estimation.information import Information as Information
+from lommel.estimation.fisher import Information as Information
 from lommel.estimation.noise import Noise as Noise
 from lommel.estimation.retrieval import Retrieval as Retrieval
 from lommel.estimation.retrieve import retrieve as retrieve
@@ -36,7 +35,7 @@ from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike 
 from lommel.lensfiles.channel_files import load_channels as load_channels
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
-from lommel.lensfiles.microscope import Microscope as Microscope
+from lommel.lensfiles.microscope_files import Microscope as Microscope
 from lommel.lensfiles.microscope_files import load_microscope as load_microscope
 from lommel.lensfiles.zernike_files import load_zernike as load_zernike
 from lommel.measures.aperture_means import (
@@ -50,42 +49,42 @@ from lommel.measures.errors import mse as mse, peak_error as peak_error
 from lommel.measures.focus import best_focus as best_focus
 from lommel.measures.transfer import mtf as mtf, mtf_frequency as mtf_frequency, otf as otf, ptf as ptf
 from lommel.methods.chordal_gauss import ChordalGauss as ChordalGauss
-from lommel.methods.closed_form import ClosedForm as ClosedForm
-from lommel.methods.debye_rings import DebyeRings as DebyeRings
-from lommel.methods.debye_wolf import DebyeWolf as DebyeWolf
-from lommel.methods.fraunhofer import Fraunhofer as Fraunhofer
-from lommel.methods.geometric import Geometric as Geometric
+from lommel.methods.paper.closed_form import ClosedForm as ClosedForm
+from lommel.methods.layers.debye_rings import DebyeRings as DebyeRings
+from lommel.methods.layers.debye_wolf import DebyeWolf as DebyeWolf
+from lommel.methods.paper.fraunhofer import Fraunhofer as Fraunhofer
+from lommel.methods.paper.geometric import Geometric as Geometric
 from lommel.methods.hankel import Hankel as Hankel
-from lommel.methods.huygens import HuygensFresnel as HuygensFresnel
-from lommel.methods.lommel_series import LommelSeries as LommelSeries
+from lommel.methods.paper.huygens import HuygensFresnel as HuygensFresnel
+from lommel.methods.paper.lommel_series import LommelSeries as LommelSeries
 from lommel.methods.matrix_fourier import MatrixFourier as MatrixFourier
 from lommel.methods.method import Method as Method
 from lommel.methods.nijboer_zernike import NijboerZernike as NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT as NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic as Polychromatic
-from lommel.methods.stratified import Stratified as Stratified
-from lommel.methods.tuned_closed_form import TunedClosedForm as TunedClosedForm
-from lommel.optics.aperture import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
-from lommel.optics.apodization import Apodization as Apodization
-from lommel.optics.channels import Channels as Channels
-from lommel.optics.colour import Colour as Colour
-from lommel.optics.emitter import Beam as Beam, Dipole as Dipole, Scalar as Scalar
-from lommel.optics.fitting import (
+from lommel.methods.layers.stratified import Stratified as Stratified
+from lommel.methods.paper.tuned_closed_form import TunedClosedForm as TunedClosedForm
+from lommel.optics.aperture.obstructions import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
+from lommel.optics.aperture.apodization import Apodization as Apodization
+from lommel.optics.colour.channels import Channels as Channels
+from lommel.optics.colour.dispersion import Colour as Colour
+from lommel.optics.layers.emitter import Beam as Beam, Dipole as Dipole, Scalar as Scalar
+from lommel.optics.wavefront.fitting import (
     WavefrontFit as WavefrontFit,
     fit_opd as fit_opd,
     fit_radial as fit_radial,
     opd_map as opd_map,
 )
 from lommel.optics.grid import Grid as Grid
-from lommel.optics.layer import Design as Design, Layer as Layer
+from lommel.optics.layers.layer import Design as Design, Layer as Layer
 from lommel.optics.lens import Lens as Lens
-from lommel.optics.objective import Objective as Objective
-from lommel.optics.opd import OPDMap as OPDMap
+from lommel.optics.layers.objective import Objective as Objective
+from lommel.optics.wavefront.opd import OPDMap as OPDMap
 from lommel.optics.pupil import Pupil as Pupil
-from lommel.optics.wavefront import Wavefront as Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront as Wavefront
 from lommel.page.widget import live as live
 from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
-from lommel.sensor.blurs import (
+from lommel.blur.blurs import (
     Blur as Blur,
     ChargeDiffusion as ChargeDiffusion,
     Jitter as Jitter,

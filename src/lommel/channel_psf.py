@@ -14,19 +14,19 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, largest
 from lommel.base.options import near
+from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
 from lommel.io import colour_files
 from lommel.measured import Measured
 from lommel.measures.answer_channels import AnswerChannels
-from lommel.methods import wanted
-from lommel.methods.asked import asked_about
+from lommel.methods import question
 from lommel.methods.method import Method, painted, storing, widened
 from lommel.methods.polychromatic import Polychromatic, together
+from lommel.methods.question import asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
-from lommel.optics.channels import Channels, checked
+from lommel.optics.colour.channels import Channels, checked
 from lommel.optics.grid import Grid
 from lommel.psf import PSF, Plan
-from lommel.sensor.blurs import Blur
 from lommel.show import colours
 
 if TYPE_CHECKING:
@@ -160,7 +160,7 @@ def colour_psf(
         made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
         return ColourPSF(light, tuple(_in_own_light(one) for one in made))
     if places := plan.grid(pupil).stack:
-        pupil = wanted.for_axes(pupil, places)
+        pupil = question.for_axes(pupil, places)
     return ColourPSF(light, tuple(_in_own_light(one) for one in _psfs(pupil, sums, plan)))
 
 

@@ -82,7 +82,7 @@ class Measured(Measurable):
         """Return the optical transfer function of the image, or `of` the optics, at frequencies `fx`, `fy`.
 
         Of lenses from the wavefront, beyond the Nyquist frequency of the pixels, too: see :func:`lommel.otf`. The
-        transform of the values themselves is :func:`lommel.measures.image_transfer.sampled_otf`.
+        transform of the values themselves is :func:`lommel.measures.transfer.sampled_otf`.
         """
         found: NDArray[np.complex128] | np.complex128 = self.measured(
             lambda one: measures.transfer.image_otf(one, fx, fy, of=of)

@@ -16,17 +16,17 @@ from lommel import measures
 from lommel.base import validation
 from lommel.base.arrays import Numbers, largest
 from lommel.measured import Measured
-from lommel.methods import wanted
-from lommel.methods.asked import Asked, asked_about
+from lommel.methods import question
 from lommel.methods.method import Method
+from lommel.methods.question import Asked, asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 from lommel.show.pictured import Pictured
-from lommel.twins.door import Traceable
+from lommel.traced.door import Traceable
 
 if TYPE_CHECKING:
-    from lommel.methods.derivatives import Name
-    from lommel.sensor.blurs import Blur
+    from lommel.blur.blurs import Blur
+    from lommel.methods.derivative_names import Name
 
 
 def psf(
@@ -124,7 +124,7 @@ def psf(
     (512, 512)
     """
     if out is not None and dtype is None:
-        dtype = wanted.array("out", out).dtype
+        dtype = question.array("out", out).dtype
     imaged(pupil)  # first, for whoever mixes up the order
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}
@@ -179,11 +179,11 @@ class Plan(Traceable):
         blur: Blur | Sequence[Blur] = (),
         threads: int | None = None,
     ) -> None:
-        method, tol = wanted.way(method, tol, integrate)
+        method, tol = question.way(method, tol, integrate)
         self.integrate = integrate
         self.blur: tuple[Blur, ...] = ()
         if not isinstance(blur, tuple) or blur:
-            from lommel.sensor.blurs import blurs  # few images have any
+            from lommel.blur.blurs import blurs  # few images have any
 
             self.blur = blurs(blur)
         # Which of the two a pupil is recorded on, its unit decides.
@@ -196,14 +196,14 @@ class Plan(Traceable):
         self.plain = self._averaged.square and not self.blur
         self.method, self.tol = method, tol
         self.normalize = validation.choice("normalize", normalize, ("energy", "emitted", "strehl", "peak"))
-        self.dtype = wanted.output_type(dtype, tol)
+        self.dtype = question.output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self._asked: Asked | None = None
 
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         if self._places:
-            pupil = wanted.for_axes(imaged(pupil), self._places)
+            pupil = question.for_axes(imaged(pupil), self._places)
         if not self.plain:
             return self._spread(imaged(pupil), derivatives, out)
         light = imaged(pupil).aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
@@ -213,7 +213,7 @@ class Plan(Traceable):
                 pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
         _, grid, ways, _, _, _, shape, _, shortcut = asked
-        names = () if derivatives is _NONE else wanted.names(derivatives)
+        names = () if derivatives is _NONE else question.names(derivatives)
         if names and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
         found = None
@@ -226,7 +226,7 @@ class Plan(Traceable):
         if found is not None:
             method, (scale, error) = ways[0], found
         else:
-            place = None if out is None else wanted.place(out, shape, self.dtype)
+            place = None if out is None else question.place(out, shape, self.dtype)
             method, made, found_slopes = asked.images(pupil, names, place)
             values = made.values.reshape(shape) if place is None else place
             scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
@@ -241,12 +241,12 @@ class Plan(Traceable):
         return done
 
     def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: NDArray[Any] | None) -> PSF:
-        from lommel.sensor.recorded import recorded
+        from lommel.blur.recorded import recorded
 
-        if wanted.names(derivatives):
+        if question.names(derivatives):
             raise ValueError("derivatives need square pixels without fill and blur; take differences of such images")
-        asked = self.method, self.tol, self.normalize, self.dtype, self.threads
-        return PSF(**recorded(pupil, self.grid(pupil), self.blur, asked, out))
+        settings = self.method, self.tol, self.normalize, self.dtype, self.threads
+        return PSF(**recorded(pupil, self.grid(pupil), self.blur, settings, out))
 
     def __getstate__(self) -> dict[str, Any]:
         # Without what is remembered of the last pupil, which the compiled core has a part in.

@@ -43,7 +43,7 @@ ARGUED = {
     ("cli/examples_command.py", "read_bytes"): "the package's own examples",
     ("cli/parts.py", "open"): "the null device, to write to",
     ("cli/live_command.py", "open"): "a browser",
-    ("base/atomic.py", "open"): "to write",
+    ("base/atomic.py", "open"): "to write, and a store to lock it",
     ("base/atomic.py", "fdopen"): "to write",
     ("io/fits_images.py", "open"): "of what reading has looked at: bytes in memory, no longer than their headers say",
     ("io/fits_images.py", "decompressobj"): "no farther than the headers say",
@@ -51,7 +51,6 @@ ARGUED = {
     ("io/psf_hdf5.py", "File"): "to write, in memory",
     ("io/psf_numpy.py", "ZipFile"): "to write, in memory",
     ("io/field_files.py", "open"): "an array of a folder whose files were looked at",
-    ("base/in_use.py", "open"): "a store, to lock it",
     ("stacks/compute.py", "open"): "a store, by its own reader",
     ("stacks/stack.py", "open"): "a store, by its own reader",
     ("stacks/hdf5_store.py", "open"): "a store, whose parts are no longer than its file",
@@ -59,7 +58,7 @@ ARGUED = {
     ("stacks/hdf5_store.py", "File"): "to write, in memory",
     ("stacks/zarr_store.py", "open"): "an array of a folder whose files were looked at",
     ("stacks/request.py", "loads"): "of what was just written as JSON",
-    ("optics/aperture.py", "decompressobj"): "piece by piece, up to the side of the mask",
+    ("optics/aperture/obstructions.py", "decompressobj"): "piece by piece, up to the side of the mask",
 }
 # What opens or parses a file, whatever it is called on.
 OPENING = {

@@ -2,7 +2,7 @@ import threading
 
 import pytest
 
-from lommel.base.together import side_by_side
+from lommel.base.threads import side_by_side
 
 
 @pytest.mark.parametrize("threads", [0, 1, 2, 8])

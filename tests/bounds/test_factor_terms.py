@@ -14,7 +14,7 @@ import lommel as lm
 from lommel import _core
 from lommel.core.answers import Images, Slopes, Wanted
 from lommel.core.engine import DiskStack, Window, chordal_images
-from lommel.methods.averaging import averaged, averaged_images, filtered_by
+from lommel.methods.pixels.averaging import averaged, averaged_images, filtered_by
 from lommel.special import zernike
 
 UNIT, SINGLE = 2.0**-53, 2.0**-24

@@ -16,7 +16,7 @@ import lommel as lm
 import rendering
 from lommel import _core
 from lommel.core.answers import Intensities
-from lommel.methods.subpixel import subpixel_intensity
+from lommel.methods.pixels.subpixel import subpixel_intensity
 from pixel_tables import Table, U, Window
 
 WIDER = _core.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double

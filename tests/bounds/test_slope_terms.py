@@ -9,10 +9,10 @@ import pytest
 
 import lommel as lm
 from lommel.core.answers import Images, Slopes
-from lommel.methods import growth, rim, slopes
-from lommel.methods.averaging import filtered_by, least_average
-from lommel.methods.derivatives import Parts
-from lommel.methods.slopes import Piece, Slope
+from lommel.methods.derivative_names import Parts
+from lommel.methods.derivatives import scaling, slopes
+from lommel.methods.derivatives.slopes import Piece, Slope
+from lommel.methods.pixels.averaging import filtered_by, least_average
 
 U = 2.0**-53
 STORED = {np.float64: 6.0 * U, np.float32: 6.0 * U + 2.0**-24}
@@ -106,7 +106,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
     grid = lm.Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
     step, engine = 0.5 * math.pi, Engine(1e-6)
     tilts = [(np.full((2, 3, 5), 0.25), np.array([1e-6, 2e-6])), (np.full((2, 3, 5), -0.5), np.array([3e-6, 1e-6]))]
-    _, found = growth.growth(engine, PUPIL, grid, tilts)
+    _, found = scaling.growth(engine, PUPIL, grid, tilts)
     far = step * np.array([4.5, 1.5])
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
     if integrate:
@@ -125,17 +125,19 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
 @pytest.mark.parametrize("error", [1e-4, 1e-12])
 def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
     grid = lm.Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
-    _, found = rim.by_obscuration(PUPIL, grid, error)
+    _, found = slopes.by_obscuration(PUPIL, grid, error)
     a, eps = PUPIL.amplitude, 0.4
     light = 2.0 * eps * float(PUPIL.illumination.at(np.array(eps**2)))
     step, fine = 0.5 * math.pi, grid
     if integrate:
         taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
-        fine = rim.finer(grid, taps)
+        fine = slopes.finer(grid, taps)
         error = 0.3 * error
     aim = max(0.1 * error / (a + light), 1e-15)
     v = fine.step(PUPIL) / fine.pixel * math.hypot(np.abs(fine.x).max(), np.abs(fine.y).max())
-    degree = rim.degree_needed([(n, w) for (n, _), w in rim._amplitudes(PUPIL).items()], v, PUPIL.illumination, aim)
+    degree = slopes.degree_needed(
+        [(n, w) for (n, _), w in slopes._amplitudes(PUPIL).items()], v, PUPIL.illumination, aim
+    )
     nodes = PUPIL.rule(degree).weight.size
     terms = PUPIL.wavefront.terms
     phases = max(
@@ -161,7 +163,7 @@ def test_what_is_left_out_is_in_each_part():
     assert found["unknown"].error == pytest.approx([0.3 * 2.0 * left], rel=1e-12, abs=0.0)
     assert found[3, 1].error == pytest.approx(0.3 * (1e-5 * np.array([1.5, 2.0]) + 4.0 * left), rel=1e-12, abs=0.0)
     # The rim is asked for a tenth of the tolerance of the faintest peak.
-    _, bound = rim.by_obscuration(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
+    _, bound = slopes.by_obscuration(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
     assert found["rim"].error == pytest.approx(0.3 * bound, rel=1e-12, abs=0.0)
     white = lm.Polychromatic([4e-7, 5e-7], [1, 3], lm.ChordalGauss())
     parts = white.components(pupil)

@@ -223,12 +223,12 @@ def test_without_a_command_the_usage_is_shown(run_lommel, tmp_path):
 def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     traced, call_lommel, lenses, tmp_path, monkeypatch
 ):
-    from lommel.reports import report
+    from lommel.cli import reports
 
     def broken(*_):
         raise AttributeError("'int' object\nhas no attribute")
 
-    monkeypatch.setattr(report, "describe_lens", broken)
+    monkeypatch.setattr(reports, "describe_lens", broken)
     monkeypatch.delenv("LOMMEL_TRACEBACK", raising=False)
     if traced:
         monkeypatch.setenv("LOMMEL_TRACEBACK", "1")

@@ -10,10 +10,8 @@ from numpy.testing import assert_allclose
 from scipy.stats import poisson
 
 import lommel as lm
-from lommel.estimation.linearity import changes, uncertainty
-from lommel.estimation.scoring import covariance
-from lommel.estimation.star_images import StarImages
-from lommel.estimation.unknowns import Unknowns
+from lommel.estimation.scoring import changes, covariance, uncertainty
+from lommel.estimation.star_images import StarImages, Unknowns
 
 NOISE = lm.Noise(read=2.0)
 DEFOCUS = np.array([-4.0, 0.0, 4.0])

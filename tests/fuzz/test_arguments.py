@@ -17,9 +17,9 @@ from lommel.base import units, validation
 from lommel.io import frames
 from lommel.io.psf_files import FileError
 from lommel.lensfiles import field_tables
-from lommel.measures import aperture_means, encircled, energy, image_transfer, spot
+from lommel.measures import aperture_means, energy, spot, transfer
 from lommel.methods import METHODS
-from lommel.optics.opening import Opening, degree_needed
+from lommel.optics.aperture.opening import Opening, degree_needed
 
 SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
 DEPTH = 1.8 + 0.3 * SQUARE
@@ -183,15 +183,15 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("otf", lm.otf, pupil=COMA, **at, pixel=0.5, spectrum=None, tol=1e-6),
         tagged("ptf", lm.ptf, pupil=COMA, **at, spectrum=None, tol=1e-6),
         tagged("mtf_frequency", lm.mtf_frequency, pupil=lm.Pupil(), level=0.5, angle=0.1, pixel=None),
-        tagged("encircled", encircled.encircled, pupil=PUPIL, radius=[1.0], method=None),
+        tagged("encircled", energy.encircled, pupil=PUPIL, radius=[1.0], method=None),
         tagged("spot.axis_strehl", spot.axis_strehl, answer=PSF),
         tagged("energy.window_energy", energy.window_energy, answer=PSF),
         tagged("radial_energy", energy.radial_energy, method=lm.NijboerZernike(), pupil=PUPIL, radius=[1.0]),
         tagged("spot.fwhm", spot.fwhm, answer=PSF, along="x"),
         tagged("energy.window_centroid", energy.window_centroid, answer=PSF),
         tagged("spot.peak_strehl", spot.peak_strehl, answer=PSF),
-        tagged("sampled_otf", image_transfer.sampled_otf, answer=PSF, **at),
-        tagged("sampled_spectrum", image_transfer.sampled_spectrum, answer=PSF),
+        tagged("sampled_otf", transfer.sampled_otf, answer=PSF, **at),
+        tagged("sampled_spectrum", transfer.sampled_spectrum, answer=PSF),
         tagged("aperture_means.rms", aperture_means.rms, pupil=lm.Wavefront(1.0), unit="radians"),
         tagged("DepthBlur", imaging.DepthBlur, lens=LENS, depth=DEPTH, pixel=8e-6, channels=[550e-9],
                border="zero", energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),

@@ -8,8 +8,8 @@ import pytest
 import lommel as lm
 from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.pixel_rule import pixel_rule
-from lommel.optics import aplanatic
+from lommel.methods.pixels.rule import pixel_rule
+from lommel.optics.wavefront import aplanatic
 
 LENS = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=1.0, wavelength=550e-9, model="aplanatic")
 CASES = {

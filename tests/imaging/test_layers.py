@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import DepthBlur, depth_of_field
-from lommel.imaging.layers import MOST_LAYERS, _behind, _layers, occlude
+from lommel.imaging.occlusion import MOST_LAYERS, _behind, _layers, occlude
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DONUT = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, obscuration=0.6)

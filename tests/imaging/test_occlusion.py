@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FocusPlan, Occlusion, depth_of_field
-from lommel.imaging.layers import _behind, _layers, occlude
+from lommel.imaging.occlusion import _behind, _layers, occlude
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 20e-6
@@ -110,7 +110,7 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     one, other = torn(rng), torn(rng)
     blur = DepthBlur(one, LENS, PIXEL, dtype=np.float64, channels=(6e-7, 5e-7, 6e-7), largest=20)
     light = rng.random((*one.shape, 3))
-    monkeypatch.setattr("lommel.imaging.layers._behind", lambda *given: made.append(1) or _behind(*given))
+    monkeypatch.setattr("lommel.imaging.occlusion._behind", lambda *given: made.append(1) or _behind(*given))
     operator = Occlusion(blur)
     first = operator.forward(light)
     assert np.array_equal(operator.forward(light), first)
@@ -132,7 +132,7 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
 def test_plans_keep_what_hides_what(monkeypatch):
     rng, made = np.random.default_rng(8), []
     depth, image = torn(rng), rng.random((17, 22)).astype(np.float32)
-    monkeypatch.setattr("lommel.imaging.layers._behind", lambda *given: made.append(1) or _behind(*given))
+    monkeypatch.setattr("lommel.imaging.occlusion._behind", lambda *given: made.append(1) or _behind(*given))
     plan = FocusPlan(image, depth, LENS, PIXEL, encoding="linear", largest=20)
     frames = [plan(focus_distance=distance).values for distance in (2.0, 2.2, 2.0, 2.2)]
     assert len(made) == 2

@@ -8,8 +8,7 @@ import tifffile
 from astropy.io import fits
 from PIL import Image
 
-from lommel.io.image_files import read_images
-from lommel.io.photos import PhotoError
+from lommel.io.photos import PhotoError, read_images
 
 STACK = np.arange(24, dtype=np.uint16).reshape(2, 3, 4) * 100
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.measures.encircled import encircled
+from lommel.measures.energy import encircled
 from lommel.page.state import psf_of
 
 WHITE = [450e-9, 1450e-9 / 3, 1550e-9 / 3, 550e-9, 1750e-9 / 3, 1850e-9 / 3, 650e-9]

@@ -171,7 +171,7 @@ def test_contrast_does_not_alias_whatever_the_pixel(pixel, options):
     f = np.array([0.1, 0.37]) / pupil.scale
     if options == "mask":
         fine = lm.psf(pupil, 513, 0.25 * pupil.scale, integrate=False)
-        from lommel.measures.image_transfer import sampled_otf
+        from lommel.measures.transfer import sampled_otf
 
         np.testing.assert_allclose(psf.mtf(f), np.abs(sampled_otf(fine, f) * np.sinc(f * side)), atol=2e-3)
         return

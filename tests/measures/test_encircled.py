@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.measures.encircled import encircled
-from lommel.measures.energy import radial_energy
+from lommel.measures.energy import encircled, radial_energy
 
 RADII = np.array([0.0, 0.3, 1.0, 2.5, 6.0, 15.0])
 

@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 from scipy.special import jv
 
 import lommel as lm
-from lommel.measures import cut_overlap, image_transfer
-from lommel.measures.overlap import autocorrelation
+from lommel.measures import overlap, transfer
+from lommel.measures.overlap import autocorrelation, cut_autocorrelation
 from lommel.methods import ToleranceError
 
 COMA = lm.Wavefront([0.0, 3.0], 0.4, nonradial={(3, 1): 1.0, (2, -2): -1.1, (1, 1): 2.0})
 FREQUENCIES = np.linspace(0.0, 1.2, 49)
 
 
-def overlap(a: mpmath.mpf, b: mpmath.mpf, d: mpmath.mpf) -> mpmath.mpf:
+def shared_area(a: mpmath.mpf, b: mpmath.mpf, d: mpmath.mpf) -> mpmath.mpf:
     """Return the area that discs of radii a >= b share, their centres d apart."""
     if d >= a + b:
         return mpmath.mpf(0)
@@ -36,7 +36,7 @@ def oneill(f: float, eps: float) -> float:
     """Return O'Neill's transfer function of an annulus, by the areas that its discs share."""
     with mpmath.workdps(40):
         rim, hole, d = mpmath.mpf(1), mpmath.mpf(eps), 2 * mpmath.mpf(f)
-        shared = overlap(rim, rim, d) - 2 * overlap(rim, hole, d) + overlap(hole, hole, d)
+        shared = shared_area(rim, rim, d) - 2 * shared_area(rim, hole, d) + shared_area(hole, hole, d)
         return float(shared / (mpmath.pi * (1 - hole**2)))
 
 
@@ -126,7 +126,7 @@ def test_the_wavefront_and_the_values_agree_to_what_the_window_holds(pupil):
     outside = []
     for side in (65, 257):
         image = lm.psf(pupil, side, 0.25, method=lm.Fraunhofer(samples=256, edge="grey"), dtype="float64")
-        difference = np.abs(image_transfer.sampled_otf(image, f, f[:, None]) - lm.otf(pupil, f, f[:, None]))
+        difference = np.abs(transfer.sampled_otf(image, f, f[:, None]) - lm.otf(pupil, f, f[:, None]))
         np.testing.assert_array_equal(image.otf(f, f[:, None]), lm.otf(pupil, f, f[:, None]))
         outside.append(1 - image.energy)
         assert np.all(difference.max(axis=(1, 2)) <= outside[-1] + 1e-4)
@@ -144,7 +144,7 @@ def test_pixels_that_average_carry_their_sinc_in_the_image_and_from_the_wavefron
     np.testing.assert_array_equal(image.otf(f, 0.3 * f), expected)
     np.testing.assert_array_equal(image.otf(f, 0.3 * f, of="optics"), plain)
     # Sampled at 1 / pixel, frequencies return: at most what the sinc of those leaves.
-    sampled = image_transfer.sampled_otf(image, f, 0.3 * f)
+    sampled = transfer.sampled_otf(image, f, 0.3 * f)
     assert np.abs(sampled - expected).max() < (1 - image.energy) + 1e-3
     assert np.abs(sampled - plain).max() > 2 * np.abs(sampled - expected).max()
 
@@ -153,16 +153,16 @@ def test_at_the_nyquist_frequency_values_have_twice_the_contrast_of_their_image(
     pupil = lm.Pupil(wavelength=550e-9, f_number=1.8)
     psf = lm.psf(pupil, 513, 1.22e-6)
     twice = 2.0 * psf.otf(0.5 / 1.22e-6).real
-    assert image_transfer.sampled_otf(psf, 0.5 / 1.22e-6).real == pytest.approx(twice, abs=2.0 * (1.0 - psf.energy))
+    assert transfer.sampled_otf(psf, 0.5 / 1.22e-6).real == pytest.approx(twice, abs=2.0 * (1.0 - psf.energy))
 
 
 @pytest.mark.parametrize(("shape", "center"), [((16, 21), None), ((9, 8), (3.3, 5.1))])
 def test_the_spectrum_of_a_window_is_its_sum_at_the_frequencies_of_the_window(shape, center):
     image = lm.psf(lm.Pupil(lm.Wavefront([1.0, 5.0])), shape, 0.4, center=center)
-    fx, fy, values = image_transfer.sampled_spectrum(image)
+    fx, fy, values = transfer.sampled_spectrum(image)
     assert values.shape == (2, *shape)
     assert fx[shape[1] // 2] == fy[shape[0] // 2] == 0.0
-    np.testing.assert_allclose(values, image_transfer.sampled_otf(image, fx, fy[:, None]), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(values, transfer.sampled_otf(image, fx, fy[:, None]), rtol=0, atol=1e-13)
     assert values[:, shape[0] // 2, shape[1] // 2].real == pytest.approx(image.values.sum(axis=(1, 2)), rel=1e-6)
 
 
@@ -246,7 +246,7 @@ def test_a_spectrum_is_the_weighted_sum_and_what_its_images_hold():
     ]
     np.testing.assert_allclose(found, np.tensordot(spectrum.weights, parts, 1), rtol=0, atol=1e-10)
     image = lm.psf(pupil, 401, 0.2 * pupil.scale, method=spectrum)
-    assert np.abs(image_transfer.sampled_otf(image, f) - found).max() <= (1 - image.values.sum()) + 1e-6
+    assert np.abs(transfer.sampled_otf(image, f) - found).max() <= (1 - image.values.sum()) + 1e-6
     np.testing.assert_array_equal(image.otf(f, of="optics"), found)
     with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
         lm.otf(lm.Pupil(), 0.5, spectrum=spectrum)
@@ -279,7 +279,7 @@ def test_frequencies_and_options_that_are_no_finite_numbers_are_refused(bad):
         lambda: lm.otf(pupil, 0.1, tol=bad),
         lambda: lm.mtf_frequency(pupil, bad),
         lambda: lm.mtf_frequency(pupil, angle=bad),
-        lambda: image_transfer.sampled_otf(image, bad),
+        lambda: transfer.sampled_otf(image, bad),
     ):
         with pytest.raises(ValueError, match="must be finite"):
             call()
@@ -293,7 +293,7 @@ def test_what_is_impossible_is_refused_by_name():
         "fx and fy must broadcast": lambda: lm.otf(pupil, [0.1, 0.2], [0.1, 0.2, 0.3]),
         "tol must be": lambda: lm.otf(pupil, 0.1, tol=1e-15),
         "level must be": lambda: lm.mtf_frequency(pupil, 1.0),
-        "fy must be at most the Nyquist frequency": lambda: image_transfer.sampled_otf(image, 0.1, -1.01),
+        "fy must be at most the Nyquist frequency": lambda: transfer.sampled_otf(image, 0.1, -1.01),
         "pixel is in metres": lambda: lm.mtf(lm.Pupil(wavelength=5e-7, f_number=2.0), 1e5, pixel=3.45),
     }.items():
         with pytest.raises((TypeError, ValueError), match=match):
@@ -313,7 +313,7 @@ EDGES = {
 @pytest.mark.parametrize("eps", [0.0, 0.3])
 def test_where_edges_may_cross_the_way_round_gives_what_the_other_gives(eps):
     pupil, f = lm.Pupil(COMA, obscuration=eps), np.array([[0.1, 0.2], [0.5, -0.3], [-0.05, 0.02], [1.0, 0.1], [0, 0]])
-    assert np.abs(cut_overlap.autocorrelation(pupil, f, 1e-9) - autocorrelation(pupil, f, 1e-12)).max() < 1e-9
+    assert np.abs(cut_autocorrelation(pupil, f, 1e-9) - autocorrelation(pupil, f, 1e-12)).max() < 1e-9
 
 
 @pytest.mark.parametrize("edges", EDGES)
@@ -361,6 +361,6 @@ def test_a_mask_is_refused_with_what_to_do():
 
 @pytest.mark.parametrize(("most", "what"), [(8, "8 nodes along a line"), (20, "20 panels")])
 def test_what_would_take_too_long_is_refused(monkeypatch, most, what):
-    monkeypatch.setattr(cut_overlap, "_MOST", most)
+    monkeypatch.setattr(overlap, "_MOST", most)
     with pytest.raises(ToleranceError, match=f"takes more than {what}"):
         lm.otf(lm.Pupil(**EDGES["vanes"]), 0.3, 0.2, tol=1e-12)

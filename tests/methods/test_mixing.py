@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from lommel.core.answers import Intensities, ToleranceError
-from lommel.methods.mixing import Contract, mixed
-from lommel.optics.spectrum import Component
+from lommel.methods.polychromatic import Contract, mixed
+from lommel.optics.colour.spectrum import Component
 
 PARTS = [Component(1.0, stretch, None) for stretch in (1.0, 1.25, 0.8)]
 SHARES = np.array([[0.0, 0.75, 0.25], [0.5, 0.25, 0.25], [1.0, 0.0, 0.0]])

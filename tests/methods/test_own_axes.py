@@ -282,7 +282,7 @@ def test_measures_are_those_of_each(name):
         np.testing.assert_allclose(answer.fwhm()[i], one.fwhm(), rtol=1e-12)
         for found, alone in zip(answer.profile(), one.profile(), strict=True):
             np.testing.assert_array_equal(found[i], alone)
-    from lommel.measures.image_transfer import sampled_spectrum
+    from lommel.measures.transfer import sampled_spectrum
 
     np.testing.assert_allclose(sampled_spectrum(answer)[2][2], sampled_spectrum(answer[2])[2], rtol=1e-12, atol=1e-15)
     # Wherever the axis is, the light is around it.
@@ -309,7 +309,7 @@ def test_an_answer_has_one_axis_or_one_for_each_pupil():
 
 
 def test_pieces_of_a_stack_of_averages_keep_their_axes(monkeypatch):
-    from lommel.methods import averaging
+    from lommel.methods.pixels import averaging
 
     expected = lm.psf(PUPILS["coma"][:5], 6, 0.8, center=([3, 3.2, 2.7, 3, 2], 2.5), integrate=True)
     monkeypatch.setattr(averaging, "_VALUES", 600)

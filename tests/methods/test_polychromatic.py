@@ -10,7 +10,7 @@ from scipy.special import j0, j1
 
 import lommel as lm
 from lommel.core.answers import Intensities
-from lommel.optics.spectrum import Spectrum
+from lommel.optics.colour.spectrum import Spectrum
 
 WAVES, WEIGHTS = (450e-9, 550e-9, 650e-9), (1.0, 2.0, 1.0)
 

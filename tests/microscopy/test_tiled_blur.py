@@ -7,8 +7,8 @@ import pytest
 from scipy.signal import convolve
 
 import lommel as lm
-from lommel.microscopy import tiled_blur
-from lommel.microscopy.tiled_blur import TiledBlur
+from lommel.microscopy import stack_blur
+from lommel.microscopy.stack_blur import TiledBlur
 from objectives import OIL_60X
 
 # Neither as many planes above the point as below it, nor alike in rows and columns.
@@ -35,7 +35,7 @@ def _parts(values):
     ("shape", "margin"), [((5, 30, 20), (3, 5)), ((5, 21, 27), (1, 2)), ((3, 22, 20), (0, 0)), ((1, 25, 20), (9, 9))]
 )
 def test_tiles_are_the_plain_sum_over_a_specimen_that_goes_on_along_z(monkeypatch, small, shape, margin):
-    monkeypatch.setattr(tiled_blur, "_SMALL", small)
+    monkeypatch.setattr(stack_blur, "_SMALL", small)
     blur = TiledBlur(PSF, shape, margin)
     rng = np.random.default_rng(0)
     specimen, recording = (rng.random(size).astype(np.float32) for size in (blur.whole, shape))

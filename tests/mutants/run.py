@@ -95,7 +95,7 @@ def load() -> list[Fault]:
             for place, (old, new, *more) in enumerate(entry["faults"], 1):
                 extra = more[0] if more else {}
                 tests = tuple(extra.get("tests", entry["tests"]))
-                name = f"{Path(file).parent.name}/{Path(file).name}:{place}"
+                name = f"{Path(*Path(file).parts[2:])}:{place}"
                 argued, drawn = extra.get("argued", ""), extra.get("drawn", False)
                 faults.append(Fault(len(faults) + 1, name, file, old, new, tests, argued, drawn=drawn))
     return faults
@@ -213,7 +213,7 @@ def drawn(count: int, seed: int, only: str | None) -> list[Fault]:
     faults: list[Fault] = []
     for number, (file, (start, end, new)) in enumerate(draw.draw(texts, seed), 1):
         text = texts[file]
-        name = f"{Path(file).parent.name}/{Path(file).name}:{text.count(chr(10), 0, start) + 1}"
+        name = f"{Path(*Path(file).parts[2:])}:{text.count(chr(10), 0, start) + 1}"
         fault = Fault(number, name, file, text[start:end], new, subject(file, listed), "", start)
         fault = replace(fault, argued=argued.get((file, fault.applied(text)), ""))
         beside = [other.span(text) for other in faults if other.file == file and other.compiled]

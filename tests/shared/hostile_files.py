@@ -31,7 +31,7 @@ import lommel as lm
 from lommel import imaging
 from lommel.io import psf_hdf5, psf_numpy
 from lommel.io.colour_files import load as load_colours
-from lommel.io.image_files import read_images
+from lommel.io.photos import read_images
 from lommel.lensfiles.field_tables import read_csv
 
 ENOUGH = 2**28  # bytes that any file may take

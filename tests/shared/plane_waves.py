@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 import lommel as lm
-from lommel.optics.emitter import Absorbed
+from lommel.optics.layers.emitter import Absorbed
 
 
 def nodes(objective: lm.Objective, rings: int) -> tuple[np.ndarray, np.ndarray]:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 import lommel as lm
-from lommel.twins.twin import Twin
+from lommel.traced.plan_function import Twin
 
 WHITE = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
 SENSOR = {"wavelength": 550e-9, "f_number": 8.0}

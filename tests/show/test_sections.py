@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.show.sections import is_z_stack, sections, voxels
+from lommel.show.plot import is_z_stack, sections, voxels
 
 OBJECTIVE = lm.Objective(
     NA=1.2,

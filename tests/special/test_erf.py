@@ -11,8 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lommel import AbramowitzErf, FresnelErf, TableErf
-from lommel.special.erf import Erf
-from lommel.special.fresnel import HALF, fresnel_auxiliary
+from lommel.special.erf import HALF, Erf, fresnel_auxiliary
 
 ALL = [FresnelErf(), TableErf(), TableErf(64), AbramowitzErf(), AbramowitzErf(40)]
 

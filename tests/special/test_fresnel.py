@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.special.fresnel import HALF, fresnel_auxiliary
+from lommel.special.erf import HALF, fresnel_auxiliary
 
 
 def _exact(s: float) -> complex:

@@ -18,9 +18,9 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.base import in_use
+from lommel.base import atomic
 from lommel.io.psf_files import FileError
-from lommel.stacks import stores
+from lommel.stacks import stack
 
 pytest.importorskip("h5py")
 
@@ -130,7 +130,7 @@ def test_what_a_replaced_store_was_computed_for_is_written_nowhere(suffix, side,
     """Workers of a call that was killed hold nothing, and whoever removes a store asks nobody."""
     path = tmp_path / f"a{suffix}"
     if how == "begun anew":
-        monkeypatch.setattr(in_use.fcntl, "flock", lambda *_: None)
+        monkeypatch.setattr(atomic.fcntl, "flock", lambda *_: None)
     one = first(path)
     if how == "removed":
         shutil.rmtree(path) if path.is_dir() else path.unlink()
@@ -166,7 +166,7 @@ def test_a_store_that_is_another_at_the_end_is_not_returned(suffix, side, tmp_pa
 @pytest.mark.parametrize("when", ["before", "after"])
 @pytest.mark.parametrize("begun", [False, True], ids=["new", "begun"])
 def test_of_two_calls_that_begin_a_store_one_gives_way(suffix, side, when, begun, tmp_path, monkeypatch):
-    path, kind = tmp_path / f"a{suffix}", stores.kind(tmp_path / f"a{suffix}")
+    path, kind = tmp_path / f"a{suffix}", stack.kind(tmp_path / f"a{suffix}")
     create, two = kind.create, []
     if begun:
         begin(path)
@@ -229,7 +229,7 @@ def test_where_nobody_can_tell_who_computes_a_store_is_not_begun_anew(suffix, tm
         raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
 
     path = tmp_path / f"a{suffix}"
-    monkeypatch.setattr(in_use.fcntl, "flock", no_locks)
+    monkeypatch.setattr(atomic.fcntl, "flock", no_locks)
     begin(path)
     with pytest.raises(
         FileError, match="its file system does not tell whether somebody computes it; remove it if nobody"

@@ -23,7 +23,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.field.maps import FieldMap
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 

@@ -50,3 +50,10 @@ def how_to_get(name: str, extra: str) -> str:
     here = "; in a clone, make env" if clone.is_file() and extra not in _NOT_LOCKED else ""
     brought = f' (the extra "{extra}" of lommel brings it{here})' if extra else ""
     return f"{top}: pip install {_TO_INSTALL.get(top, top)}{brought}"
+
+
+def version() -> str:
+    """Return the version that is installed."""
+    from importlib import metadata  # takes as long as the rest of `import lommel`
+
+    return metadata.version("lommel")

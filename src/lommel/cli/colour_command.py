@@ -11,12 +11,12 @@ import click
 from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.channel_psf import ColourPSF, colour_psf
+from lommel.cli import reports
 from lommel.cli.parts import figure_format, print_json, save_figure
 from lommel.cli.progress import progress
 from lommel.cli.tables import console_of, list_of, print_mtf, table_of
 from lommel.io import colour_files, field_files
-from lommel.optics.channels import Channels
-from lommel.reports import report
+from lommel.optics.colour.channels import Channels
 from lommel.show.drawing import HOW, MEANING
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def psf(
         facts = _facts(instrument, made, seconds)
         if mtf:
             grid = None if field is None else cast("PSFGrid", answer)
-            facts |= {"mtf": report.describe_mtf(instrument, grid, channels)}
+            facts |= {"mtf": reports.describe_mtf(instrument, grid, channels)}
         for path in outputs:
             answer.save(path)
         if figure is not None:
@@ -102,7 +102,7 @@ def _facts(instrument: Instrument, answer: ColourPSF, seconds: float) -> dict[st
         }
         for (name, pairs), light, one in zip(answer.channels, answer.channels.light, answer, strict=True)
     ]
-    made = report.how_made(answer[0], seconds)
+    made = reports.how_made(answer[0], seconds)
     kept = {name: made[name] for name in ("sampling", "pixel", "dtype", "normalize", "seconds")}
     said = {"shape": list(answer.shape), "error_bound": answer.error_bound, "of_spectra": answer.channels.error}
     return {"name": instrument.name, "source": instrument.source} | kept | said | {"channels": each}

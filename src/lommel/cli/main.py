@@ -208,10 +208,9 @@ def psf(
       lommel psf camera.toml --colour -o camera.png -o camera.npz
       lommel psf objective.toml --stack 64 --step "100 nm" --depth "2 um" -o psf.ome.tif -o psf.png
     """  # noqa: D301 (\b is meant)
-    from lommel.cli import tables
+    from lommel.cli import reports, tables
     from lommel.io import field_files, psf_files
     from lommel.psf import psf as compute
-    from lommel.reports import report
 
     registry = psf_files if field is None else field_files
     forms = [(path, registry.find(path, "--output")) for path in (() if colour else outputs)]
@@ -257,11 +256,11 @@ def psf(
         answer: Any = work()
         seconds = time.perf_counter() - start
         if field is None:
-            facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}
+            facts = reports.describe_lens(instrument) | {"psf": reports.describe_psf(answer, seconds)}
         else:
-            facts = report.describe_field(instrument, answer, seconds)
+            facts = reports.describe_field(instrument, answer, seconds)
         if mtf:
-            facts |= {"mtf": report.describe_mtf(instrument, None if field is None else answer)}
+            facts |= {"mtf": reports.describe_mtf(instrument, None if field is None else answer)}
         for path in outputs:
             answer.save(path)
         if figure is not None:
@@ -307,14 +306,13 @@ def info(as_json: bool, depth: float | None, **lens: Any) -> None:
       lommel info camera.toml --object-distance "3 m"
       lommel info objective.toml --depth "10 um"
     """  # noqa: D301 (\b is meant)
-    from lommel.cli import tables
-    from lommel.reports import report
+    from lommel.cli import reports, tables
 
     microscope = microscope_command.microscope_of(**lens, depth=depth)
     if microscope is not None:
         microscope_command.info(microscope, as_json)
         return
-    facts = report.describe_lens(instrument_of(**lens))
+    facts = reports.describe_lens(instrument_of(**lens))
     if as_json:
         print_json(facts)
     else:
@@ -343,8 +341,7 @@ def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
     Example:
       lommel compare camera.toml --figure methods.png
     """  # noqa: D301 (\b is meant)
-    from lommel.cli import tables
-    from lommel.reports import report
+    from lommel.cli import reports, tables
 
     if figure is not None:
         figure_format(figure)
@@ -358,8 +355,8 @@ def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
             else kind()
             for kind in METHODS.values()
         ]
-        rows, answers = report.compare(instrument, methods, started)
-        reference = report.reference_name(pupil)
+        rows, answers = reports.compare(instrument, methods, started)
+        reference = reports.reference_name(pupil)
         sampling = answers[reference].sampling
         if figure is not None:
             from lommel.show import plot
@@ -367,9 +364,9 @@ def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
             save_figure(plot.compare(answers, reference), figure)
     if as_json:
         named = {"name": instrument.name, "reference": reference, "sampling": sampling}
-        print_json(named | {"rows": rows, "other_model": report.other_model(instrument)})
+        print_json(named | {"rows": rows, "other_model": reports.other_model(instrument)})
     else:
-        tables.print_comparison(instrument, rows, reference, sampling, report.other_model(instrument))
+        tables.print_comparison(instrument, rows, reference, sampling, reports.other_model(instrument))
         if figure is not None:
             click.echo(f"wrote {figure}: the square root of the values, and slices")
 

@@ -121,7 +121,7 @@ def retrieve(
     from lommel.estimation.noise import Noise
     from lommel.estimation.retrieve import retrieve as fit
     from lommel.io import zernike_tables
-    from lommel.io.image_files import read_images
+    from lommel.io.photos import read_images
 
     if output is not None:
         zernike_tables.suffix(output, "--output")

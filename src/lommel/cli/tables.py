@@ -1,4 +1,4 @@
-"""The command line's tables: what :mod:`lommel.reports.report` says, for people."""
+"""The command line's tables: what :mod:`lommel.cli.reports` says, for people."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def made_how(facts: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def print_lens(facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.reports.report.describe_lens` says."""
+    """Print what :func:`lommel.cli.reports.describe_lens` says."""
     waves = ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())
     focused, seen = _told_apart(facts["focus_distance"], facts["object_distance"])
     lines = [
@@ -160,7 +160,7 @@ def _model(facts: dict[str, Any]) -> str:
 
 
 def model_in_words(other: dict[str, Any]) -> str:
-    """Return in a line what :func:`lommel.reports.report.other_model` says."""
+    """Return in a line what :func:`lommel.cli.reports.other_model` says."""
     if other["reason"] is not None:
         return f"{other['model']}: {other['reason']}"
     if _identical(other):
@@ -201,7 +201,7 @@ def _per_mm(frequency: float) -> str:
 
 
 def print_mtf(facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.reports.report.describe_mtf` says."""
+    """Print what :func:`lommel.cli.reports.describe_mtf` says."""
     first = facts["rows"][0]
     places, channels = first["x"] is not None, first["channel"] is not None
     heads = [*(("place x, y",) if places else ()), *(("channel",) if channels else ())]
@@ -220,7 +220,7 @@ def print_mtf(facts: dict[str, Any]) -> None:
 
 
 def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.reports.report.describe_psf` says."""
+    """Print what :func:`lommel.cli.reports.describe_psf` says."""
     lines = [
         ("method", repr(answer.method)),
         ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
@@ -246,7 +246,7 @@ def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
 
 
 def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.reports.report.describe_field` says: the largest value of each PSF, in its place."""
+    """Print what :func:`lommel.cli.reports.describe_field` says: the largest value of each PSF, in its place."""
     rows, columns, height, width = facts["shape"]
     lines = [
         ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
@@ -279,7 +279,7 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
 def print_comparison(
     instrument: Instrument, rows: list[dict[str, Any]], reference: str, sampling: str, other: dict[str, Any]
 ) -> None:
-    """Print the rows of :func:`lommel.reports.report.compare`, judged by the `reference` of that name."""
+    """Print the rows of :func:`lommel.cli.reports.compare`, judged by the `reference` of that name."""
     height, width = instrument.window
     size = f"{height} x {width} pixels of {_pitch(instrument.pixel)}, {HOW[sampling]}"
     table = table_of("method", "time", "MSE", "peak error", "error bound", no_wrap=True)

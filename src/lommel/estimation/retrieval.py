@@ -12,15 +12,15 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import LENGTHS
-from lommel.estimation import linearity
+from lommel.estimation import scoring
 from lommel.estimation.noise import Noise
 from lommel.estimation.scoring import Fits, covariance
 from lommel.estimation.star_images import StarImages
 from lommel.io import zernike_tables
-from lommel.methods.derivatives import POWERS, Name
-from lommel.optics.descriptions import radians_per
+from lommel.methods.derivative_names import POWERS, Name
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.descriptions import radians_per
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF
 from lommel.special import zernike
 
@@ -247,14 +247,14 @@ def _nearer(model: StarImages, fits: Fits) -> Array:
 
 def _doubt(model: StarImages, x: Array, inverse: Array) -> str:
     """Return why the standard errors of the answer `x` are not to be trusted, or nothing."""
-    error, axes = linearity.uncertainty(model, inverse)
-    if error > linearity.CERTAIN:
+    error, axes = scoring.uncertainty(model, inverse)
+    if error > scoring.CERTAIN:
         return (
             f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
             "image, and other wavefronts may fit as well"
         )
-    changes = linearity.changes(model, x, inverse, axes)
-    worst = [k for k in np.argsort(-changes) if changes[k] > linearity.STEADY]
+    changes = scoring.changes(model, x, inverse, axes)
+    worst = [k for k in np.argsort(-changes) if changes[k] > scoring.STEADY]
     if not worst:
         return ""
     names = ", ".join(label(model.unknowns.shared[k]) for k in worst[:3])

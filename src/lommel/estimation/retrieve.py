@@ -13,9 +13,8 @@ from lommel.base.arrays import Array
 from lommel.estimation import scoring
 from lommel.estimation.noise import Noise
 from lommel.estimation.retrieval import Retrieval, answered
-from lommel.estimation.star_images import SURE, StarImages
-from lommel.estimation.unknowns import Unknowns
-from lommel.methods.derivatives import SHIFTS
+from lommel.estimation.star_images import SURE, StarImages, Unknowns
+from lommel.methods.derivative_names import SHIFTS
 from lommel.optics.pupil import Pupil, checked
 from lommel.psf import Plan
 

@@ -2,30 +2,125 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Unpack
+from typing import Any, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lommel.base import validation
+from lommel.base import options, validation
+from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.field import wavefronts
-from lommel.field.aperture import ApertureKeywords, ApertureOptions, bare_pupil
 from lommel.field.depths import at_depths
-from lommel.field.places import stacked, weighted
 from lommel.field.psf_grid import PSFGrid
-from lommel.field.shaded import Shaded, places
-from lommel.field.vignetting import Shading, Vignetting
+from lommel.field.vignetting import Shaded, Shading, Vignetting, places
 from lommel.measures.answer_grid import sides
 from lommel.methods import Method
-from lommel.optics.channels import Channels
+from lommel.optics.colour.channels import Channels
+from lommel.optics.field_pupil import FieldPupil
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
+
+
+def stacked(pupils: list[Pupil], shape: tuple[int, ...], compute: Callable[[Pupil], PSF]) -> PSF:
+    """Return the PSFs of single pupils as a stack of a shape.
+
+    Parameters
+    ----------
+    pupils : list of Pupil
+    shape : tuple of int
+    compute : callable
+        From a pupil to its PSF, without derivatives.
+
+    Returns
+    -------
+    PSF
+        Of the method of the place that is narrowed most; its bound is the largest, None where one has none.
+    """
+    found = [compute(pupil) for pupil in pupils]
+    first = found[0]
+    if any(one.derivatives for one in found):
+        raise ValueError("derivatives are those of one aperture: ask place by place where vignetting changes it")
+    bounds = [one.error_bound for one in found]
+    narrow = next((one for one in found if not one.pupil.circular), first)
+    return replace(
+        narrow,
+        values=np.stack([one.values for one in found]).reshape(shape + first.values.shape),
+        pupil=FieldPupil(tuple(pupils), shape),
+        error_bound=None if None in bounds else max(bound for bound in bounds if bound is not None),
+        scale=np.reshape([float(one.scale) for one in found], shape),
+    )
+
+
+def weighted(psf: PSF, light: Array) -> PSF:
+    """Return a stack whose values are multiplied by the light of each place, and its scale with them."""
+    factor = np.asarray(light)[..., None, None].astype(psf.values.dtype)
+    slopes = {name: slope * factor for name, slope in psf.derivatives.items()}
+    assert math.prod(light.shape) == math.prod(psf.pupil.shape)
+    return replace(psf, values=psf.values * factor, scale=psf.scale * light, derivatives=slopes)
+
+
+class ApertureKeywords(TypedDict, total=False):
+    """What says which aperture it is."""
+
+    aperture: Pupil | None
+    wavelength: float | None
+    f_number: float | None
+    obscuration: float | None
+
+
+@dataclass(frozen=True)
+class ApertureOptions:
+    """What says which aperture it is, together.
+
+    Parameters
+    ----------
+    aperture : Pupil, optional
+        With a flat wavefront; such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting, mask,
+        apodization and scale are those of the whole field; its geometry, which is known on the axis only, is not.
+    wavelength, f_number, obscuration : float, optional
+        As of :class:`lommel.Pupil`, for what `aperture` does not state.
+    """
+
+    aperture: Pupil | None = None
+    wavelength: float | None = None
+    f_number: float | None = None
+    obscuration: float | None = None
+
+    def bare(self) -> Pupil:
+        """Return the pupil without wavefront.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the aperture is no pupil, has a wavefront, or contradicts what is stated beside it, or if that is out
+            of range.
+        """
+        stated = {name: v for name, v in vars(self).items() if name != "aperture" and v is not None}
+        if self.aperture is None:
+            return Pupil(**stated)
+        given: Pupil = validation.instance("aperture", self.aperture, Pupil)
+        if not given.wavefront.flat:
+            raise ValueError(
+                "aperture must have a flat wavefront, for the map has those of all positions: give "
+                "aperture.unaberrated(), and add its wavefront to the map where it is meant (field + wavefront)"
+            )
+        for name, value in stated.items():
+            if (known := getattr(given, name)) not in (None, value):
+                raise ValueError(f"{name} must be that of the aperture, {known:g}, or be left out, got {value!r}")
+        return replace(given, geometry=None, **stated)
+
+
+def bare_pupil(door: Callable[..., Any], given: Mapping[str, Any]) -> Pupil:
+    """Return the pupil without wavefront of what `door` was given; TypeError for what it does not take."""
+    options.require_known(door, given, ApertureKeywords)
+    return ApertureOptions(**given).bare()
 
 
 @dataclass(frozen=True, eq=False)

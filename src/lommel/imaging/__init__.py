@@ -3,11 +3,10 @@
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.chunks import depth_of_field_of_chunks
 from lommel.imaging.defocus.depth import DefocusDepth, depth_from_defocus
-from lommel.imaging.depth_of_field import depth_of_field
 from lommel.imaging.field.blur import FieldBlur
-from lommel.imaging.layers import Occlusion
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.plan import FocusPlan
+from lommel.imaging.occlusion import Occlusion
+from lommel.imaging.photograph import FocusPlan, depth_of_field
 from lommel.imaging.restoration.restore import restore
 from lommel.imaging.restoration.restore_with import Restoration, restore_with
 from lommel.imaging.restoration.richardson_lucy import RichardsonLucy
@@ -19,7 +18,7 @@ from lommel.imaging.tiles import depth_of_field_by_tiles
 from lommel.imaging.traced_blur import traced_blur
 from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
-from lommel.optics.channels import RED_GREEN_BLUE
+from lommel.optics.colour.channels import RED_GREEN_BLUE
 
 __all__ = [
     "RED_GREEN_BLUE",

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.imaging.cuts import cut, find_cuts, shares_used, sums_of_quarters
 from lommel.imaging.defocus_nodes import DefocusNodes
+from lommel.imaging.remainder import Remainder, fit, inner_energy, reach_of
 from lommel.imaging.sensor_light import SensorLight
-from lommel.imaging.whole.remainder import Remainder, fit, inner_energy, reach_of
+from lommel.imaging.window_sizes import cut, find_cuts, shares_used, sums_of_quarters
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision

@@ -12,14 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import shares
-from lommel.base.together import side_by_side
+from lommel.base.threads import side_by_side
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
+from lommel.imaging.beyond_windows import Beyond
 from lommel.imaging.borders import folded, gathered
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
-from lommel.imaging.whole.beyond import Beyond
 from lommel.optics.lens import Lens
 
 _BAND = 2**17  # points that are spread in one go where somebody watches

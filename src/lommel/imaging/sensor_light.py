@@ -10,12 +10,14 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
+from lommel.estimation.pixel_transfer import transfer_of_windows
 from lommel.imaging.defocus_nodes import Parabola
 from lommel.methods.choice import of_profiles
-from lommel.methods.pixel_rule import pixel_rule, sums_of_windows
+from lommel.methods.pixels.rule import pixel_rule, quarters, sums_of_windows
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 
 _METHOD = of_profiles(1e-7)
 
@@ -147,3 +149,27 @@ class SensorLight:
                 half = int((sums >= energy).argmax(axis=1).max()) + 1
                 return half, Parabola.through(ends, shares.max(axis=1))
             half = math.ceil(1.3 * half) + 1
+
+
+def sensor_transfer(
+    lens: Lens,
+    distances: Array,
+    spectrum: Sequence[tuple[float, float]],
+    pixel: float,
+    shape: tuple[int, int],
+    half: int,
+) -> NDArray[np.float32]:
+    """Do as :func:`lommel.estimation.pixel_transfer.pixel_transfer`, at no more cost for pixels of many lambda*N.
+
+    Parameters
+    ----------
+    lens, distances, spectrum, pixel, shape, half
+        As there.
+
+    Returns
+    -------
+    ndarray, shape (count, height // 2 + 1, width // 2 + 1)
+    """
+    light = SensorLight.of(lens, spectrum, pixel)
+    octants = light.shares(light.defocused(lens.defocus(distances)), half)
+    return transfer_of_windows(np.asarray(quarters(octants, half)), shape)

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.imaging.bank import Bank, stored_windows
 from lommel.imaging.blur import DepthBlur, Points
-from lommel.imaging.cuts import cut, find_cuts, sums_of_quarters
 from lommel.imaging.sensor_light import SensorLight
+from lommel.imaging.window_sizes import cut, find_cuts, sums_of_quarters
 
 if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator

@@ -13,10 +13,9 @@ from lommel.base import validation
 from lommel.base.encoding import to_light
 from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
-from lommel.imaging.layers import Occlusion, reach_behind
-from lommel.imaging.levels import stored
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.scene import Photograph, fill_missing, photograph
+from lommel.imaging.occlusion import Occlusion, reach_behind
+from lommel.imaging.scene import Photograph, fill_missing, photograph, stored
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 

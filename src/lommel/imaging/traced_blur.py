@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.imaging.blur import require_lens
 from lommel.imaging.sensor_light import SensorLight
-from lommel.methods.pixel_rule import octant
+from lommel.methods.pixels.rule import octant
 from lommel.optics.lens import Lens
-from lommel.twins import depth_blur
-from lommel.twins.depth_blur import TracedBlur
-from lommel.twins.namespaces import Namespace
-from lommel.twins.twin import Distances
+from lommel.traced import depth_blur
+from lommel.traced.depth_blur import TracedBlur
+from lommel.traced.namespaces import Namespace
+from lommel.traced.plan_function import Distances
 
 _MOST = 2000  # windows
 

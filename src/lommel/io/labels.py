@@ -10,9 +10,9 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.measures.answer import Answer
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.colour.spectrum import Spectrum
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
-from lommel.optics.spectrum import Spectrum
 
 _ARCSEC = math.pi / 648000.0
 

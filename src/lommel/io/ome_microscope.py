@@ -8,8 +8,8 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.measures.answer import Answer
-from lommel.optics.emitter import Beam
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.layers.emitter import Beam
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 UNEVEN = "planes are not evenly spaced along z: pupil.z has the place of each, metres"
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import atomic, reading
-from lommel.base.version import version
+from lommel.base.optional import version
 
 _BAND = 2**20  # pixels of a picture that are turned into an array at once
 

@@ -14,16 +14,16 @@ from numpy.typing import NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.checksums import checksum
-from lommel.base.version import version
-from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_raw, psf_tiff, registry
+from lommel.base.optional import version
+from lommel.blur.blurs import blurs_from_dicts
+from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_tiff, registry
 from lommel.io.registry import Format
 from lommel.measures.answer import Answer
 from lommel.methods import method_from_dict
 from lommel.optics.field_pupil import FieldPupil
 from lommel.optics.grid import Grid
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
-from lommel.sensor.blurs import blurs_from_dicts
 
 Made = TypeVar("Made", bound=Answer)
 NORMALIZE = ("energy", "emitted", "strehl", "peak")
@@ -38,8 +38,8 @@ registry.register(
     _fits(fits_images.PACKED, fits_images.packed(psf_fits.write), psf_fits.read),
     _hdf5((".h5", ".hdf5"), psf_hdf5.write, psf_hdf5.read, holds=("with derivatives",)),
     _hdf5((".mat",), psf_hdf5.write_mat, psf_hdf5.read_mat),
-    Format("psf", (".raw",), psf_raw.write, psf_raw.read, beside=".json"),
-    Format("psf", (".json",), psf_raw.write_turned, psf_raw.read_turned, beside=".raw"),
+    Format("psf", (".raw",), psf_numpy.write, psf_numpy.read, beside=".json"),
+    Format("psf", (".json",), psf_numpy.write_turned, psf_numpy.read_turned, beside=".raw"),
 )
 find = partial(registry.find, "psf")
 

@@ -10,7 +10,7 @@ from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
 from lommel.io import ome_microscope
 from lommel.measures.answer import Answer
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
 def write(psf: Answer, description: dict[str, Any], planes: dict[str, Any] | None = None) -> bytes:

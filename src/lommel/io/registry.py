@@ -67,7 +67,7 @@ class Format:
     - "frames": (list of values, milliseconds each, quality) to bytes
     - "depth map": values of float32 to bytes; (bytes, metres a level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
-    - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_zygo.Measured``
+    - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_files.Measured``
     - "zernike": read only, bytes to (ZernikeTable or None, what is wrong with it)
 
     What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A

@@ -10,8 +10,8 @@ from typing import Any
 
 from lommel.base import atomic, validation
 from lommel.base.units import LENGTHS
-from lommel.optics.descriptions import NORMALIZATIONS
-from lommel.optics.wavefront import Wavefront, same_path
+from lommel.optics.wavefront.descriptions import NORMALIZATIONS
+from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
 SUFFIXES = (".json", ".toml", ".csv")

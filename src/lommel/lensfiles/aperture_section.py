@@ -11,9 +11,10 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import optional, reading, validation
 from lommel.base.encoding import to_light
+from lommel.field.vignetting import Shading, Vignetting
 from lommel.io import fits_images
-from lommel.lensfiles.sections import Angle, Length, Number, Section, read_beside
-from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
+from lommel.lensfiles.sections import Angle, Length, Number, Section, SignedLength, read_beside
+from lommel.optics.aperture.obstructions import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 
 _FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
@@ -137,3 +138,43 @@ def read_transmission(path: Path) -> NDArray[Any]:
     if values.ndim != 2:
         raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
     return to_light(repr(path.name), values, "linear", np.float64)
+
+
+class VignettingSection(Section):
+    """A circle that moves across the aperture with the height, by a table."""
+
+    height: Annotated[list[SignedLength], Field(min_length=2)]
+    shift: list[Number]
+    radius: Number | list[Number] = 1.0
+
+    @model_validator(mode="after")
+    def _possible(self) -> VignettingSection:
+        self.made()
+        return self
+
+    def made(self) -> Vignetting:
+        """Return it as the map of a field takes it."""
+        return Vignetting(self.height, self.shift, self.radius)
+
+
+class ShadingSection(Section):
+    """How much less light comes, by a table or as the fourth power of a cosine."""
+
+    distance: Length | None = None
+    height: list[SignedLength] | None = None
+    light: list[Number] | None = None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> ShadingSection:
+        if (self.distance is None) == (self.height is None) or (self.height is None) != (self.light is None):
+            raise ValueError("needs distance, of the exit pupil from the sensor, or height and light: one of the two")
+        self.made()
+        return self
+
+    def made(self) -> Shading:
+        """Return it as the map of a field takes it."""
+        if self.distance is not None:
+            return Shading.cos4(self.distance)
+        assert self.height is not None
+        assert self.light is not None
+        return Shading(self.height, self.light)

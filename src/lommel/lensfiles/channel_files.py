@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import partial
 from os import PathLike
+from pathlib import Path
+from typing import Annotated, Any
 
 import numpy as np
+from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Array
 from lommel.base.units import LENGTHS
 from lommel.io import cells
 from lommel.lensfiles.messages import TOLD
-from lommel.optics.channels import Channels
-from lommel.optics.resampling import checked_paths
+from lommel.lensfiles.sections import Length, Number, Section, SignedLength, read_beside
+from lommel.optics.colour.channels import Channels, checked_paths
+from lommel.optics.colour.dispersion import Colour
 
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
@@ -155,3 +160,78 @@ def _columns(lines: list[tuple[int, list[str]]]) -> tuple[list[str], Array, Arra
             raise ValueError(f"{name} must be >= 0, got {row.min():g}")
     percent = np.array([0.01 if share else 1.0 for share in shares])[:, None]
     return names, waves, np.maximum(curves, 0.0) * percent
+
+
+_Wave = Annotated[Length, AfterValidator(validation.wavelength)]
+_CSV = "the name of a CSV file"
+
+
+class ColourSection(Section):
+    """What the section [colour] of a lens file may hold."""
+
+    wavelengths: Annotated[list[_Wave], Field(min_length=2)]
+    focus_shift: list[SignedLength] | None = None
+    lateral: list[SignedLength] | list[list[SignedLength]] | None = None
+    heights: Length | list[Length] | None = None
+
+    @model_validator(mode="after")
+    def _table(self) -> ColourSection:
+        self.colour()
+        return self
+
+    def colour(self) -> Colour:
+        """Return the table."""
+        return Colour(**dict(self))
+
+
+class ChannelsSection(Section):
+    """What the section [channels] of a lens file may hold."""
+
+    wavelengths: Annotated[list[_Wave], Field(min_length=1)] | None = None
+    weights: dict[str, list[Number]] | None = None
+    filters: list[str] = Field(default_factory=list)
+    illuminant: str | None = None
+    tol: Number = 1e-3
+    paths: Length = 5e-6
+    # Becomes the channels: read once all else is known.
+    file: Any = None
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        given = info.data
+        if value is None or not {"filters", "illuminant", "tol", "paths"} <= given.keys():
+            return value  # their own faults are told
+
+        def beside(name: str) -> Path:
+            return read_beside(info.context, name, _CSV, lambda path: path)
+
+        light = given["illuminant"] and beside(given["illuminant"])
+        more = {"illuminant": light, "tol": given["tol"], "paths": given["paths"]}
+        read = partial(load_channels, filters=[beside(name) for name in given["filters"]], **more)
+        return read_beside(info.context, value, _CSV, read)
+
+    @model_validator(mode="after")
+    def _one_way(self) -> ChannelsSection:
+        if (self.file is None) == (self.wavelengths is None):
+            raise ValueError("needs file, a table of the sensor, or wavelengths: exactly one of the two")
+        stray = {"weights"} if self.file is not None else {"filters", "illuminant", "tol", "paths"}
+        if found := sorted(stray & self.model_fields_set):
+            raise ValueError(
+                f"{', '.join(found)} has no meaning with {'file' if self.file is not None else 'wavelengths'}"
+            )
+        self.channels()
+        return self
+
+    def channels(self) -> Channels:
+        """Return the channels."""
+        if self.file is not None:
+            made: Channels = self.file
+            return made
+        assert self.wavelengths is not None
+        if self.weights is None:
+            return Channels.of_wavelengths(self.wavelengths)
+        counts = {len(row) for row in self.weights.values()}
+        if counts != {len(self.wavelengths)}:
+            raise ValueError(f"weights must be one for each of {len(self.wavelengths)} wavelengths in every channel")
+        return Channels(self.wavelengths, list(self.weights.values()), list(self.weights))

@@ -19,7 +19,7 @@ from lommel.field.maps import FieldMap
 from lommel.io import cells
 from lommel.lensfiles.messages import TOLD
 from lommel.optics.pupil import Pupil, checked
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 _MOST_COLUMNS = 1000  # more than there are terms

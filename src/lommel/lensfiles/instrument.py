@@ -8,10 +8,10 @@ from typing import Any
 
 from lommel.base import validation
 from lommel.field.maps import FieldMap
-from lommel.optics.channels import Channels
+from lommel.optics.colour.channels import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 
 
 @dataclass(frozen=True)

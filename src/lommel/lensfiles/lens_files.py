@@ -22,18 +22,16 @@ from lommel.base import validation
 from lommel.base.units import parse_radius
 from lommel.field.maps import FieldMap
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import field_tables, messages, toml_files, zernike_entries, zernike_files
-from lommel.lensfiles.aperture_section import ApertureSection
-from lommel.lensfiles.colour_section import ChannelsSection, ColourSection
+from lommel.lensfiles import field_tables, messages, toml_files, zernike_files
+from lommel.lensfiles.aperture_section import ApertureSection, ShadingSection, VignettingSection
+from lommel.lensfiles.channel_files import ChannelsSection, ColourSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.sections import Distance, Length, Number, PhotoSensor, Section, SignedLength, read_beside
-from lommel.lensfiles.shading_sections import ShadingSection, VignettingSection
 from lommel.lensfiles.toml_files import LensFileError
-from lommel.optics.apodization import Apodization
-from lommel.optics.distances import aperture
-from lommel.optics.lens import Lens
+from lommel.optics.aperture.apodization import Apodization
+from lommel.optics.lens import Lens, aperture
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 
 
 def _radius(value: Any) -> str | float:
@@ -264,7 +262,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return messages.place(text, ["aberrations", "zernike", *keys])
 
     if "file" not in section:
-        return zernike_entries.build_section(section, where)
+        return zernike_files.build_section(section, where)
     try:
         if others := [key for key in section if key != "file"]:
             raise ValueError(f"the file states everything; leave out {', '.join(others)}")

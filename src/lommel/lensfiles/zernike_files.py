@@ -2,18 +2,307 @@
 
 from __future__ import annotations
 
+import codecs
+import io
+import math
+import re
 from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
 from lommel.base import reading, validation
-from lommel.io import registry
+from lommel.base.options import near
+from lommel.base.units import LENGTHS, parse_length
+from lommel.io import cells, code_v, registry
 from lommel.io.registry import Format
-from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import messages, zernike_csv, zernike_listings
-from lommel.lensfiles.zernike_entries import build_section
+from lommel.io.zernike_tables import UNITS, ZernikeTable
+from lommel.lensfiles import messages
+from lommel.optics.wavefront.descriptions import NORMALIZATIONS
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.special import zernike
+
+SETTINGS = ("order", "unit", "normalization", "wavelength")
+_MOST_TERMS = 4096  # more than there are
+_PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
+
+_Index = int | tuple[int, int]
+_Where = Callable[[str], str]
+
+
+def build(
+    settings: Mapping[str, Any], terms: Sequence[tuple[str, Any, str]], where: _Where
+) -> tuple[ZernikeTable | None, list[str]]:
+    """Build a table from what a file says, or tell every fault in it.
+
+    Parameters
+    ----------
+    settings : mapping
+        By the names of `SETTINGS`; others are faults.
+    terms : sequence of (str, object, str)
+        Index as text, value, and where it stands.
+    where : callable
+        From the name of a setting to where it stands.
+    """
+    stray = [key for key in settings if key not in SETTINGS]
+    found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: messages.TOLD]]
+    found += ["unknown keys"] * len(stray[messages.TOLD :])
+    allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
+    for key, options in allowed.items():
+        if key not in settings:
+            found.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
+        elif settings[key] not in options:
+            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
+    wavelength = None
+    if "wavelength" in settings:
+        try:
+            wavelength = validation.wavelength(parse_length(settings["wavelength"]))
+        except ValueError as error:
+            found.append(f"{where('wavelength')}: {error}")
+    order = settings.get("order")
+    known = order if isinstance(order, str) and order in zernike.ORDERS else None
+    if len(terms) > _MOST_TERMS:
+        found.append(f"{where('terms')}: must be at most {_MOST_TERMS} coefficients, got {len(terms)}")
+        terms = terms[:1]
+    values: dict[_Index, float] = {}
+    places: dict[tuple[int, int], str] = {}
+    for text, value, at in terms:
+        try:
+            coefficient = validation.real("the coefficient", value)
+        except (ValueError, TypeError) as error:
+            found.append(f"{at}: {error}")
+            coefficient = 0.0
+        if known is None:
+            continue  # What an index means is not known.
+        try:
+            index = _index(text, known)
+            term = zernike.term(index, known)
+            if term in places:
+                raise ValueError(f"the term {text} was given before, {places[term]}")
+            Wavefront.zernike({index: coefficient}, order=known)
+        except (ValueError, TypeError) as error:
+            found.append(f"{at}: {error}")
+            continue
+        values[index], places[term] = coefficient, at
+    if not terms:
+        found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
+    if found:
+        return None, found
+    return ZernikeTable(values, settings["order"], settings["unit"], settings["normalization"], wavelength), []
+
+
+def build_section(
+    raw: Mapping[str, Any], where: Callable[[Sequence[str]], str]
+) -> tuple[ZernikeTable | None, list[str]]:
+    """Build a table from a section of a TOML or JSON file; `where` turns keys into where they stand."""
+    settings = {key: value for key, value in raw.items() if key != "terms"}
+    terms = raw.get("terms", {})
+    entries = terms.items() if isinstance(terms, Mapping) else ()
+    table, found = build(settings, [(k, c, where(["terms", k])) for k, c in entries], lambda key: where([key]))
+    if not isinstance(terms, Mapping):
+        # Instead of the last fault, that it is empty.
+        found[-1] = f"{where(['terms'])}: must map indices to coefficients, got {validation.shown(terms)}"
+    return table, found
+
+
+def _index(text: str, order: str) -> _Index:
+    if order == "nm":
+        pair = _PAIR.fullmatch(text.strip())
+        if not pair:
+            raise ValueError(f'an index of the order "nm" is written "n,m", got {validation.shown(text)}')
+        return int(pair[1]), int(pair[2])
+    if not re.fullmatch(r"\s*[+-]?\d+\s*", text, re.ASCII):
+        raise ValueError(f"an index of the order {order!r} is an integer, got {validation.shown(text)}")
+    return int(text)
+
+
+_INDICES = ("index", "term", "j", "zernike")  # names of columns
+_VALUES = ("value", "coefficient", "coeff", "c")
+_NAMES = ("name", "aberration", "description")  # which are left out
+_COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
+_NUMBERED = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
+_ALSO = {"wave": "waves", "rad": "radians", "radian": "radians", "meters": "metres", "micron": "um", "microns": "um"}
+
+_Row = tuple[int, list[str]]
+
+
+def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the table that a text holds, or every fault in it."""
+    settings: dict[str, str] = {}
+    lines: dict[str, int] = {}
+    found: list[str] = []
+    for place, line in enumerate(io.StringIO(text), 1):
+        comment, colon, value = line.partition(":")
+        key = comment.strip().removeprefix("#").strip()
+        if colon and comment.lstrip().startswith("#"):
+            if key in settings:
+                found.append(f"{validation.key(key)} (line {place}): is given twice, first in line {lines[key]}")
+            else:
+                settings[key], lines[key] = value.strip(), place
+
+    def stated(key: str, value: str, place: int) -> None:
+        if settings.setdefault(key, value) != value:
+            found.append(
+                f"line {place}: the columns say the {key} {value}, line {lines[key]} {validation.key(settings[key])}"
+            )
+        lines.setdefault(key, place)
+
+    if "unit" in settings:
+        settings["unit"] = _ALSO.get(settings["unit"].lower(), settings["unit"])
+    (head, columns), *rows = [*cells.rows(text, _between(text))] or [(0, [])]
+    plain = [cell.lower() for cell in columns]
+    if plain and all(map(_NUMBERED.fullmatch, plain)):
+        rows = _standing(rows, plain, found)
+        plain = ["index", "value"]
+    kept = [k for k, name in enumerate(plain) if name not in _NAMES]
+    index, value, unit = _told([plain[k] for k in kept], settings.get("order"))
+    if columns and not index:
+        wanted = "n,m,value" if settings.get("order") == "nm" else "index,value"
+        found.append(f"line {head}: the columns must be {wanted}, got {_brief(columns)}")
+        rows = []
+    if index == ["n", "m"]:
+        stated("order", "nm", head)
+    elif index and index[0] in zernike.ORDERS:
+        stated("order", index[0], head)
+    if unit:
+        stated("unit", unit, head)
+    terms = []
+    for place, row in rows:
+        if len(row) != len(plain):
+            found.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_brief(row)}")
+            continue
+        *at, number = (row[k] for k in kept)
+        numbered = _NUMBERED.fullmatch(at[0])
+        terms.append((numbered[1] if numbered else ",".join(at), cells.number(number), f"line {place}"))
+
+    def where(key: str) -> str:
+        return f"{validation.key(key)} (line {lines[key]})" if key in lines else validation.key(key)
+
+    table, more = build(settings, terms, where)
+    return (None if found else table), [*found, *more]
+
+
+def _told(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
+    """Return the columns of the index, that of the value, and the unit that it names; none if they are others."""
+    *index, last = columns or [""]
+    value = _COLUMN.fullmatch(last)
+    pair = index == ["n", "m"] and order in (None, "nm")
+    single = len(index) == 1 and order != "nm" and index[0] in (*_INDICES, *zernike.ORDERS[1:])
+    if not value or value[1] not in _VALUES or not (pair or single):
+        return [], "", ""
+    unit = _ALSO.get(value[2] or "", value[2] or "")
+    return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
+
+
+def _brief(row: Sequence[str]) -> str:
+    return validation.brief(", ".join(row[:60]))
+
+
+def _between(text: str) -> str:
+    """Return what separates cells: a semicolon or a tab where the first row has it and no comma."""
+    first = next((line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("#")), "")
+    return next((mark for mark in ";\t" if mark in first and "," not in first), ",")
+
+
+def _standing(rows: Sequence[_Row], names: Sequence[str], found: list[str]) -> list[_Row]:
+    """Return one row below Z1, Z2, ... as rows of an index and a value."""
+    for place, row in rows[1:]:
+        found.append(f"line {place}: one row of values is a table, got another: {validation.shown(', '.join(row))}")
+    for place, row in rows[:1]:
+        if len(row) != len(names):
+            found.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_brief(row)}")
+    return [(place, [name, cell]) for place, row in rows[:1] for name, cell in zip(names, row, strict=False)]
+
+
+_KIND = re.compile(r"^\s*(?:Listing of|Using)\b.*?\b(Standard|Fringe|Annular)\b", re.MULTILINE | re.IGNORECASE)
+_WAVES = re.compile(r"^\s*(?:Peak to Valley|RMS|Maximum fit)\b.*?:\s*[\d.,eE+-]+\s+waves\s*$", re.MULTILINE)
+_WAVELENGTH = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.MULTILINE)
+_RATIO = re.compile(r"^\s*(?:Obscuration|Epsilon|Annular ratio)[\w ]*:\s*([\d.,]+)\s*$", re.MULTILINE | re.IGNORECASE)
+_TERM = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
+_ENTRY = re.compile(r"^\s*Z\s*\d", re.ASCII)
+_BOMS = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16", codecs.BOM_UTF8: "utf-8-sig"}
+
+
+def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the coefficients of a listing by OpticStudio, or every fault in it."""
+    text, found = _text(data), []
+    kinds = {kind.lower() for kind in _KIND.findall(text)}
+    if len(kinds) != 1:
+        told = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
+        found.append(f"the terms must be Standard, Fringe or Annular, {told}")
+    if not _WAVES.search(text):
+        found.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
+    wavelength = None
+    if waves := _WAVELENGTH.search(text):
+        if waves[2] in LENGTHS:
+            wavelength = validation.wavelength(_number(waves[1]) * LENGTHS[waves[2]])
+        else:
+            found.append(f"the wavelength has the unknown unit {validation.shown(waves[2])}")
+    annulus, kind = _RATIO.search(text), "".join(kinds)
+    if kind == "annular" and not annulus:
+        found.append("the obscuration of the annulus is not stated")
+    terms: dict[int, float] = {}
+    for place, line in enumerate(text.splitlines(), 1):
+        entry = _TERM.match(line)
+        if not entry:
+            if _ENTRY.match(line):
+                found.append(f"line {place}: a term must have a number and a value, got {validation.shown(line)}")
+            continue
+        index, value = int(entry[1]), _number(entry[2])
+        if index in terms:
+            found.append(f"line {place}: the term {index} was given before")
+        elif not math.isfinite(value):
+            found.append(f"line {place}: the term {index} must be a finite number, got {validation.shown(entry[2])}")
+        terms[index] = value
+    if not terms:
+        found.append("it lists no term, such as 'Z   4     0.25'")
+    if found:
+        return None, found
+    if kind == "fringe":
+        return ZernikeTable(terms, "fringe", "waves", "edge", wavelength), []
+    if annulus and kind == "annular":
+        inner = validation.real("the obscuration", _number(annulus[1]), least=0.0, below=1.0)
+        disc = zernike.over_disc({zernike.term(j, "noll"): c for j, c in terms.items()}, inner)
+        terms = {zernike.index_of(n, m, "noll"): c for (n, m), c in disc.items()}
+    return ZernikeTable(dict(sorted(terms.items())), "noll", "waves", "rms", wavelength), []
+
+
+def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the coefficients in a file of Code V; ValueError for what is wrong."""
+    held = code_v.parse(_text(data))
+    if held.kind == "GRD":
+        raise ValueError("it holds a grid, no coefficients; load_opd reads it")
+    if held.missing.any():
+        raise ValueError(f"the term {held.missing.argmax() + 1} has no value (NDA)")
+    indexed = dict(enumerate(held.values.tolist(), 1))
+    if held.kind == "ZFR":
+        return ZernikeTable(indexed, "fringe", "waves", "edge", held.wavelength), []
+    pairs = {code_v.term(j): c for j, c in indexed.items()}
+    return ZernikeTable(pairs, "nm", "waves", "edge", held.wavelength), []
+
+
+def _text(data: bytes) -> str:
+    """Return a text in UTF-16 or UTF-8, as it says at its start, or else in UTF-8 or Windows' own."""
+    named = next((name for start, name in _BOMS.items() if data.startswith(start)), None)
+    if named is None:
+        try:
+            return reading.decoded(data)
+        except ValueError:
+            named = "latin-1"
+    try:
+        return "\n".join(data.decode(named).splitlines())
+    except UnicodeDecodeError as error:
+        raise ValueError(f"not {named} text: {error}") from None
+
+
+def _number(text: str) -> float:
+    """Return a number whose decimal point may be a comma; NaN if it is none."""
+    try:
+        return float(text.replace(",", ".") if text.count(",") == 1 and "." not in text else text)
+    except ValueError:
+        return math.nan
 
 
 class ZernikeFileError(ValueError):
@@ -112,7 +401,7 @@ _form = partial(Format, "zernike")
 registry.register(
     _form((".json",), read=_read_json),
     _form((".toml",), read=_read_toml),
-    _form((".csv",), read=lambda data: zernike_csv.read(reading.decoded(data))),
-    _form((".txt",), read=zernike_listings.read),
-    _form((".int", ".zfr"), read=zernike_listings.read_code_v),
+    _form((".csv",), read=lambda data: read_csv(reading.decoded(data))),
+    _form((".txt",), read=read_listing),
+    _form((".int", ".zfr"), read=read_code_v),
 )

@@ -7,7 +7,6 @@ from lommel.base import lazy
 if TYPE_CHECKING:
     from lommel.measures import axial as axial
     from lommel.measures import energy as energy
-    from lommel.measures import image_transfer as image_transfer
     from lommel.measures import pullback as pullback
     from lommel.measures import spot as spot
     from lommel.measures import transfer as transfer

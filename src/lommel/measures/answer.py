@@ -16,7 +16,7 @@ from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
 if TYPE_CHECKING:
-    from lommel.sensor.blurs import Blur
+    from lommel.blur.blurs import Blur
 
 
 class Measurable:

@@ -16,9 +16,9 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import ToleranceError
-from lommel.optics.opening import degree_needed
+from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.pupil import Pupil, checked, ray_height
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 

@@ -12,7 +12,7 @@ from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures.answer import Answer, checked
 from lommel.measures.continuous_image import ImageModel, cartesian_images
 from lommel.measures.spot import brightest_place
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
 def stage(answer: Answer) -> Array:

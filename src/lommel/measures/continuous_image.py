@@ -31,6 +31,8 @@ from scipy.special import erfc, j0, j1
 
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
+from lommel.blur.blurs import Blur, Seeing
+from lommel.blur.convolution import Short
 from lommel.core.answers import Images, ToleranceError, Wanted
 from lommel.measures.answer import Answer
 from lommel.measures.overlap import autocorrelation
@@ -40,11 +42,9 @@ from lommel.methods.method import Method, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
+from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
-from lommel.optics.spectrum import Component
-from lommel.sensor.blurs import Blur, Seeing
-from lommel.sensor.spread import Short
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 

@@ -13,7 +13,7 @@ from lommel.measures.energy import radial_energy, require_radial
 from lommel.methods.choice import of_profiles
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil, checked
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError
+from lommel.optics.aperture.obstructions import CatEye, Ellipse
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -160,3 +161,169 @@ def _panel(
     lines = (which, y.ravel(), weight.ravel())
     parts = [(*lines[:2], low.ravel(), np.maximum(high - low, 0.0).ravel(), lines[2]) for low, high in pieces]
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
+
+
+# Along a line across the overlap every edge is met at the roots of a line or a quadratic, so the clear pieces are
+# known exactly, and Gauss nodes in each converge spectrally. Across the lines the integrand has kinks where edges of
+# one aperture cross those of the other: panels are halved there, and wherever two rules differ, until the sum of what
+# they differ by is below the tolerance.
+
+_ACROSS = 10  # nodes of a panel, and of each of its halves
+_MOST = 4096  # panels halved at once, and nodes along a piece
+_LEVELS = 48  # times that a panel is halved: then it is as wide as rounding
+_CUT_CHUNK = 2**19  # pupil values held at once
+
+
+def cut_autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
+    """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack.
+
+    ToleranceError where `tol` takes more than 4096 panels at once, or as many nodes along a line.
+    """
+    values = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
+    # OTF(-f) is the conjugate of OTF(f), and nothing changes nearer to 0 than rounding of the edges.
+    mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
+    points, where = np.unique(np.where(mirrored[:, None], -f, f), axis=0, return_inverse=True)
+    found = np.zeros((len(values), len(points)), dtype=np.complex128)
+    for k, point in enumerate(points):
+        shift = math.hypot(*point)
+        if shift < 1e-14:
+            found[:, k] = 1.0
+        elif shift < 1.0:
+            found[:, k] = _Overlap(pupil, point).integral(tol)
+    values = found[:, where.reshape(-1)]
+    return np.where(mirrored, values.conj(), values)
+
+
+class _Overlap:
+    """Two copies of an aperture, moved by f and -f, in coordinates u along f and y across."""
+
+    def __init__(self, pupil: Pupil, f: Array) -> None:
+        self.pupil, self.f = pupil, f
+        self.shift = math.hypot(*f)
+        self.cos, self.sin = f / self.shift
+        self.scale = math.pi * pupil.transmission
+
+    def integral(self, tol: float) -> NDArray[np.complex128]:
+        """Return the OTF, shape (n,): with more nodes along the lines until two sums agree."""
+        blur = float(self.pupil.v(self.pupil.geometric_radius()).max())
+        nodes = 12 + math.ceil(0.25 * (2.0 * blur * min(1.0, 2.0 * self.shift) + self.pupil.illumination.slope))
+        before: NDArray[np.complex128] | None = None
+        while nodes <= _MOST:
+            found = self._across(nodes, 0.25 * tol)
+            if before is not None and np.abs(found - before).max() <= 0.5 * tol + 1e-15 * blur:
+                return found
+            before, nodes = found, math.ceil(1.4 * nodes)
+        raise ToleranceError(f"the OTF to tol={tol:g} takes more than {_MOST} nodes along a line")
+
+    def _across(self, nodes: int, tol: float) -> NDArray[np.complex128]:
+        """Return the sum over panels in the angle theta, y = top sin(theta), halved until they err by less."""
+        edges = np.unique(np.concatenate([np.linspace(-1.0, 1.0, 9), self._corners()]))
+        low, high = np.arcsin(edges[:-1]), np.arcsin(edges[1:])
+        whole = self._panels(low, high, nodes)
+        total = np.zeros(len(whole), dtype=np.complex128)
+        for _ in range(_LEVELS):
+            middle = 0.5 * (low + high)
+            left, right = np.split(self._panels(np.append(low, middle), np.append(middle, high), nodes), 2, axis=1)
+            finer = left + right
+            off = np.abs(finer - whole).max(axis=0)
+            # The finer sum errs by a fraction of what it changed; where all are good the sum of them is.
+            bad = off > tol / 64.0 if off.sum() > tol else np.zeros(off.size, dtype=bool)
+            total += finer[:, ~bad].sum(axis=1)
+            if not bad.any():
+                return np.asarray(total / self.scale)
+            if 2 * int(bad.sum()) > _MOST:
+                raise ToleranceError(f"the OTF to tol={tol:g} takes more than {_MOST} panels")
+            low, high = np.append(low[bad], middle[bad]), np.append(middle[bad], high[bad])
+            whole = np.concatenate([left[:, bad], right[:, bad]], axis=1)
+        return np.asarray((total + whole.sum(axis=1)) / self.scale)
+
+    @property
+    def top(self) -> float:
+        """Where the overlap of the rims ends."""
+        return math.sqrt((1.0 - self.shift) * (1.0 + self.shift))
+
+    def _corners(self) -> Array:
+        """Return y / top of corners and ends of the edges of one aperture, which both have, for vanes along f."""
+        found = [self.pupil.obscuration]
+        for angle in self.pupil.spider.angles if self.pupil.spider else ():
+            half = 0.5 * self.pupil.spider.width  # type: ignore[union-attr]
+            along = np.array(
+                [0.0, math.sqrt(max(self.pupil.obscuration**2 - half**2, 0.0)), math.sqrt(1.0 - half**2)]
+            )
+            s, c = math.sin(angle) * self.cos - math.cos(angle) * self.sin, math.cos(angle) * self.cos
+            c += math.sin(angle) * self.sin
+            found += [*(along * s + half * c), *(along * s - half * c)]
+        edge = self.pupil.vignetting
+        if isinstance(edge, CatEye):
+            across = edge.shift[1] * self.cos - edge.shift[0] * self.sin
+            found += [across - edge.radius, across + edge.radius]
+        elif isinstance(edge, Ellipse):
+            found.append(float(np.linalg.norm(edge.frame.T @ np.array([-self.sin, self.cos]))))
+        y = np.concatenate([found, np.negative(found)]) / self.top
+        return y[np.abs(y) < 1.0]
+
+    def _panels(self, low: Array, high: Array, nodes: int) -> NDArray[np.complex128]:
+        """Return the integral over each panel of theta, shape (n, panels), with so many nodes along each piece."""
+        x, w = gauss_legendre(_ACROSS)
+        theta = low[:, None] + (high - low)[:, None] * x
+        lines = self._lines(self.top * np.sin(theta).ravel(), nodes)
+        weight = (w * (high - low)[:, None]) * self.top * np.cos(theta)
+        return np.asarray((lines.reshape(len(lines), *weight.shape) * weight).sum(axis=-1))
+
+    def _lines(self, y: Array, nodes: int) -> NDArray[np.complex128]:
+        """Return the integral of both pupil functions along each line, shape (n, lines)."""
+        half = np.sqrt((1.0 - y) * (1.0 + y))
+        begin, end = self.shift - half, half - self.shift
+        cuts = [begin, end]
+        for center in (self.shift, -self.shift):
+            cuts += [np.clip(np.nan_to_num(center + at, nan=2.0), begin, end) for at in self._crossings(y)]
+        edges = np.sort(cuts, axis=0)
+        first, width = edges[:-1], np.diff(edges, axis=0)
+        middle = first + 0.5 * width
+        px, py = middle * self.cos - y * self.sin, middle * self.sin + y * self.cos
+        opening = self.pupil.opening
+        clear = (width > 0.0) & (opening.margin(px - self.f[0], py - self.f[1]) > 0.0)
+        clear &= opening.margin(px + self.f[0], py + self.f[1]) > 0.0
+        piece, line = np.nonzero(clear)
+        x, w = gauss_legendre(nodes)
+        out = np.zeros((math.prod(self.pupil.shape), y.size), dtype=np.complex128)
+        many = max(1, _CUT_CHUNK // (len(out) * nodes))
+        for start in range(0, line.size, many):
+            at = (piece[start : start + many], line[start : start + many])
+            u = first[at][:, None] + width[at][:, None] * x
+            across = y[at[1]][:, None]
+            px, py = u * self.cos - across * self.sin, u * self.sin + across * self.cos
+            product = self._function(px - self.f[0], py - self.f[1])
+            product *= self._function(px + self.f[0], py + self.f[1]).conj()
+            np.add.at(out.T, at[1], ((product @ w) * width[at]).T)
+        return out
+
+    def _function(self, x: Array, y: Array) -> NDArray[np.complex128]:
+        """Return the pupil function as it goes on behind its edges: pieces end at these, and rounding is not to."""
+        rho = np.hypot(x, y)
+        phase = self.pupil.wavefront.phase(np.minimum(rho, 1.0), np.arctan2(y, x)).reshape(-1, *rho.shape)
+        return np.asarray(self.pupil.illumination.at(rho**2) * np.exp(1j * phase))
+
+    def _crossings(self, y: Array) -> list[NDArray[Any]]:
+        """Return where lines meet each edge of an aperture around the origin; NaN, or far away, where they do not."""
+        pupil, found = self.pupil, []
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            root = np.sqrt(pupil.obscuration**2 - y * y)
+            found += [-root, root, -np.sqrt(1.0 - y * y), np.sqrt(1.0 - y * y)]
+            for angle in pupil.spider.angles if pupil.spider else ():
+                c = math.cos(angle) * self.cos + math.sin(angle) * self.sin
+                s = math.sin(angle) * self.cos - math.cos(angle) * self.sin
+                half = 0.5 * pupil.spider.width  # type: ignore[union-attr]
+                found += [np.divide(y * c - half, s), np.divide(y * c + half, s), np.divide(-y * s, c)]
+            edge = pupil.vignetting
+            if isinstance(edge, CatEye):
+                a = edge.shift[0] * self.cos + edge.shift[1] * self.sin
+                root = np.sqrt(edge.radius**2 - (y - edge.shift[1] * self.cos + edge.shift[0] * self.sin) ** 2)
+                found += [a - root, a + root]
+            elif isinstance(edge, Ellipse):
+                back = np.linalg.inv(edge.frame)
+                along, across = back @ [self.cos, self.sin], (back @ [-self.sin, self.cos])[:, None] * y
+                square, cross = along @ along, along @ across
+                root = np.sqrt(cross**2 - square * ((across**2).sum(axis=0) - 1.0))
+                found += [(-cross - root) / square, (-cross + root) / square]
+        return found

@@ -12,11 +12,11 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Wanted
 from lommel.measures.answer import Answer
 from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.derivatives import Name, Parts, checked, parts
+from lommel.methods.derivative_names import Name, Parts, checked, parts
+from lommel.methods.derivatives.slopes import differentiated, engines, single_light, translated
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
-from lommel.methods.slopes import differentiated, engines, single_light, translated
 from lommel.optics.pupil import checked as lens_pupil
 
 

@@ -98,7 +98,7 @@ def axis_strehl(answer: Answer) -> Numbers:
     method, pupil = answer.method, answer.pupil
     radial = answer.radial_method
     if answer.blur:
-        from lommel.sensor.recorded import recorded_images
+        from lommel.blur.recorded import recorded_images
 
         # The one that sampled may have been asked for much more.
         named, tol = (method, method.tol) if isinstance(method, Polychromatic) else (None, Method.tol)

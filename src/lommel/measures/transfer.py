@@ -16,14 +16,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.measures import cut_overlap
+from lommel.blur.blurs import Blur, blurs, require_unit
 from lommel.measures.answer import Answer, Measurable
-from lommel.measures.overlap import autocorrelation
+from lommel.measures.answer import checked as checked_answer
+from lommel.measures.energy import energy_per_pixel
+from lommel.measures.overlap import autocorrelation, cut_autocorrelation
 from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
-from lommel.optics.spectrum import Component
-from lommel.sensor.blurs import Blur, blurs, require_unit
 
 Complexes = np.complex128 | NDArray[np.complex128]
 
@@ -106,7 +107,7 @@ def otf(
     for share, _, part in parts:
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
-        overlap = autocorrelation if part.circular else cut_overlap.autocorrelation
+        overlap = autocorrelation if part.circular else cut_autocorrelation
         total += share * overlap(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * rest)[()]
     return result
@@ -337,3 +338,72 @@ def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
     parts = validation.real_array("fx", fx), validation.real_array("fy", fy)
     across, down = validation.broadcast("fx and fy", *parts)
     return across, down
+
+
+def sampled_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
+    """Return the discrete Fourier transform of the values in the window, by direct summation.
+
+    :func:`lommel.otf` is the transfer function of the image. That of its samples repeats with the sampling frequency
+    1 / pixel: at the Nyquist frequency it is twice the real part of the image's.
+
+    Parameters
+    ----------
+    answer : PSF
+    fx, fy : array_like
+        As of :func:`lommel.otf`, at most the Nyquist frequency ``1 / (2 pixel)``.
+
+    Returns
+    -------
+    complex or complex ndarray, shape ``answer.pupil.shape + s``
+        ``sum values exp(-2 pi i (fx x + fy y))`` as a fraction of all light, x and y from the axis: the sum of the
+        image's transfer function at f and at its aliases, f plus multiples of 1 / pixel, but for the light outside
+        of the window and the error of the values. At frequency 0 it is the light in the window.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the frequencies are not finite, do not broadcast, or exceed that of Nyquist.
+    """
+    checked_answer(answer)
+    across, down = frequencies(fx, fy)
+    height, width = answer.grid.pitch
+    for name, part, pitch in (("fx", across, width), ("fy", down, height)):
+        limit = 0.5 / pitch
+        if part.size and np.abs(part).max() > limit * (1.0 + 1e-12):
+            raise ValueError(
+                f"{name} must be at most the Nyquist frequency 1 / (2 pixel) = {limit:.6g} of the samples, "
+                f"got {np.abs(part).max():.6g}"
+            )
+    x, y = answer.grid.x, answer.grid.y
+    columns = np.exp(-2j * math.pi * x[..., None] * across.ravel())
+    rows = np.exp(-2j * math.pi * y[..., None] * down.ravel())
+    found = np.einsum("...yf,...yf->...f", energy_per_pixel(answer) @ columns, rows)
+    result: Complexes = found.reshape(answer.pupil.shape + across.shape)[()]
+    return result
+
+
+def sampled_spectrum(answer: Answer) -> tuple[Array, Array, NDArray[np.complex128]]:
+    """Return the frequencies of the window and its transfer function there, by FFT.
+
+    See :func:`lommel.measures.transfer.sampled_otf`.
+
+    Parameters
+    ----------
+    answer : PSF
+
+    Returns
+    -------
+    fx, fy : ndarray, shapes (width,) and (height,)
+        Rising, in steps of 1 / (width pixel) and 1 / (height pixel); 0 at ``width // 2`` and ``height // 2``.
+    values : complex ndarray, shape ``answer.values.shape``
+    """
+    checked_answer(answer)
+    from scipy import fft
+
+    grid = answer.grid
+    fx = fft.fftshift(fft.fftfreq(grid.width, grid.pitch[1]))
+    fy = fft.fftshift(fft.fftfreq(grid.height, grid.pitch[0]))
+    plain = fft.fftshift(fft.fft2(energy_per_pixel(answer)), axes=(-2, -1))
+    # The transform counts from the first pixel, positions from the axis.
+    shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
+    return fx, fy, np.asarray(plain * shift)

@@ -17,7 +17,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.optics.apodization import Apodization
+from lommel.optics.aperture.apodization import Apodization
 
 _ETA = np.geomspace(1e-3, 4.0, 96)
 _STEPS = 128

@@ -48,20 +48,20 @@ def _small(pupil: BasePupil, grid: Grid) -> bool:
         return False
     side = max(grid.shape)
     if grid.integrate:  # averages are made of finer samples
-        from lommel.methods.averaging import samples_across
+        from lommel.methods.pixels.averaging import samples_across
 
         side *= samples_across(grid.step(pupil))
     return side <= _SMALL or (side <= _SMALL_OF_STACK and math.prod(pupil.shape) >= _STACK)
 
 
 def _layered() -> tuple[type[Any], ...]:
-    from lommel.methods.stratified import Stratified
+    from lommel.methods.layers.stratified import Stratified
 
     return (Stratified,)
 
 
 def _measured() -> tuple[type[Any], ...]:
-    from lommel.methods.debye_rings import DebyeRings
+    from lommel.methods.layers.debye_rings import DebyeRings
 
     return (DebyeRings,)
 
@@ -214,7 +214,7 @@ def reference(pupil: BasePupil) -> Method:
         For apertures that are not round, `NonuniformFFT` at its finest.
     """
     if pupil.layered:
-        from lommel.methods.debye_wolf import DebyeWolf
+        from lommel.methods.layers.debye_wolf import DebyeWolf
 
         return _measured()[0](tol=1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
     if pupil.radial:

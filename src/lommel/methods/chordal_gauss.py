@@ -112,6 +112,6 @@ class ChordalGauss(Method):
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:
             return sampled(pupil, grid, self.tol, weights)
-        from lommel.methods.averaging import averaged_gradient
+        from lommel.methods.pixels.averaging import averaged_gradient
 
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.core.answers import Intensities
 from lommel.methods.method import Method
+from lommel.methods.pixels.subpixel import gauss_pixel
 from lommel.methods.sampling import MAX_SAMPLES, pupil_functions, require_samples
-from lommel.methods.subpixel import gauss_pixel
-from lommel.optics.aperture import cell_centers
+from lommel.optics.aperture.obstructions import cell_centers
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 

@@ -17,7 +17,7 @@ from lommel.optics.grid import Grid
 from lommel.special.bessel import _radii
 
 if TYPE_CHECKING:
-    from lommel.optics.spectrum import Component
+    from lommel.optics.colour.spectrum import Component
 
 AnyPupil: TypeAlias = Any
 """A :class:`lommel.optics.base_pupil.BasePupil`: each method narrows it to those that it supports."""
@@ -132,7 +132,7 @@ class Method(ABC):
         -------
         list of Component
         """
-        from lommel.optics.spectrum import Component
+        from lommel.optics.colour.spectrum import Component
 
         return [Component(1.0, 1.0, pupil)]
 
@@ -246,7 +246,7 @@ class RadialMethod(Method):
     def intensity(self, pupil: AnyPupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
-            from lommel.methods.subpixel import subpixel_intensity
+            from lommel.methods.pixels.subpixel import subpixel_intensity
 
             return subpixel_intensity(self, pupil, grid, threads)
         return self.profile(pupil, grid.v(pupil))
@@ -255,7 +255,7 @@ class RadialMethod(Method):
         """Return the images of the flattened stack; see ``Method.images``."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
-        from lommel.methods.subpixel import subpixel_intensity
+        from lommel.methods.pixels.subpixel import subpixel_intensity
 
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
@@ -370,7 +370,7 @@ def widened(made: Images, pupil: AnyPupil, method: Method, *, normalized: bool) 
 
 def powers_cancel(pupil: AnyPupil) -> str | None:
     """Return why the phase is not to be taken as powers of rho, or None where it may be."""
-    from lommel.optics.wavefront import MAX_HIGHER  # loaded with what has one
+    from lommel.optics.wavefront.wavefront import MAX_HIGHER  # loaded with what has one
 
     if pupil.wavefront.symmetric <= 2 + MAX_HIGHER:
         return None

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from lommel.base import optional, validation
 from lommel.core.answers import Intensities, ToleranceError
-from lommel.methods.averaging import filtered, filtered_by, least_average
 from lommel.methods.method import Method
+from lommel.methods.pixels.averaging import filtered, filtered_by, least_average
 from lommel.methods.sampling import samples_needed
+from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
-from lommel.optics.opening import degree_needed
 from lommel.optics.pupil import Pupil
 
 Array = NDArray[np.float64]
@@ -45,11 +45,11 @@ class NonuniformFFT(Method):
 
     Notes
     -----
-    The nodes (:meth:`lommel.optics.opening.Opening.rule`) are exact to a total degree for which the error of U is
-    proven to be below a quarter of the tolerance (:func:`lommel.optics.opening.degree_needed`), on discs, annuli and
-    full ellipses. On other apertures the degree is the same, and the rule converged to about 1e-13. The precision
-    asked of FINUFFT is another quarter; it is a requested relative accuracy of its kernel, measured by its authors,
-    not proven. A mask is not integrated: its samples are the pupil, and are summed.
+    The nodes (:meth:`lommel.optics.aperture.opening.Opening.rule`) are exact to a total degree for which the error of
+    U is proven to be below a quarter of the tolerance (:func:`lommel.optics.aperture.opening.degree_needed`), on
+    discs, annuli and full ellipses. On other apertures the degree is the same, and the rule converged to about 1e-13.
+    The precision asked of FINUFFT is another quarter; it is a requested relative accuracy of its kernel, measured by
+    its authors, not proven. A mask is not integrated: its samples are the pupil, and are summed.
 
     Both parts relate to the peak that was found, in the window or on a coarse lattice over the whole blur; where that
     is dimmer than was guessed the sum is repeated.

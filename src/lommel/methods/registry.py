@@ -5,25 +5,25 @@ from __future__ import annotations
 from typing import Any
 
 from lommel.core.answers import ToleranceError
-from lommel.methods.bead import Bead
 from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.closed_form import ClosedForm
-from lommel.methods.debye_rings import DebyeRings
-from lommel.methods.debye_wolf import DebyeWolf
-from lommel.methods.depletion import Sted
-from lommel.methods.fraunhofer import Fraunhofer
-from lommel.methods.geometric import Geometric
 from lommel.methods.hankel import Hankel
-from lommel.methods.huygens import HuygensFresnel
-from lommel.methods.lommel_series import LommelSeries
+from lommel.methods.layers.bead import Bead
+from lommel.methods.layers.debye_rings import DebyeRings
+from lommel.methods.layers.debye_wolf import DebyeWolf
+from lommel.methods.layers.depletion import Sted
+from lommel.methods.layers.scanning import Confocal, TwoPhoton
+from lommel.methods.layers.stratified import Stratified
 from lommel.methods.matrix_fourier import MatrixFourier
 from lommel.methods.method import FieldMethod, Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
+from lommel.methods.paper.closed_form import ClosedForm
+from lommel.methods.paper.fraunhofer import Fraunhofer
+from lommel.methods.paper.geometric import Geometric
+from lommel.methods.paper.huygens import HuygensFresnel
+from lommel.methods.paper.lommel_series import LommelSeries
+from lommel.methods.paper.tuned_closed_form import TunedClosedForm
 from lommel.methods.polychromatic import Polychromatic
-from lommel.methods.scanning import Confocal, TwoPhoton
-from lommel.methods.stratified import Stratified
-from lommel.methods.tuned_closed_form import TunedClosedForm
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
 
 METHODS: dict[str, type[Method]] = {

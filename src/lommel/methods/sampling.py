@@ -52,7 +52,7 @@ def transmission(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -
     """Return the amplitude, without apodization, of square cells of side ``2 half`` centred at ``(x, x)``.
 
     "binary": that at the centre of the cell. "grey": times the part of the cell that the aperture leaves clear; see
-    :meth:`lommel.optics.opening.Opening.coverage`.
+    :meth:`lommel.optics.aperture.opening.Opening.coverage`.
     """
     across, down = x[None, :], x[:, None]
     if edge == "grey":

@@ -46,6 +46,6 @@ def disk_images(
 
     if not grid.integrate:
         return sampled(pupil, grid, tol, wanted)
-    from lommel.methods.averaging import averaged_images
+    from lommel.methods.pixels.averaging import averaged_images
 
     return averaged_images(sampled, pupil, grid, tol, wanted)

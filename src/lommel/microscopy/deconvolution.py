@@ -14,7 +14,7 @@ from lommel.estimation.noise import Noise
 from lommel.imaging.restoration.observed import MISFIT, TINY, Tell, slack_of
 from lommel.imaging.restoration.restore_with import Progress, Restoration, shown
 from lommel.imaging.restoration.richardson_lucy import Course, RichardsonLucy
-from lommel.microscopy.tiled_blur import Part, Piece, TiledBlur
+from lommel.microscopy.stack_blur import Part, Piece, TiledBlur
 from lommel.psf import PSF
 
 STACK_MISFIT = (

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -111,3 +113,210 @@ def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
         raise ValueError(f"psf must have its axis in the middle pixel, got center={psf.grid.center}")
     values = psf.values / psf.values.sum(dtype=np.float64)
     return values.astype(np.float64), (origin, values.shape[1] // 2, values.shape[2] // 2)
+
+
+Part = Callable[[int, slice, slice], NDArray[Any]]
+"""Takes the number of a plane, rows and columns, and returns its values there."""
+
+_SHARE = 1.5  # of the recording that the two transforms of a tile take, in memory
+_SMALL = 2**21  # values that they may have in any case
+
+
+class Piece(NamedTuple):
+    """Part of a plane: its number, its rows and columns, and its values there."""
+
+    plane: int
+    rows: slice
+    columns: slice
+    values: NDArray[Any]
+
+
+class TiledBlur:
+    """Convolution of a specimen that is larger than its recording by a margin, and its transpose.
+
+    Beyond the margin planes are like the outermost one, and rows and columns dark. Convolutions are done by FFTs of
+    tiles of rows and columns with all planes, in single precision.
+
+    Parameters
+    ----------
+    psf : PSF
+        As :class:`lommel.microscopy.StackBlur` takes it.
+    shape : (int, int, int)
+        Planes, height and width of the recording.
+    margin : (int, int)
+        Planes and pixels beyond each of its faces.
+
+    Attributes
+    ----------
+    whole : (int, int, int)
+        Planes, height and width of the specimen.
+    """
+
+    def __init__(self, psf: PSF, shape: tuple[int, int, int], margin: tuple[int, int]) -> None:
+        from scipy.fft import next_fast_len
+
+        self._kernel, middle = kernel_of(psf)
+        self.shape, self._margin = shape, (margin[0], margin[1], margin[1])
+        self.whole = tuple(side + 2 * more for side, more in zip(shape, self._margin, strict=True))
+        # Light reaches so many voxels towards lower and higher numbers.
+        self._lower = middle
+        self._upper = tuple(side - 1 - at for side, at in zip(self._kernel.shape, middle, strict=True))
+        self._before, self._after = (max(0, reach[0] - margin[0]) for reach in (self._upper, self._lower))
+        self._depth = next_fast_len(self.whole[0] + self._before + self._after)
+        most = max(_SHARE * math.prod(shape), _SMALL) / (2.0 * self._depth)
+        self._tile = tuple(
+            _tile(side, more, int(math.sqrt(most)))
+            for side, more in zip(self.whole[1:], self._kernel.shape[1:], strict=True)
+        )
+        self._transfer = self._transformed_kernel()
+        self._sums = self._sums_of_kernel()
+
+    def forward(self, specimen: Part) -> Iterator[Piece]:
+        """Yield the recording of a specimen, each part of it once.
+
+        Parameters
+        ----------
+        specimen : callable
+            Returns parts of the specimen, of the shape `whole`.
+
+        Yields
+        ------
+        Piece
+        """
+        from scipy.fft import irfft2
+
+        planes, (margin, across, _) = self.shape[0], self._margin
+        for core in self._cores(self.shape):
+            light = self._transformed(specimen, self.whole, range(self.whole[0]), 0, core, self._upper, across)
+            light[self.whole[0] :][: self._after] = light[self.whole[0] - 1]
+            light[self._depth - self._before :] = light[0]
+            self._along_planes(light)
+            inside = _inside(core, self._upper)
+            for plane in range(planes):
+                yield Piece(plane, *core, irfft2(light[margin + plane], self._tile)[inside])
+
+    def adjoint(self, recording: Part) -> Iterator[Piece]:
+        """Yield what the transpose of :meth:`forward` makes of a recording, each part of the specimen once.
+
+        Parameters
+        ----------
+        recording : callable
+            Returns parts of the recording, of the shape `shape`.
+
+        Yields
+        ------
+        Piece
+        """
+        from scipy.fft import irfft2
+
+        planes, (margin, across, _) = self.whole[0], self._margin
+        for core in self._cores(self.whole):
+            seen = self._transformed(recording, self.shape, range(self.shape[0]), margin, core, self._lower, -across)
+            self._along_planes(seen, transposed=True)
+            if self._after:
+                seen[planes - 1] += seen[planes:][: self._after].sum(axis=0)
+            if self._before:
+                seen[0] += seen[self._depth - self._before :].sum(axis=0)
+            inside = _inside(core, self._lower)
+            for plane in range(planes):
+                yield Piece(plane, *core, irfft2(seen[plane], self._tile)[inside])
+
+    def seen(self, plane: int, rows: slice, columns: slice) -> NDArray[Any]:
+        """Return how much of the light of points of the specimen falls on the recording, as `Part` does."""
+        sums = self._sums[plane]
+        limits = []
+        for axis, part in ((1, rows), (2, columns)):
+            first = self._margin[axis] + self._lower[axis] - np.arange(part.start, part.stop)
+            both = np.stack([first, first + self.shape[axis]])
+            limits.append(np.clip(both, 0, self._kernel.shape[axis]))
+        (top, bottom), (left, right) = limits
+        between = sums[bottom] - sums[top]
+        return np.asarray(between[:, right] - between[:, left])
+
+    def _cores(self, shape: tuple[int, ...]) -> Iterator[tuple[slice, slice]]:
+        """Yield rows and columns of planes of this shape that are computed in one go."""
+        rows, columns = (
+            [slice(at, min(at + step, side)) for at in range(0, side, step)]
+            for side, step in (
+                (side, tile - more + 1)
+                for side, tile, more in zip(shape[1:], self._tile, self._kernel.shape[1:], strict=True)
+            )
+        )
+        for row in rows:
+            for column in columns:
+                yield row, column
+
+    def _transformed(
+        self,
+        values: Part,
+        shape: tuple[int, ...],
+        planes: range,
+        first: int,
+        core: tuple[slice, slice],
+        reach: tuple[int, ...],
+        shift: int,
+    ) -> NDArray[Any]:
+        """Return Fourier transforms of planes, of all that lies within the reach of a core; the others are 0."""
+        from scipy.fft import rfft2
+
+        out = np.zeros((self._depth, self._tile[0], self._tile[1] // 2 + 1), dtype=np.complex64)
+        tile = np.zeros(self._tile, dtype=np.float32)
+        taken, given = [], []
+        for part, side, low, more in zip(core, shape[1:], reach[1:], self._kernel.shape[1:], strict=True):
+            start, stop = part.start + shift - low, part.stop + shift - low + more - 1
+            taken.append(slice(max(start, 0), max(min(stop, side), 0)))
+            given.append(slice(taken[-1].start - start, taken[-1].stop - start))
+        for plane in planes:
+            tile[given[0], given[1]] = values(plane, taken[0], taken[1])
+            out[first + plane] = rfft2(tile)
+        return out
+
+    def _along_planes(self, transform: NDArray[Any], *, transposed: bool = False) -> None:
+        """Convolve along the planes, in place; row by row, for the sake of memory."""
+        from scipy.fft import fft, ifft
+
+        for row in range(transform.shape[1]):
+            made = fft(transform[:, row], axis=0)
+            made *= self._transfer[:, row].conj() if transposed else self._transfer[:, row]
+            transform[:, row] = ifft(made, axis=0, overwrite_x=True)
+
+    def _transformed_kernel(self) -> NDArray[Any]:
+        """Return the transform of the kernel, with the point in the first voxel."""
+        from scipy.fft import fft, rfft2
+
+        out = np.zeros((self._depth, self._tile[0], self._tile[1] // 2 + 1), dtype=np.complex64)
+        tile = np.zeros(self._tile, dtype=np.float32)
+        for plane, values in enumerate(self._kernel):
+            tile[: values.shape[0], : values.shape[1]] = values
+            out[plane - self._lower[0]] = rfft2(np.roll(tile, [-at for at in self._lower[1:]], axis=(0, 1)))
+        for row in range(out.shape[1]):
+            out[:, row] = fft(out[:, row], axis=0)
+        return out
+
+    def _sums_of_kernel(self) -> Array:
+        """Return sums of the kernel over the planes that are recorded of it, and over its first rows and columns.
+
+        For each plane of the specimen, shape (planes, height + 1, width + 1).
+        """
+        along = np.cumsum(np.pad(self._kernel, ((1, 0), (0, 0), (0, 0))), axis=0)
+        out = np.zeros((self.whole[0], *(side + 1 for side in self._kernel.shape[1:])))
+        for plane in range(-self._before, self.whole[0] + self._after):
+            first = self._margin[0] + self._lower[0] - plane
+            low, high = np.clip((first, first + self.shape[0]), 0, len(self._kernel))
+            out[min(max(plane, 0), self.whole[0] - 1), 1:, 1:] += along[high] - along[low]
+        return out.cumsum(axis=1).cumsum(axis=2)
+
+
+def _tile(side: int, kernel: int, most: int) -> int:
+    """Return the side of tiles, of which few do for `side` pixels."""
+    from scipy.fft import next_fast_len
+
+    core = max(most, 2 * kernel) - kernel + 1
+    pieces = math.ceil(side / core)
+    return int(next_fast_len(math.ceil(side / pieces) + kernel - 1, real=True))
+
+
+def _inside(core: tuple[slice, slice], reach: tuple[int, ...]) -> tuple[slice, slice]:
+    """Return where a core is in its tile."""
+    rows, columns = (slice(low, low + part.stop - part.start) for part, low in zip(core, reach[1:], strict=True))
+    return rows, columns

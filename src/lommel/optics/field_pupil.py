@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.optics.apodization import Apodization
+from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.pupil import Pupil
 

@@ -55,7 +55,10 @@ class Geometry:
 
     @property
     def sphere(self) -> float:
-        """Curvature of an aplanatic lens's reference sphere, 1/metres: see :func:`lommel.optics.aplanatic.path`."""
+        """Curvature of an aplanatic lens's reference sphere, 1/metres.
+
+        See :func:`lommel.optics.wavefront.aplanatic.path`.
+        """
         return self.in_focus if self.corrected_for == "focus" else -1.0 / self.sensor_distance
 
     def focused(self) -> Geometry:

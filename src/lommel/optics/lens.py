@@ -11,18 +11,127 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation, views
-from lommel.base.cached import cached_property
-from lommel.base.trusted import changed
+from lommel.base.cached import cached_property, changed
 from lommel.base.units import format_length
-from lommel.optics import aplanatic
-from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
-from lommel.optics.apodization import Apodization, illumination, lens_apodization
-from lommel.optics.colour import Colour, PupilColour
-from lommel.optics.distances import aperture, sensor
+from lommel.optics.aperture.apodization import Apodization, illumination, lens_apodization
+from lommel.optics.aperture.obstructions import CatEye, Ellipse, Mask, Spider
+from lommel.optics.colour.dispersion import Colour, PupilColour
 from lommel.optics.geometry import Geometry, object_distances
 from lommel.optics.pupil import Pupil
-from lommel.optics.stopping import narrowed
-from lommel.optics.wavefront import Wavefront, same_path
+from lommel.optics.wavefront import aplanatic
+from lommel.optics.wavefront.wavefront import Wavefront, same_path
+
+
+def aperture(focal_length: float, f_number: float | None, aperture_diameter: float | None) -> float:
+    """Return the diameter of the aperture from exactly one of the f-number and the diameter; metres.
+
+    Parameters
+    ----------
+    focal_length : float
+        Metres.
+    f_number, aperture_diameter : float or None
+        As of :class:`lommel.Lens`.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there are none or both of them, or one that is no positive number.
+    """
+    if (f_number is None) == (aperture_diameter is None):
+        raise ValueError(
+            "give exactly one of f_number and aperture_diameter, "
+            f"got f_number={f_number!r}, aperture_diameter={aperture_diameter!r}"
+        )
+    if f_number is not None:
+        diameter = focal_length / validation.real("f_number", f_number, above=0.0)
+    else:
+        diameter = validation.real("aperture_diameter", aperture_diameter, above=0.0, unit="metres")
+    name = "aperture_diameter, focal_length / f_number,"
+    return validation.real(name, diameter, least=1e-12, below=1e6, unit="metres")
+
+
+def sensor(focal_length: float, focus_distance: float | None, sensor_distance: float | None) -> float:
+    """Return the distance of the sensor from at most one of it and the object distance in focus; metres.
+
+    Parameters
+    ----------
+    focal_length : float
+        Metres.
+    focus_distance, sensor_distance : float or None
+        As of :class:`lommel.Lens`.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    TypeError, ValueError
+        If both are given, or one that is no positive number, or a focus closer than the focal length.
+    """
+    if focus_distance is not None and sensor_distance is not None:
+        raise ValueError(
+            "give at most one of focus_distance and sensor_distance, "
+            f"got focus_distance={focus_distance!r}, sensor_distance={sensor_distance!r}"
+        )
+    if sensor_distance is not None:
+        return validation.real("sensor_distance", sensor_distance, above=0.0, unit="metres")
+    s = math.inf if focus_distance is None else focus_distance
+    s = validation.real("focus_distance", s, above=0.0, infinite=True, unit="metres")
+    if s <= focal_length:
+        raise ValueError(
+            f"focus_distance must exceed the focal length {focal_length:g} m (no real image otherwise), got {s:g}"
+        )
+    return 1.0 / (1.0 / focal_length - 1.0 / s)
+
+
+def narrowed(lens: Any, ratio: float) -> dict[str, Any]:
+    """Return what of a lens is stated over the radius of an aperture that is narrower by a `ratio` of f-numbers.
+
+    Parameters
+    ----------
+    lens : Lens
+    ratio : float
+        The new f-number over that of the lens.
+
+    Returns
+    -------
+    dict
+        By the names that the constructor has.
+
+    Raises
+    ------
+    ValueError
+        As :meth:`lommel.Lens.stopped`.
+    """
+    if lens.vignetting or lens.mask:
+        raise ValueError(
+            "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
+            "the aperture: make a lens with those of the other stop"
+        )
+    light, flat = lens.apodization, not lens.aberrations.edge.any()
+    shaped = isinstance(light, Apodization) and not light.uniform
+    for there, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
+        if there and ratio < 1.0 - 1e-9:
+            raise ValueError(
+                f"f_number must be at least that of the lens, f/{lens.f_number:g}, up to which its {what} known, "
+                f"got f/{ratio * lens.f_number:g}"
+            )
+    if isinstance(light, Apodization):
+        light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
+    elif isinstance(light, float):
+        light = light / ratio**2
+    return {
+        "apodization": light,
+        "obscuration": lens.obscuration * ratio,
+        "aberrations": lens.aberrations if flat else lens.aberrations.scaled(min(1.0, 1.0 / ratio)),
+        "spider": lens.spider and replace(lens.spider, width=lens.spider.width * ratio),
+    }
+
 
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
@@ -306,7 +415,7 @@ class Lens(views.Shown):
         """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.
 
         The defocus itself if the model is paraxial. Else the Zernike terms in which the exact path difference is
-        expanded, with a bound on what they leave out; see :func:`lommel.optics.aplanatic.expansion`.
+        expanded, with a bound on what they leave out; see :func:`lommel.optics.wavefront.aplanatic.expansion`.
 
         Parameters
         ----------

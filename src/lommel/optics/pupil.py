@@ -11,18 +11,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.cached import cached_property
-from lommel.base.trusted import changed
-from lommel.optics.apodization import Apodization, illumination
+from lommel.base.cached import cached_property, changed
+from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.base_pupil import BasePupil, is_no_pupil
-from lommel.optics.wavefront import Wavefront, same_path
+from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
 if TYPE_CHECKING:  # most pupils are round, and need none of these
-    from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
-    from lommel.optics.colour import PupilColour
+    from lommel.optics.aperture.obstructions import CatEye, Ellipse, Mask, Spider
+    from lommel.optics.aperture.opening import Opening, Rule
+    from lommel.optics.colour.dispersion import PupilColour
     from lommel.optics.geometry import Geometry
-    from lommel.optics.opening import Opening, Rule
 
 
 @dataclass(frozen=True)
@@ -117,7 +116,7 @@ class Pupil(BasePupil):
             self._check_aperture()
 
     def _check_aperture(self) -> None:
-        from lommel.optics.aperture import Mask
+        from lommel.optics.aperture.obstructions import Mask
 
         validation.optional("mask", self.mask, Mask)  # the opening checks the others
         if self.area < 1e-12:
@@ -162,14 +161,15 @@ class Pupil(BasePupil):
     @property
     def opening(self) -> Opening:
         """The region where light passes, without regard to a mask."""
-        from lommel.optics.opening import Opening
+        from lommel.optics.aperture.opening import Opening
 
         return Opening(self.obscuration, self.spider, self.vignetting)
 
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture; those of a mask are its samples.
 
-        See :meth:`lommel.optics.opening.Opening.rule`. Weights carry the amplitude of the mask, but no apodization.
+        See :meth:`lommel.optics.aperture.opening.Opening.rule`. Weights carry the amplitude of the mask, but no
+        apodization.
         """
         return self.opening.rule(degree) if self.mask is None else _samples(self.opening, self.mask)
 
@@ -188,8 +188,8 @@ class Pupil(BasePupil):
         """Return the pupil in light of another `wavelength`, metres.
 
         Its aperture, distances and f-number stay, and so do the paths of light (``same_path`` in
-        lommel.optics.wavefront) but for what the colour of its lens changes, see :class:`lommel.Colour`. TypeError
-        or ValueError if it is no wavelength, or if the pupil has none itself.
+        lommel.optics.wavefront.wavefront) but for what the colour of its lens changes, see :class:`lommel.Colour`.
+        TypeError or ValueError if it is no wavelength, or if the pupil has none itself.
         """
         wavelength = validation.wavelength(wavelength)
         if self.wavelength is None:
@@ -338,8 +338,8 @@ class Pupil(BasePupil):
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Pupil:
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
-        from lommel.optics.aperture import Mask, Spider, vignetting_from_dict
-        from lommel.optics.colour import PupilColour
+        from lommel.optics.aperture.obstructions import Mask, Spider, vignetting_from_dict
+        from lommel.optics.colour.dispersion import PupilColour
         from lommel.optics.geometry import Geometry
 
         parts = dict(description)
@@ -363,8 +363,8 @@ _PARTS = ("spider", "vignetting", "mask", "colour")
 @lru_cache(maxsize=8)
 def _samples(opening: Opening, mask: Mask) -> Rule:
     """Return the cells of a mask that the aperture covers; weights are amplitude times covered area over pi."""
-    from lommel.optics.aperture import cell_centers
-    from lommel.optics.opening import Rule
+    from lommel.optics.aperture.obstructions import cell_centers
+    from lommel.optics.aperture.opening import Rule
 
     at = cell_centers(mask.side)
     part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
@@ -377,7 +377,7 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
 def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: float) -> float:
     """Return ``(1/pi) int (T A)^power dx dy``, amplitudes T of a mask and A of the light; at power 0 that of T."""
     if mask is None:
-        from lommel.optics.opening import degree_needed
+        from lommel.optics.aperture.opening import degree_needed
 
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:

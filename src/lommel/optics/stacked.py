@@ -12,9 +12,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.geometry import Geometry
-from lommel.optics.objective_pupil import PLANES, ObjectivePupil
+from lommel.optics.layers.objective_pupil import PLANES, ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 _LENS, _OBJECTIVE = "Pupil", "ObjectivePupil"

@@ -13,7 +13,7 @@ from lommel.base import validation
 from lommel.lensfiles.instrument import Instrument
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 
 

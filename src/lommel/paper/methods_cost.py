@@ -14,7 +14,7 @@ from lommel.measures.errors import peak_error
 from lommel.methods import ClosedForm, Fraunhofer, Hankel, HuygensFresnel, Method, NijboerZernike
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.paper.drawing import new_figure, panels
 from lommel.paper.setting import REFERENCE, FigureData
 from lommel.psf import psf

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.paper import families, spherical
 from lommel.paper.setting import REFERENCE, VARIANTS, Setting, measures, middle_row
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from lommel.measures.errors import mse, peak_error
 from lommel.methods import ClosedForm, Fraunhofer, Method, NijboerZernike
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf
 

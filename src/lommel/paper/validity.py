@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lommel.methods import ClosedForm, RadialMethod, TunedClosedForm
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.paper.drawing import V_AXIS, new_figure
 from lommel.paper.setting import REFERENCE, FigureData
 from lommel.special.erf import AbramowitzErf

@@ -5,12 +5,11 @@ from typing import TYPE_CHECKING
 from lommel.base import lazy
 
 if TYPE_CHECKING:
-    from lommel.show import energy as energy
+    from lommel.show import curves as curves
     from lommel.show import fit as fit
     from lommel.show import notebook as notebook
     from lommel.show import plot as plot
     from lommel.show import rays as rays
-    from lommel.show import transfer as transfer
     from lommel.show.names import difference as difference
     from lommel.show.names import encircled_energy as encircled_energy
     from lommel.show.names import focus_curves as focus_curves

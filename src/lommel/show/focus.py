@@ -4,22 +4,160 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
+from lommel.core.answers import Images, Wanted
 from lommel.measures import transfer
 from lommel.measures.aperture_means import strehl
-from lommel.measures.through_focus import Moved, moved, section
+from lommel.methods.choice import candidates, first_proven, of_profiles
+from lommel.methods.method import Method
+from lommel.optics.grid import Grid
 from lommel.optics.lens import Lens
-from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import Pupil, checked
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.show.drawing import STRETCHES, frequencies, lengths, new_axes, norm_of
+from lommel.special import zernike
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+_MARGIN = 8.0  # radians of defocus beyond all foci
+_NEAREST = 0.05  # of the distance of the sensor: no nearer to the lens
+
+
+class Moved(NamedTuple):
+    """A pupil in several places of the sensor.
+
+    Attributes
+    ----------
+    at : ndarray, shape (n,)
+        How far the sensor has been moved away from the lens, metres; of a pupil in units of lambda*N the defocus C_d
+        that was added, radians.
+    metric : bool
+        Whether these are metres.
+    pupils : tuple of Pupil
+        Of a lens one for each place, with the working f-number that it has there; of a pupil one stack of all.
+    """
+
+    at: Array
+    metric: bool
+    pupils: tuple[Pupil, ...]
+
+
+def moved(
+    thing: Lens | Pupil, object_distance: float | None = None, *, reach: float | None = None, count: int = 161
+) -> Moved:
+    """Return the pupils of a lens, or of a pupil, while the sensor moves through the focus.
+
+    Parameters
+    ----------
+    thing : Lens or Pupil
+        A single one. The places of a lens are exact. A pupil with a wavelength keeps its f-number: a shift by z adds
+        ``C_d = -pi z / (8 lambda N^2)``, which takes z to be small against the distance of the sensor.
+    object_distance : float, optional
+        Metres, of a lens; by default what is in focus.
+    reach : float, optional
+        Farthest place on both sides of the sensor: metres, or radians of a pupil in units of lambda*N. By default as
+        far as it takes for each zone of the aperture to have its focus in between, and the sensor, with some room.
+    count : int, default 161
+        Of places, 3 to 4096.
+
+    Returns
+    -------
+    Moved
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or there is a stack.
+    """
+    n = validation.integer("count", count, least=3, most=4096)
+    lens = thing if isinstance(thing, Lens) else None
+    if lens is None and object_distance is not None:
+        raise ValueError("object_distance must be None for a pupil, which has its object; pass the lens")
+    pupil = checked(thing if lens is None else lens.pupil(object_distance))
+    if pupil.shape != ():
+        raise ValueError(f"there must be a single pupil, got a stack of shape {pupil.shape}")
+    low, high = _foci(pupil)
+    if lens is not None:
+        at = _places(lens, low, high) if reach is None else _even(reach, lens.sensor_distance, n)
+        at = np.linspace(at[0], at[-1], n)
+        lenses = (replace(lens, sensor_distance=lens.sensor_distance + float(z)) for z in at)
+        distance = pupil.geometry.object_distance[0] if pupil.geometry else object_distance
+        return Moved(at, True, tuple(each.pupil(distance) for each in lenses))
+    step = 1.0 if pupil.wavelength is None else -8.0 * pupil.scale**2 / (math.pi * pupil.wavelength)
+    first, last = sorted((step * low, step * high))
+    at = np.linspace(first, last, n) if reach is None else _even(reach, math.inf, n)
+    stack = replace(pupil, wavefront=pupil.wavefront + Wavefront(at / step), geometry=None)
+    return Moved(at, pupil.wavelength is not None, (stack,))
+
+
+def section(through: Moved, x: Array) -> Array:
+    """Return the light along x, through the axis, in each place of the sensor.
+
+    Parameters
+    ----------
+    through : Moved
+    x : ndarray, shape (m,)
+        Evenly spaced, odd in number, the middle one 0; metres or units of lambda*N.
+
+    Returns
+    -------
+    ndarray, shape (n, m)
+        Intensity over that of the same aperture without aberration, in focus where the sensor is before it moves.
+        Within the tolerance of the default method, 1e-6 of the peak of each place.
+    """
+    middle = through.pupils[len(through.pupils) // 2]
+    step = float(x[-1] - x[0]) / max(x.size - 1, 1)
+    rows = []
+    for pupil in through.pupils:
+        spread = (middle.scale / pupil.scale) ** 2  # the same light on more of the sensor
+        if pupil.radial:
+            method: Method = of_profiles()
+            v, back = np.unique(pupil.v(np.abs(x)), return_inverse=True)
+            values = of_profiles().profile(pupil, v).values[:, back.ravel()]
+        else:
+            grid = Grid((1, x.size), step, center=(0.0, float(x.size // 2)))
+
+            def ask(way: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Images:
+                return way.images(pupil, grid, Wanted())
+
+            method, made = first_proven(candidates(pupil, grid), ask)
+            values = made.values[:, 0]
+        rows.append(values * (spread / method.unaberrated_peak(pupil)))
+    return np.concatenate(rows).astype(np.float64)
+
+
+def _foci(pupil: Pupil) -> tuple[float, float]:
+    """Return the range of defocus, radians, that brings each zone to focus, and holds 0, with a margin."""
+    t = np.linspace(pupil.obscuration**2, 1.0, 129)
+    slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
+    low, high = min(-0.5 * float(slope.max()), 0.0), max(-0.5 * float(slope.min()), 0.0)
+    room = _MARGIN + 0.25 * (high - low)
+    return low - room, high + room
+
+
+def _places(lens: Lens, low: float, high: float) -> Array:
+    """Return the ends of where the sensor adds so much defocus, as ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2``."""
+    d, radius = lens.sensor_distance, 0.5 * lens.aperture_diameter
+    vergence = 1.0 / d + np.array([high, low]) * (2.0 * lens.wavelength / (math.pi * radius**2))
+    # Where a focus is beyond all distances, as far as it is light.
+    return np.asarray(1.0 / np.clip(vergence, 1.0 / (3.0 * d), 1.0 / (_NEAREST * d)) - d)
+
+
+def _even(reach: float, sensor_distance: float, count: int) -> Array:
+    far = validation.real("reach", reach, above=0.0)
+    if far >= sensor_distance:
+        raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {far:g}")
+    return np.linspace(-far, far, count)
+
 
 _ACROSS = 241  # points along x
 _SHARES = (0.1, 0.25, 0.5)  # of the cutoff
@@ -49,7 +187,7 @@ def through_focus(
         Metres, of a lens; by default what is in focus.
     reach : float, optional
         Farthest place of the sensor on both sides: metres, or radians; see
-        :func:`lommel.measures.through_focus.moved`.
+        :func:`lommel.show.focus.moved`.
     half_width : float, optional
         Of what is shown of x, metres or units of lambda*N; by default all that rays reach. Far from the focus that is
         much, and a sharp focus falls between the 241 points; name it, and `reach`.

@@ -11,9 +11,9 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.optics.base_pupil import BasePupil
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 

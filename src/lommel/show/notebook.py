@@ -21,10 +21,10 @@ from lommel.measures.answer_channels import AnswerChannels
 from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.aperture_means import rms
 from lommel.measures.energy import energy_per_pixel
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.lens import Lens
-from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.show import png
 from lommel.show.drawing import HOW, MEANING
 from lommel.show.labels import few, few_of, of_pupils

@@ -26,13 +26,13 @@ class Pictured(Answer):
     def plot_mtf(self, ax: Axes | None = None) -> Any:
         """Draw the modulation transfer function along x and y, beside that of the aperture without aberration.
 
-        See :func:`lommel.show.transfer.mtf`.
+        See :func:`lommel.show.curves.mtf`.
         """
-        return show.transfer.mtf(self, ax)
+        return show.curves.mtf(self, ax)
 
     def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Any:
-        """Draw the light within circles up to a `radius`; see :func:`lommel.show.energy.encircled_energy`."""
-        return show.energy.encircled_energy(self, ax, radius=radius)
+        """Draw the light within circles up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
+        return show.curves.encircled_energy(self, ax, radius=radius)
 
     def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Any:
         """Draw where rays meet the sensor over the values; see :func:`lommel.show.rays.spots`."""

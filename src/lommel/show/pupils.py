@@ -11,9 +11,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.measures.aperture_means import rms
 from lommel.optics.base_pupil import BasePupil, imaged
-from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.show.drawing import at_most, even_norm, new_axes, only_single, tiles
 from lommel.show.labels import of_pupils, of_wavefronts
 

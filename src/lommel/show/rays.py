@@ -2,20 +2,60 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from lommel.base import validation
-from lommel.measures import rays as measured
+from lommel.base.arrays import Array
 from lommel.measures.answer import Answer, checked
-from lommel.measures.aperture_means import spot_radius
+from lommel.measures.aperture_means import gradient, spot_radius
 from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import checked as checked_pupil
 from lommel.show.drawing import lengths
 from lommel.show.plot import plot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
+    """Return where the rays through evenly spread points of the clear aperture meet the sensor.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        A single one.
+    rings : int, default 12
+        Of points about the axis, six more on each than on the one within: ``3 rings (rings + 1) + 1`` of a full disc,
+        each for about the same area. 1 to 100.
+
+    Returns
+    -------
+    ndarray, shape (rays, 2)
+        x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
+        Exact but for rounding; their rms about their centroid approaches :func:`lommel.spot_radius` of even light as
+        `rings` grow.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or the pupil is a stack.
+    """
+    if checked_pupil(pupil).shape != ():
+        raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
+    count = validation.integer("rings", rings, least=1, most=100)
+    ring = np.repeat(np.arange(count + 1), [1, *(6 * k for k in range(1, count + 1))])
+    place = np.concatenate([np.arange(max(6 * k, 1)) for k in range(count + 1)])
+    # In the middle, where slopes over rho have a limit only, beside it.
+    rho = np.maximum(ring / (count + 0.5), 1e-9)
+    theta = place * math.pi / (3.0 * np.maximum(ring, 1))
+    x, y = rho * np.cos(theta), rho * np.sin(theta)
+    clear = pupil.opening.margin(x, y) >= 0.0
+    if pupil.mask is not None:
+        clear &= pupil.mask.at(x, y) > 0.0
+    return np.asarray(gradient(pupil.wavefront, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))
 
 
 def spots(psf: Answer, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Any:
@@ -29,7 +69,7 @@ def spots(psf: Answer, ax: Axes | None = None, *, rings: int = 12, stretch: str 
         By default those of a new figure, which has a bar and a title with the rms radius of the rays,
         :func:`lommel.spot_radius`.
     rings : int, default 12
-        Of rays; see :func:`lommel.measures.rays.spots`.
+        Of rays; see :func:`lommel.show.rays.ray_positions`.
     stretch : {"sqrt", "linear", "log"}
         Of the PSF.
 
@@ -51,7 +91,7 @@ def spots(psf: Answer, ax: Axes | None = None, *, rings: int = 12, stretch: str 
         raise ValueError(f"psf must be a single one for a spot diagram, got a stack of shape {pupil.shape}; index it")
     validation.axes("ax", ax)
     factor, unit = lengths(psf.unit)
-    x, y = measured.spots(pupil, rings).T * factor
+    x, y = ray_positions(pupil, rings).T * factor
     axes = plot(psf, ax, stretch=stretch)
     limits = axes.get_xlim(), axes.get_ylim()
     axes.scatter(x, y, s=4.0, color="deepskyblue", linewidths=0.0, label=f"{x.size} rays")

@@ -94,7 +94,7 @@ def steps(band: float, error: float) -> Steps:
 
     The error is a polynomial in w, but for 1e-17 of it, of a degree ``M = 1.18 n band + 48``, n as many as there are
     neighbours of both (its Chebyshev series falls below ``e^-48`` there), and one of degree 40 in t. As in
-    :mod:`lommel.methods.averaging` it is at most sqrt(2) times as large as at 2 M Chebyshev points of either.
+    :mod:`lommel.methods.pixels.averaging` it is at most sqrt(2) times as large as at 2 M Chebyshev points of either.
     """
     for count in range(4, TAPS_MOST + 1, 2):
         if _filtered(count, band, NEIGHBOURS_MOST).error <= error:

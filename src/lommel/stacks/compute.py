@@ -25,9 +25,8 @@ from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.stacks.layout import Index
 from lommel.stacks.request import Options, Question, Request, requested
-from lommel.stacks.stack import PSFStack
+from lommel.stacks.stack import PSFStack, kind
 from lommel.stacks.store import IDENTITY, Store, replaced
-from lommel.stacks.stores import kind
 
 # Of file systems, such as some of networks, that do not know which files are in use.
 _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}

@@ -15,15 +15,15 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.base.checksums import crc32
-from lommel.base.version import version
+from lommel.base.optional import version
+from lommel.blur.blurs import Blur
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method
-from lommel.methods.wanted import for_axes
+from lommel.methods.question import for_axes
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 from lommel.optics.stacked import apart, together
 from lommel.psf import PSF, Plan
-from lommel.sensor.blurs import Blur
 from lommel.stacks.layout import DEFAULT, FORMAT, Index, Layout, cut, layouts
 
 _METRES = ("object_distance", "depth", "z", "wavelength")

@@ -15,15 +15,25 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import crc32
 from lommel.base.optional import library
+from lommel.blur.blurs import blurs_from_dicts
 from lommel.io.psf_files import NORMALIZE, FileError, told
 from lommel.methods.registry import method_from_dict
 from lommel.optics.grid import Grid
 from lommel.optics.stacked import together
 from lommel.psf import PSF
-from lommel.sensor.blurs import blurs_from_dicts
+from lommel.stacks.hdf5_store import Hdf5Store
 from lommel.stacks.layout import OF_CHUNK, Index
 from lommel.stacks.store import WHAT, Store
-from lommel.stacks.stores import kind
+from lommel.stacks.zarr_store import ZarrStore
+
+KINDS: dict[str, type[Store]] = {".zarr": ZarrStore, ".h5": Hdf5Store, ".hdf5": Hdf5Store}
+
+
+def kind(path: Path) -> type[Store]:
+    """Return what stores of a path are; ValueError if its suffix is unknown."""
+    if path.suffix.lower() not in KINDS:
+        raise ValueError(f"store must end in {', '.join(KINDS)}, got {validation.shown(str(path))}")
+    return KINDS[path.suffix.lower()]
 
 
 def open_stack(store: str | os.PathLike[str]) -> PSFStack:

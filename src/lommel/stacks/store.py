@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.atomic import in_use
 from lommel.base.checksums import checksum, crc32
-from lommel.base.in_use import in_use
 from lommel.io.psf_files import FileError
 from lommel.stacks.layout import FORMAT, MARKS, OF_CHUNK, Index, Layout, layouts
 

@@ -19,8 +19,8 @@ from lommel.base.encoding import from_light, to_light
 from lommel.estimation.noise import Noise
 from lommel.imaging.defocus.photos import expose
 from lommel.imaging.defocus.tiles import Tiling, Transfer
-from lommel.imaging.defocus.transfer import sensor_transfer
 from lommel.imaging.scene import fill_missing
+from lommel.imaging.sensor_light import sensor_transfer
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depthmaps import write_depth
 from lommel.optics.lens import Lens

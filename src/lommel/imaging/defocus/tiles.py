@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.estimation.pixel_transfer import half_window
-from lommel.imaging.defocus.costs import Weights
+from lommel.imaging.defocus.costs import Found, Tile, Weights, search, sharpen
 from lommel.imaging.defocus.photos import Exposures
-from lommel.imaging.defocus.search import Found, Tile, search, sharpen
 from lommel.optics.lens import Lens
 
 _CORE = 256
@@ -32,7 +31,7 @@ class Tiling:
     ----------
     exposed : Exposures
     transfers : list of ndarray
-        As :func:`lommel.imaging.defocus.search.search` takes them.
+        As :func:`lommel.imaging.defocus.costs.search` takes them.
     core, margin, sides : int and (int, int)
         Pixels that a tile answers for, down and across, and beyond these on either side; those transformed.
     blur : float

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lommel.field.maps import FieldMap
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
 CORE = 0.9

@@ -16,9 +16,8 @@ from lommel.estimation.noise import Noise
 from lommel.field.maps import FieldMap
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.field.blur import FieldBlur, FieldKeywords
-from lommel.imaging.layers import Occlusion
-from lommel.imaging.levels import stored
 from lommel.imaging.linear import LinearBlur
+from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.restoration.observed import Method
 from lommel.imaging.restoration.restore_with import (
     Progress,
@@ -27,7 +26,7 @@ from lommel.imaging.restoration.restore_with import (
     checked_progress,
     restore_with,
 )
-from lommel.imaging.scene import fill_missing
+from lommel.imaging.scene import fill_missing, stored
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 

@@ -14,13 +14,12 @@ from lommel.base import validation
 from lommel.base.options import shares
 from lommel.estimation.noise import Noise
 from lommel.imaging.blur import require_lens
-from lommel.imaging.levels import stored
 from lommel.imaging.restoration.observed import NOISE, STEPS, Method, Observed
 from lommel.imaging.restoration.restore import recorded
 from lommel.imaging.restoration.restore_with import Restoration, checked_method, checked_progress
 from lommel.imaging.restoration.richardson_lucy import RichardsonLucy
 from lommel.imaging.restoration.total_variation import TotalVariation
-from lommel.imaging.scene import fill_missing
+from lommel.imaging.scene import fill_missing, stored
 from lommel.imaging.settings import Keywords, Settings
 from lommel.imaging.tiles import TileBlur, depth_range, output, parts_of
 from lommel.optics.lens import Lens

@@ -1,0 +1,8 @@
+"""Blur beside that of the lens: seeing, jitter, motion, charge diffusion, and the shape of pixels."""
+
+from typing import TYPE_CHECKING
+
+from lommel.base import lazy
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = lazy.parts(__name__)

@@ -1,0 +1,204 @@
+r"""Samples of an image, convolved with what spreads it: by a transform of a lattice that is wide enough, proven.
+
+Two kinds of kernels. Jitter, diffusion and motion end, but for less than any tolerance, at their `reach`; of these
+the response ``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the lattice, and what wraps around or
+is missing at the edges is what lies beyond the reach. Seeing has a halo: its kernel is tabulated, the lattice has
+room for all of it, and what is missing is the light beyond the lattice times the kernel there (halo.py).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.blur.blurs import Blur
+from lommel.blur.readout import ends, gained
+from lommel.blur.turbulence import Gate, Halo, between, seeing_of
+
+_U = 2.0**-53
+
+
+class Short(NamedTuple):
+    """What ends: Gaussians and lines together, in v.
+
+    Attributes
+    ----------
+    covariance : ndarray, shape (2, 2)
+        Of (x, y).
+    streaks : ndarray, shape (k, 2)
+    """
+
+    covariance: Array
+    streaks: Array
+
+    @classmethod
+    def of(cls, several: tuple[Blur, ...], scale: float) -> Short:
+        """Return those of several blurs; `scale` is one lambda*N in their unit."""
+        to_v = math.pi / scale
+        covariance = sum((blur.covariance for blur in several), np.zeros((2, 2)))
+        streaks = [blur.streak for blur in several if blur.streak != (0.0, 0.0)]
+        return cls(to_v**2 * covariance, to_v * np.array(streaks).reshape(-1, 2))
+
+    @property
+    def nothing(self) -> bool:
+        """Whether it leaves all light where it is."""
+        return not (self.covariance.any() or self.streaks.size)
+
+    def reach(self, left: float) -> tuple[float, float]:
+        """Return how far along x and y all but a part `left` of the light goes."""
+        from scipy.special import erfcinv
+
+        deviations = np.sqrt(np.diag(self.covariance))
+        far = math.sqrt(2.0) * float(erfcinv(min(0.5 * left, 1.0)))
+        x, y = far * deviations + 0.5 * np.abs(self.streaks).sum(axis=0)
+        return float(x), float(y)
+
+    def response(self, x: Array, y: Array) -> Array:
+        """Return the transfer function at w = (x, y)."""
+        (xx, xy), (_, yy) = self.covariance
+        found = np.exp(-0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
+        for dx, dy in self.streaks:
+            found *= np.sinc((dx * x + dy * y) / (2.0 * math.pi))
+        return np.asarray(found)
+
+
+class Spread(NamedTuple):
+    """A lattice, and what spreads on it.
+
+    Attributes
+    ----------
+    response : complex or real ndarray, shape (rows, columns // 2 + 1)
+        Of the lattice that is transformed, which is padded.
+    size : (int, int)
+        Of that.
+    gain : float
+        Sum of the moduli of the kernel.
+    norm : float
+        Root of the sum of its squares.
+    error : float
+        Bound on how far the response is off for ``abs(w) <= 2``.
+    missing : float
+        Bound on the kernel, in v, where it would reach light beyond the lattice; 0 if it has no halo.
+    off : float
+        Bound on how far the kernel, in v, is off anywhere.
+    blind : float
+        Bound on the sum of moduli of the kernel beyond its reach, of what wraps around and of what is not there.
+    """
+
+    response: NDArray[np.generic]
+    size: tuple[int, ...]
+    gain: float
+    norm: float
+    error: float
+    missing: float
+    off: float
+    blind: float
+
+    def on(self, samples: Array, threads: int) -> Array:
+        """Return a stack of samples, shape (n, rows, columns), spread."""
+        from scipy import fft
+
+        workers = threads or -1
+        out = np.empty(samples.shape)
+        for one, place in zip(samples, out, strict=True):
+            turned = fft.rfft2(one, self.size, workers=workers)
+            turned *= self.response
+            place[:] = fft.irfft2(turned, self.size, workers=workers)[: one.shape[0], : one.shape[1]]
+        return out
+
+    def rounding(self, samples: Array) -> float:
+        """Bound what transforms in double precision add to any value of these samples."""
+        return (
+            20.0
+            * math.log2(math.prod(self.size))
+            * _U
+            * self.norm
+            * float(np.sqrt((samples**2).sum(axis=(1, 2)).max()))
+        )
+
+
+def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> Spread:
+    """Return what spreads samples on a lattice.
+
+    Parameters
+    ----------
+    short : Short
+    halo : Halo
+    least : (int, int)
+        Rows and columns that are transformed, or a few more: of a halo so many that nothing that is read is reached
+        around the other way.
+    margin : float
+        How far what is read lies from the ends of the lattice at least, in v, besides the reach of the others.
+
+    Returns
+    -------
+    Spread
+    """
+    from scipy import fft
+
+    gate, seen = halo.gate, bool(halo.several)
+    size = tuple(fft.next_fast_len(side, real=True) for side in least)
+    y = 2.0 * math.pi / gate.h * fft.fftfreq(size[0])[:, None]
+    x = 2.0 * math.pi / gate.h * fft.rfftfreq(size[1])
+    response: NDArray[np.generic] = np.ones((size[0], x.size))
+    error = blind = missing = off = 0.0
+    gain = norm = 1.0
+    if not short.nothing:
+        response, error, blind = _periodic(short, gate, x, y), 3.0 * gate.error, short_of(gate)
+        kernel = fft.irfft2(response, size)
+        gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
+    if seen:
+        tabulated, apart = _kernel(halo, size)
+        core = float(tabulated.max()) / gate.h**2
+        missing, off = gain * halo.bound(margin) + blind * core, gain * apart * core
+        response = fft.rfft2(tabulated) * response
+        kernel = fft.irfft2(response, size)
+        error += gate.error
+        gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
+    return Spread(response, size, gain, norm, error, missing, off, blind)
+
+
+def short_of(gate: Gate) -> float:
+    """Bound the sum of moduli of a kernel that ends, beyond its reach and that of the gate, twice.
+
+    All but `Gate.error` of the light lies within the reach; what the gate smears of that is beyond along x or y.
+    """
+    return 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
+
+
+def _periodic(short: Short, gate: Gate, x: Array, y: Array) -> Array:
+    """Return the response of samples: that of the plane, gated along both axes, and its copies."""
+    period = 2.0 * math.pi / gate.h
+    found = np.zeros((y.size, x.size))
+    for i in (-1.0, 0.0, 1.0):
+        for j in (-1.0, 0.0, 1.0):
+            across, down = x + i * period, y + j * period
+            found += short.response(across, down) * _gated(across, gate) * _gated(down, gate)
+    return found
+
+
+def _gated(w: Array, gate: Gate) -> Array:
+    from scipy.special import erfc
+
+    return np.asarray(0.5 * (erfc((w - gate.middle) / gate.width) - erfc((w + gate.middle) / gate.width)))
+
+
+def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
+    """Return the kernel of a halo on a lattice, from its corner on, and how many of its largest value it is off."""
+    h, error = halo.gate.h, max(0.1 * halo.gate.error, 1e-12)
+    half = size[0] // 2 + 1, size[1] // 2 + 1
+    table, step, off = halo.table(h * math.hypot(*half), error)
+    quadrant, columns = np.empty(half), np.arange(half[1])
+    for row in range(half[0]):
+        quadrant[row] = h * h * between(table, step, error, h * np.hypot(row, columns))
+    rows, columns = (np.minimum(k := np.arange(n), n - k) for n in size)
+    return quadrant[rows[:, None], columns], off
+
+
+def halo_of(several: tuple[Blur, ...], scale: float, wavelength: float | None, gate: Gate) -> Halo:
+    """Return the seeing of several blurs in light of a wavelength, of which one lambda*N is `scale`."""
+    return Halo(seeing_of(several), scale, wavelength, gate)

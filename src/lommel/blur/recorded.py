@@ -1,0 +1,394 @@
+"""Images as sensors record them, by any method: a lattice is asked for what the tolerance needs."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array, largest
+from lommel.blur.blurs import Blur, require_unit
+from lommel.blur.convolution import Short, Spread, halo_of, spread
+from lommel.blur.readout import Readout, ends, readout
+from lommel.blur.turbulence import Gate
+from lommel.core.answers import Images, ToleranceError, Wanted, not_met
+from lommel.methods.choice import candidates, first_proven
+from lommel.methods.method import Method, normalized_error, stored, storing, widened
+from lommel.methods.polychromatic import Polychromatic
+from lommel.methods.question import place, wanted_on
+from lommel.optics.colour.spectrum import Component
+from lommel.optics.grid import Grid
+
+# The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
+# aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
+# methods/pixels/averaging.py). What samples err by counts as often as the moduli of all weights together.
+
+STEP = 0.8
+"""v from sample to sample."""
+_MOST = 6144  # samples a side
+_AT_ONCE = 2**24
+
+
+class Asked(NamedTuple):
+    """What is asked of the samples.
+
+    Attributes
+    ----------
+    method : Method or None
+        The one that was named.
+    threads : int
+    tol : float
+        Of samples over their peak.
+    error : float
+        That responses may be off by.
+    margin : float
+        How far a lattice reaches beyond what is read where there is a halo, in v.
+    """
+
+    method: Method | None
+    threads: int
+    tol: float
+    error: float
+    margin: float
+
+
+class Made(NamedTuple):
+    """Images of the flattened stack, with parts of the bounds on their errors, or None.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, height, width)
+    given : ndarray, shape (n,), or None
+        What samples are off by.
+    response : ndarray, shape (n,)
+        What responses are off by, and rounding.
+    missing : ndarray, shape (n,)
+        What a halo would bring from beyond the lattice.
+    method : Method
+    """
+
+    values: Array
+    given: Array | None
+    response: Array
+    missing: Array
+    method: Method
+
+
+def summed(asked: Asked, pupil: Any, grid: Grid, several: tuple[Blur, ...]) -> Made:
+    """Return the sum over the wavelengths of a spectrum: turbulence spreads each by another width."""
+    method = asked.method
+    if not isinstance(method, Polychromatic):
+        return _of_stack(asked, Component(1.0, 1.0, pupil), grid, several)
+    parts = method.components(pupil)
+    made = [_of_stack(asked._replace(method=method.method), part, grid, several) for part in parts]
+    weights = [part.weight for part in parts]
+
+    def total(name: str) -> Any:
+        found = [getattr(one, name) for one in made]
+        if any(one is None for one in found):
+            return None
+        return np.sum([weight * one for weight, one in zip(weights, found, strict=True)], axis=0)
+
+    return Made(total("values"), total("given"), total("response"), total("missing"), method)
+
+
+def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ...]) -> Made:
+    """Return images of a stack in one wavelength, those around one axis at once."""
+    pupil = part.pupil
+    if grid.stack:
+        each = [
+            _of_stack(asked, part._replace(pupil=pupil[index]), grid[index], several)
+            for index in np.ndindex(grid.stack)
+        ]
+        return _joined(each)
+    gate, to_v = Gate.of(STEP, asked.error), math.pi / pupil.scale
+    rows, columns = (
+        readout(to_v * places, to_v * active, gate)
+        for places, active in zip((grid.y, grid.x), grid.active, strict=True)
+    )
+    short, halo = Short.of(several, pupil.scale), halo_of(several, pupil.scale, pupil.wavelength, gate)
+    box, kernel = _lattice(asked, short, halo, rows, columns)
+    blocks = _blocks(pupil, math.prod(box[1]))
+    return _joined([_of_block(asked, block, gate, box, kernel, (rows, columns)) for block in blocks])
+
+
+def _joined(parts: list[Made]) -> Made:
+    """Return images of parts of a stack, one after the other."""
+    given = [one.given for one in parts if one.given is not None]
+    return Made(
+        np.concatenate([one.values for one in parts]),
+        np.concatenate(given) if len(given) == len(parts) else None,
+        np.concatenate([one.response for one in parts]),
+        np.concatenate([one.missing for one in parts]),
+        parts[0].method,
+    )
+
+
+Box = tuple[tuple[int, int], tuple[int, int]]
+"""Where a lattice begins, in steps from the axis, and how many samples it has: rows and columns."""
+
+
+def _lattice(asked: Asked, short: Short, halo: Any, rows: Readout, columns: Readout) -> tuple[Box, Spread | None]:
+    """Return the samples that are needed, and what spreads them."""
+    gate, plain = halo.gate, short.nothing and not halo.several
+    begins, counts, least = [], [], []
+    across, down = short.reach(gate.error)
+    beyond = 0.0 if short.nothing else ends(gate)[0]
+    for side, reach in ((rows, down), (columns, across)):
+        room = 0 if plain else math.ceil((reach + beyond) / gate.h)
+        first, last = side.first - room, side.first + side.samples - 1 + room
+        more = math.ceil(asked.margin / gate.h) if halo.several else 0
+        low, high = (min(first, 0) - more, max(last, 0) + more) if halo.several else (first, last)
+        far = max(-low, high)
+        # About its middle a lattice costs a quarter.
+        if 2 * far + 1 <= 1.2 * (high - low + 1):
+            low, high = -far, far
+        begins.append(low)
+        counts.append(high - low + 1)
+        # A halo reaches from any sample to any that is read, and from none around the other way.
+        least.append(2 * max(last - low, high - first) + 2 if halo.several else counts[-1])
+    if max(counts) > _MOST:
+        raise ToleranceError(
+            f"this image takes a lattice of {max(counts)} samples a side, more than {_MOST}, to be known to the "
+            "tolerance: ask for a larger tol, or for a smaller window"
+        )
+    box = (begins[0], begins[1]), (counts[0], counts[1])
+    return box, None if plain else spread(short, halo, (least[0], least[1]), asked.margin)
+
+
+def _blocks(pupil: Any, samples: int) -> list[Any]:
+    """Return parts of a flattened stack that are sampled at once."""
+    count, size = math.prod(pupil.shape), max(1, _AT_ONCE // samples)
+    if count <= size:
+        return [pupil]
+    starts = range(0, count, size)
+    return [pupil[np.unravel_index(np.arange(s, min(s + size, count)), pupil.shape)] for s in starts]
+
+
+def _of_block(
+    asked: Asked, pupil: Any, gate: Gate, box: Box, kernel: Spread | None, pixels: tuple[Readout, Readout]
+) -> Made:
+    """Return images of a few pupils, from one lattice."""
+    (rows, columns), ceiling, (first, counts) = pixels, pupil.amplitude**2, box
+    fine = Grid(counts, gate.h * pupil.scale / math.pi, center=(-first[0], -first[1]))
+    method, samples, off = _sampled(asked, pupil, fine)
+    gain, missing = rows.gain * columns.gain, np.zeros(len(samples))
+    response = np.full(len(samples), 1.0001 * (rows.error + columns.error + rows.error * columns.error) * ceiling)
+    if kernel is not None:
+        light = 4.0 * math.pi * pupil.transmission
+        seen = gate.h**2 * samples.sum(axis=(1, 2))
+        unsure = 0.0 if off is None else gate.h**2 * samples[0].size * off
+        missing = gain * kernel.missing * np.clip(light - seen + unsure, 0.0, light)
+        spreading = ceiling * (1.0001 * kernel.error + kernel.blind) + light * kernel.off + kernel.rounding(samples)
+        response += gain * spreading
+        gain *= kernel.gain
+        samples = kernel.on(samples, asked.threads)
+    top, left = rows.first - first[0], columns.first - first[1]
+    part = samples[:, top : top + rows.samples, left : left + columns.samples]
+    values = np.stack([(columns.matrix @ (rows.matrix @ one).T).T for one in part])
+    return Made(values, None if off is None else gain * off, response, missing, method)
+
+
+def _sampled(asked: Asked, pupil: Any, fine: Grid) -> tuple[Method, Array, Array | None]:
+    """Return the method, samples of a stack on a lattice, and bounds on what each is off by."""
+    if asked.method is not None:
+        ways: tuple[Method, ...] = (asked.method.tightened(max(asked.tol, asked.method.least_tol)),)
+        if asked.tol > asked.method.tol:
+            ways = (asked.method,)
+    else:
+        least = 1e-11 if not pupil.circular else Method.least_tol
+        ways = candidates(pupil, fine, min(max(asked.tol, least), 0.05))
+    ways[0].require(pupil)
+    fine.require_reach(pupil)
+
+    def ask(way: Method) -> Images:
+        made = way.intensity(pupil, fine, asked.threads)
+        scales = np.ones(len(made.values))
+        values = np.empty((len(scales), *fine.shape))
+        fine.paint(made.values, scales, values)
+        peak = made.values.reshape(len(scales), -1).max(axis=1) if made.peak is None else made.peak
+        return widened(Images(values, scales, made.error, None, peak), pupil, way, normalized=False)
+
+    way, made = first_proven(ways, ask)
+    assert made.peak is not None
+    return way, made.values, None if made.error is None else made.error * made.peak
+
+
+_TRIES = 7
+
+
+def recorded_images(
+    method: Method | None, tol: float, pupil: Any, grid: Grid, several: tuple[Blur, ...], wanted: Wanted
+) -> tuple[Method, Images]:
+    """Return the method that sampled, and finished images of a stack on `grid`, spread by what is named.
+
+    Parameters
+    ----------
+    method : Method or None
+        That is to sample; None for what serves the pupil.
+    tol : float
+        Over the largest value in the window or around the axis; of values divided by their own, over that.
+    pupil, grid
+    several : tuple of Blur
+    wanted : Wanted
+        Without derivatives.
+
+    Returns
+    -------
+    method : Method
+    images : Images
+
+    Raises
+    ------
+    ToleranceError
+        If the bound stays above `tol`.
+    ValueError
+        If the method does not support the pupil, or has no point values.
+    """
+    if method is not None and method.sampling == "pixel":
+        raise ValueError(
+            f"method must have point values for blur, fill and pixels that are not square, got "
+            f"{type(method).__name__}, which has none; leave it out"
+        )
+    dtype, peaked = wanted.dtype, wanted.scale is None
+    aim = (0.45 if peaked else 0.9) * (tol - 1.1 * storing(dtype))
+    asked = _first(method, pupil, grid, several, aim, wanted.threads)
+    elsewhere = 0.0 if peaked else _on_axis(asked, pupil, grid, several)
+    for _ in range(_TRIES):
+        made = summed(asked, pupil, grid, several)
+        tops = np.maximum(made.values.max(axis=(1, 2)), elsewhere)
+        if not tops.min() > 0:
+            raise ValueError("no light falls into the window that is brighter than the errors there")
+        if made.given is None:
+            # Nothing is known of the samples: what is added is kept below the tolerance on its own.
+            relative, unknown = (made.response + made.missing) / tops, True
+        else:
+            relative, unknown = (made.given + made.response + made.missing) / tops, False
+        relative = np.where(relative < 0.5, relative / (1.0 - np.minimum(relative, 0.5)), np.inf)
+        bounds = stored(normalized_error(relative) if peaked else relative, dtype)
+        if bounds.max() <= tol or (method is not None and not method.keeps_tol and not unknown):
+            return _finished(made, bounds if not unknown else None, wanted)
+        asked = _again(asked, made, aim * tops)
+    raise not_met(tol, float(bounds.max()), "the largest value in the window")
+
+
+def _on_axis(asked: Asked, pupil: Any, grid: Grid, several: tuple[Blur, ...]) -> Any:
+    """Return what pixels around the axis record at least, for windows beside it: errors are over that too."""
+    rows, columns = np.broadcast_arrays(*grid.center)
+    if np.all((rows > -0.5) & (rows < grid.height - 0.5) & (columns > -0.5) & (columns < grid.width - 0.5)):
+        return 0.0
+    there = Grid(3, grid.pixel, integrate=grid.integrate, fill=grid.fill)
+    made = summed(asked._replace(tol=max(asked.tol, 1e-6), error=max(asked.error, 1e-9)), pupil, there, several)
+    off = made.response + made.missing + (0.0 if made.given is None else made.given)
+    return np.maximum(made.values.max(axis=(1, 2)) - off, 0.0)
+
+
+def _first(
+    method: Method | None, pupil: Any, grid: Grid, several: tuple[Blur, ...], aim: float, threads: int
+) -> Asked:
+    """Return what is likely to be enough, from how wide things are."""
+    to_v = math.pi / pupil.scale
+    short = Short.of(several, pupil.scale)
+    halo = halo_of(several, pupil.scale, pupil.wavelength, Gate.of(STEP, 1e-6))
+    spot = 4.0 * math.pi * pupil.transmission / pupil.likely_peak
+    sides = 2.0 * math.pi * np.diag(short.covariance) + (short.streaks**2).sum(axis=0)
+    sides = sides + np.array([(to_v * a) ** 2 for a in grid.active[::-1]])
+    area = math.sqrt(float(np.prod(spot + sides)))
+    margin = 0.0
+    if halo.several:
+        core = float(halo.at(np.zeros(1))[0])
+        area += 1.0 / core
+        width = 1.5 / math.sqrt(core)
+        blur = float(pupil.v(pupil.geometric_radius()).max())
+        # Airy's light beyond R is 2 / (pi R) of all, and a halo falls as R^(-11/3).
+        margin = blur + 60.0 + width * (1.0 / (aim * max(width, 1.0))) ** (3.0 / 14.0)
+    bright = 4.0 * math.pi * pupil.transmission / area
+    tol = max(0.3 * aim * spot / area, 1e-13)  # over the peak of the samples
+    return Asked(method, threads, tol, max(0.02 * aim * bright / pupil.amplitude**2, 1e-15), margin)
+
+
+def _again(asked: Asked, made: Made, allowed: Array) -> Asked:
+    """Return what is asked next, by what was off too much."""
+
+    def factor(part: Array | None, share: float) -> float:
+        worst = 0.0 if part is None else float((part / (share * allowed)).max())
+        return max(worst, 0.0)
+
+    tol, error, margin = asked.tol, asked.error, asked.margin
+    if (much := factor(made.given, 0.5)) > 1.0:
+        tol *= max(0.5 / much, 1e-4)
+    if (much := factor(made.response, 0.2)) > 1.0:
+        error *= max(0.5 / much, 1e-6)
+    if (much := factor(made.missing, 0.3)) > 1.0:
+        margin *= min(1.1 * much ** (3.0 / 14.0), 3.0)
+        # How much light is missing is told by the sum of the samples.
+        tol *= 0.5
+    return asked._replace(tol=tol, error=max(error, 1e-15), margin=margin)
+
+
+def _finished(made: Made, bounds: Array | None, wanted: Wanted) -> tuple[Method, Images]:
+    tops = made.values.max(axis=(1, 2))
+    scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(np.asarray(wanted.scale), tops.shape)
+    values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
+    # Nothing is negative that is an average of light.
+    np.multiply(np.maximum(made.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
+    return made.method, Images(values, scales, bounds)
+
+
+def recorded(
+    pupil: Any,
+    grid: Grid,
+    several: tuple[Blur, ...],
+    asked: tuple[Method | None, float, str, Any, int],
+    out: Any = None,
+) -> dict[str, Any]:
+    """Return the parts of the answer for `pupil` on `grid`, as :class:`lommel.Plan` puts them together.
+
+    Parameters
+    ----------
+    pupil, grid
+    several : tuple of Blur
+    asked : tuple
+        Method or None, tolerance, normalisation, type of the values and threads.
+    out : ndarray, optional
+        Where the values go.
+
+    Returns
+    -------
+    dict
+
+    Raises
+    ------
+    TypeError, ValueError, ToleranceError
+        As :func:`recorded_images`; also if a blur is in another unit than the pupil, or `out` does not fit.
+    """
+    method, tol, normalize, dtype, threads = asked
+    if grid.stack:
+        grid = grid.broadcast(pupil.shape)
+    require_unit(several, pupil)
+    if pupil.layered:
+        raise ValueError(
+            "blur, fill and pixels that are not square are for lenses, got the pupil of an Objective: ask for finer "
+            "square pixels, and sum blocks of them"
+        )
+    way = method or candidates(pupil, Grid(grid.shape, min(grid.pitch)), tol)[0]
+    wanted = wanted_on(grid, pupil, way, normalize, dtype, threads)
+    shape = pupil.shape + grid.shape
+    values = np.empty(shape, dtype) if out is None else place(out, shape, dtype)
+    question = wanted._replace(out=values.reshape(-1, *grid.shape))
+    used, made = recorded_images(method, tol, pupil, grid, several, question)
+    # Samples are asked for more than what is recorded.
+    used = method or used.with_tol(tol)
+    return {
+        "values": values,
+        "grid": grid,
+        "pupil": pupil,
+        "method": used,
+        "normalize": normalize,
+        "error_bound": None if made.error is None else largest(made.error),
+        "scale": np.asarray(made.scale).reshape(pupil.shape),
+        "derivatives": {},
+        "derivative_bounds": {},
+        "blur": several,
+    }

@@ -1,0 +1,194 @@
+r"""What turbulence makes of a point, as samples of a plane take it: its halo falls as r^(-11/3), and ends nowhere.
+
+With w in units in which the image ends at 2, ``c(r) = (1 / 2 pi) int T(w) G(w) J0(w r) w dw``, G a gate that is 1
+up to 2 and 0 where samples h apart would confuse w with less than that. With ``w = u^3`` both ``w^(5/3)`` and von
+Karman's structure function are entire, so that Gauss's rule converges geometrically from 0 on.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.blur.blurs import Blur, Seeing
+from lommel.special.equal_steps import steps
+from lommel.special.legendre import gauss_legendre
+
+_BAND = 1.2  # radians from one entry of a table to the next
+_NODES, _PHASE = 40, 40.0  # of a panel, and how far J0 turns in one at most
+_DARK = 1e-22
+
+
+class Gate(NamedTuple):
+    """A response that is 1 up to ``w = 2`` and 0 from ``2 pi / h - 2`` on, but for `error` of both.
+
+    Attributes
+    ----------
+    h : float
+        Distance of samples in v.
+    middle, width : float
+        Of the fall, in w.
+    error : float
+    """
+
+    h: float
+    middle: float
+    width: float
+    error: float
+
+    @classmethod
+    def of(cls, h: float, error: float) -> Gate:
+        """Return the gate for samples `h` apart that errs by at most `error`."""
+        from scipy.special import erfcinv
+
+        far = 2.0 * math.pi / h - 2.0
+        return cls(h, 0.5 * (2.0 + far), 0.5 * (far - 2.0) / float(erfcinv(0.5 * error)), error)
+
+    def round(self, w: Array) -> Array:
+        """Return the response to waves of the length w of the vector of frequency, smooth in w^2."""
+        from scipy.special import erfc
+
+        far = 2.0 * math.pi / self.h - 2.0
+        middle, half = 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0)
+        return np.asarray(0.5 * erfc((w * w - middle) / half * (0.5 * (far - 2.0) / self.width)))
+
+    @property
+    def end(self) -> float:
+        """From where on the round response is below 1e-30."""
+        far = 2.0 * math.pi / self.h - 2.0
+        middle, half = 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0)
+        return math.sqrt(middle + 8.3 * half * self.width / (0.5 * (far - 2.0)))
+
+
+class Halo(NamedTuple):
+    """Rotationally symmetric blur as a kernel.
+
+    Attributes
+    ----------
+    several : tuple of Seeing
+    scale : float
+        One lambda*N, in the unit of the blur.
+    wavelength : float or None
+    gate : Gate
+    """
+
+    several: tuple[Seeing, ...]
+    scale: float
+    wavelength: float | None
+    gate: Gate
+
+    def response(self, w: Array) -> Array:
+        """Return the transfer function at w, without the gate."""
+        found = np.ones(w.shape)
+        for blur in self.several:
+            found *= blur.transfer(w / (2.0 * self.scale), wavelength=self.wavelength)
+        return found
+
+    @property
+    def finest(self) -> float:
+        """Over which w the response changes at the least."""
+        found = 0.5
+        for blur in self.several:
+            outer = math.inf if blur.outer_scale is None else blur.outer_scale / (2.0 * math.pi * blur.r0)
+            found = min(found, self.scale * blur.coherence(self.wavelength) * min(1.0, outer))
+        return found
+
+    def at(self, r: Array) -> Array:
+        """Return the kernel at radii in v, directly."""
+        w, weight = _rule(self, float(np.max(r, initial=1.0)))
+        return _transformed(weight, w, r)
+
+    def table(self, far: float, error: float) -> tuple[Array, float, float]:
+        """Return the kernel at equal steps of r to beyond `far`, the step, and what of ``c(0)`` is off between."""
+        return _table(self, far, error)
+
+    def bound(self, far: float) -> float:
+        r"""Bound the kernel from the radius `far` on.
+
+        Seeing is a mixture of Gaussians, and so is b: it falls with r, and a Gaussian of the variance t is at R at
+        most ``1 / (1 - 2 s / R^2)`` times what one of the variance ``t + s`` is there. So b(R) is bounded by the
+        transform of ``T exp(-s w^2 / 2)``, which ends soon; c is b, smeared by the transform g of the gate.
+        """
+        near = far - min(0.25 * far, 45.0)
+        s = min(2.0, 0.02 * near * near)
+        w, weight = _rule(self, near, gated=False)
+        soft = float(_transformed(weight * np.exp(-0.5 * s * w * w), w, np.array([near]))[0])
+        smear, left = _gate_norm(self.gate, far - near)
+        rounding = 2.0**-46 * float(np.abs(weight * np.exp(-0.5 * s * w * w)).sum())
+        return smear * (max(soft, 0.0) + rounding) / (1.0 - 2.0 * s / near**2) + left
+
+
+@lru_cache(maxsize=8)
+def _rule(halo: Halo, far: float, *, gated: bool = True) -> tuple[Array, Array]:
+    """Return nodes in w, and weights of ``(1 / 2 pi) T G w dw`` for waves up to the radius `far`."""
+    end = halo.gate.end if gated else 11.0
+    probe = np.linspace(0.0, end, 4097)
+    dark = np.flatnonzero(halo.response(probe) < _DARK)
+    end = float(probe[dark[0]]) if dark.size else end
+    panels = max(2, math.ceil(end / min(_PHASE / max(far, 1.0), halo.finest)))
+    edges = np.cbrt(np.linspace(0.0, end, panels + 1))
+    # The first, in which w varies by all of itself, is where the root is felt.
+    edges = np.concatenate([edges[:1], edges[1] * np.array([0.5, 0.75]), edges[1:]])
+    x, weight = gauss_legendre(_NODES)
+    wide = np.diff(edges)[:, None]
+    u = (edges[:-1, None] + wide * x).ravel()
+    w = u**3
+    found = (wide * weight).ravel() * 3.0 * u**5 / (2.0 * math.pi) * halo.response(w)
+    return w, found * halo.gate.round(w) if gated else found
+
+
+def _transformed(weight: Array, w: Array, r: Array) -> Array:
+    from scipy.special import j0
+
+    out = np.empty(r.shape)
+    many = max(1, 2**21 // w.size)
+    for start in range(0, r.size, many):
+        part = slice(start, start + many)
+        out[part] = j0(np.multiply.outer(r[part], w)) @ weight
+    return out
+
+
+@lru_cache(maxsize=4)
+def _table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
+    w, weight = _rule(halo, far)
+    step = _BAND / float(w.max())
+    rule = steps(_BAND, error)
+    beyond = rule.filter.size - 1
+    places = np.arange(math.ceil(far / step) + rule.taps.size + 1 + beyond, dtype=np.float64)
+    found = _transformed(weight, w, step * places)
+    mirrored = np.concatenate([found[beyond:0:-1], found])
+    filtered = np.convolve(mirrored, np.concatenate([rule.filter[:0:-1], rule.filter]), "valid")
+    return filtered, step, rule.error
+
+
+def between(table: Array, step: float, error: float, r: Array) -> Array:
+    """Return a table of :meth:`Halo.table` at radii within it."""
+    taps = steps(_BAND, error).taps
+    half = taps.size // 2
+    mirrored = np.concatenate([table[half:0:-1], table])
+    cell = np.minimum((r / step).astype(np.int64), table.size - half - 1)
+    found = np.zeros(r.shape)
+    weights = taps.at((r / step - cell).ravel()).reshape(*r.shape, taps.size)
+    for k in range(taps.size):
+        found += weights[..., k] * mirrored[cell + k + 1]
+    return found
+
+
+@lru_cache(maxsize=16)
+def _gate_norm(gate: Gate, far: float) -> tuple[float, float]:
+    """Return the integral of the modulus of the transform of a gate, and the largest of it from `far` on."""
+    x, weight = gauss_legendre(400)
+    w, weight = gate.end * x, gate.end * weight
+    r: Array = np.linspace(0.0, 60.0, 4001)
+    g = np.abs(_transformed(weight * w * gate.round(w) / (2.0 * math.pi), w, r))
+    # It falls faster than exponentially; what is beyond 60 is below what is before.
+    return 1.01 * float(2.0 * math.pi * np.trapezoid(g * r, r)), float(g[r >= min(far, 45.0)].max())
+
+
+def seeing_of(several: tuple[Blur, ...]) -> tuple[Seeing, ...]:
+    """Return those of several blurs that are seeing."""
+    return tuple(blur for blur in several if isinstance(blur, Seeing))

@@ -1,0 +1,450 @@
+"""Images and their derivatives by what :mod:`lommel.methods.derivative_names` names, each with a proven bound.
+
+Phases that are radially symmetric, of pupils that are too, are differentiated by the radial series, whose samples
+tell of shifts and of growth as well; all else by the chordal rule. White light is the sum of what each wavelength
+makes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Images, Wanted
+from lommel.methods.choice import first_proven
+from lommel.methods.chordal_gauss import ChordalGauss
+from lommel.methods.derivative_names import Name, Parts, Term, parts
+from lommel.methods.derivatives.scaling import TILTS, growth, tilted
+from lommel.methods.method import Method, storing, widened
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.pixels.averaging import blocks, filtered_by, finer, least_average, weighed
+from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.aperture.opening import degree_needed
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
+from lommel.special import zernike
+
+# ``dU/d eps = -(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``, minus the field of
+# the rim, by the trapezoidal rule, which converges geometrically for a periodic entire integrand. U is that of the
+# product rule of the aperture, exact for polynomials up to a degree. Both are products of two matrices, one for rows
+# and one for columns.
+#
+# References
+# ----------
+# L. N. Trefethen and J. A. C. Weideman, "The exponentially convergent trapezoidal rule", SIAM Review 56, 385 (2014),
+# doi:10.1137/130932132: Theorem 3.2.
+
+_B = np.geomspace(1e-3, 8.0, 128)
+_NODES = 512  # at once
+_UNIT = 2.0**-53
+
+
+def by_obscuration(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
+    """Return the derivative of I by the obscuration, or its averages over pixels.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        Round, with an obscuration above 0.
+    grid : Grid
+    error : float
+        What is aimed at, absolute.
+
+    Returns
+    -------
+    values : ndarray, shape (n, height, width)
+    error : ndarray, shape (n,)
+        Bound on its error, absolute.
+    """
+    count = math.prod(pupil.shape)
+    if not grid.integrate:
+        return _samples(pupil, grid, error)
+    step = grid.step(pupil)
+    taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
+    total, off = np.empty((count, *grid.shape)), np.empty(count)
+    # The transfer function of the product of two fields, the integral of whose magnitude is at most this.
+    most = 2.0 * pupil.amplitude * _light(pupil)
+    for part, one, pixels in blocks(pupil, grid, taps):
+        values, wrong = _samples(one, finer(pixels, taps), 0.3 * error)
+        total[part] = weighed(values, taps, taps)
+        off[part] = taps.gain**2 * (wrong + (2 * taps.weights.size + 8) * _UNIT * most)
+    return total, off + (2.0 + taps.error) * taps.error * most
+
+
+def _light(pupil: Pupil) -> float:
+    """Return the largest field of the rim, ``2 eps A(eps)``."""
+    eps = pupil.obscuration
+    return 2.0 * eps * float(pupil.illumination.at(np.array(eps * eps)))
+
+
+def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
+    amplitude, light, eps = pupil.amplitude, _light(pupil), pupil.obscuration
+    across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
+    reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
+    aim = max(0.1 * error / (amplitude + light), 1e-15)
+    terms = _amplitudes(pupil)
+    x, y, weight = pupil.rule(degree_needed([(n, w) for (n, _), w in terms.items()], reach, pupil.illumination, aim))
+    disk = _fields(pupil, x, y, weight, across, down)
+    nodes = _nodes(terms, eps, reach, aim / light)
+    theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
+    rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
+    # A phase or an amplitude off by e changes both fields by e of what they are at most; so do roundings.
+    left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
+    left += _rounding(pupil, reach, max(nodes, weight.size))
+    of_disk, of_rim = aim + left * amplitude, aim + left * light
+    off = np.full(len(across), 2.0 * (amplitude * of_rim + light * of_disk + of_rim * of_disk))
+    return -2.0 * (disk.real * rim.real + disk.imag * rim.imag), off
+
+
+def _amplitudes(pupil: Pupil) -> dict[tuple[int, int], float]:
+    """Return the largest amplitude of cosine and sine of each (n, m) throughout the stack, m >= 0."""
+    squares: dict[tuple[int, int], Any] = {}
+    for (n, m), c in pupil.wavefront.edge_terms().items():
+        squares[n, abs(m)] = squares.get((n, abs(m)), 0.0) + c**2
+    return {term: math.sqrt(float(np.max(square))) for term, square in squares.items() if np.any(square)}
+
+
+def _nodes(terms: dict[tuple[int, int], float], eps: float, reach: float, error: float) -> int:
+    """Return how many equal angles integrate the field of the rim, over its largest, to this error.
+
+    At ``theta + i b`` the integrand is at most ``exp(sum_j W_j |R_j(eps)| sinh(m_j b) + eps v sinh b)``; k nodes err
+    by twice that over ``e^(k b) - 1``, for every b > 0.
+    """
+    size = eps * reach * np.sinh(_B)
+    for (n, m), w in terms.items():
+        size = size + w * abs(float(zernike.radial(n, m, np.array(eps)))) * np.sinh(np.minimum(m * _B, 700.0))
+    return max(1, math.ceil(float(((size + math.log(2.0 / error + 1.0)) / _B).min())))
+
+
+def _rounding(pupil: Pupil, reach: float, nodes: int) -> float:
+    """Bound what rounding does to a field over the integral of its amplitude; certificate, section 8."""
+    terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
+    phases = float((np.abs(pupil.wavefront.edge) @ terms).max())
+    return _UNIT * (phases + 12.0 * reach + 3.0 * _NODES + nodes / _NODES + 40.0)
+
+
+def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down: Array) -> NDArray[np.complex128]:
+    """Return ``sum weight P exp(-i (v_x x + v_y y))`` over nodes for each of the flattened stack."""
+    rho, theta = np.hypot(x, y), np.arctan2(y, x)
+    light = weight * pupil.illumination.at(rho * rho)
+    wavefronts, shared = pupil.wavefront.flattened(), bool(np.all(across == across[0]) and np.all(down == down[0]))
+    total = np.zeros((len(across), down.shape[1], across.shape[1]), dtype=np.complex128)
+    for first in range(0, x.size, _NODES):
+        part = slice(first, first + _NODES)
+        for i in range(len(total)):
+            if i == 0 or not shared:
+                rows, columns = np.exp(-1j * np.outer(down[i], y[part])), np.exp(-1j * np.outer(x[part], across[i]))
+            wave = light[part] * np.exp(1j * wavefronts[i].phase(rho[part], theta[part]))
+            total[i] += (rows * wave) @ columns
+    return total
+
+
+Key = int | Term
+"""What engines differentiate by: the coefficient of rho^(2k), under k, or that of a Zernike term."""
+
+_MOST_POWERS = 4  # of rho^2, that the radial terms are taken as, whose powers cancel
+_MOST_CANCELLED = 321.0
+
+
+class Slope(NamedTuple):
+    """A derivative of images.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, height, width)
+    error : ndarray, shape (n,)
+        Bound on its error over the peak of the images.
+    """
+
+    values: NDArray[Any]
+    error: Array
+
+
+class Piece(NamedTuple):
+    """What a derivative is summed from, with a bound on its error, shape (n,), absolute."""
+
+    values: Array
+    error: Array
+
+
+def differentiated(
+    method: Method | None,
+    pupil: Pupil,
+    grid: Grid,
+    names: Sequence[Name],
+    wanted: Wanted,
+    tol: float,
+    *,
+    energy: bool,
+) -> tuple[Method, Images, list[Slope]]:
+    """Return images, their derivatives by checked names, and the method that made them.
+
+    Parameters
+    ----------
+    method : Method or None
+        None where none was named.
+    pupil : Pupil
+        That the method supports.
+    grid : Grid
+    names : sequence
+    wanted : Wanted
+        Of the images, with a scale.
+    tol : float
+        That of the method.
+    energy : bool
+        Whether values are fractions of all light.
+
+    Returns
+    -------
+    method : Method
+    images : Images
+    slopes : list of Slope
+        One for each name.
+
+    Raises
+    ------
+    ValueError
+        If the aperture, the method or the pupil has no such derivatives.
+    ToleranceError
+        If the tolerance cannot be met.
+    """
+    sums = [parts(name, pupil, grid.step(pupil), energy=energy) for name in names]
+    way, engine = engines(method, pupil, names, sums, tol)
+    powers = isinstance(engine, NijboerZernike)
+    sums = [each._replace(phases=translated(each.phases, powers=powers)) for each in sums]
+    # What is one derivative times a factor is stored by what makes the images, all else summed in double precision.
+    easy = [way is engine and _single(each, engine) for each in sums]
+    simple, others = (
+        [each for each, is_one in zip(sums, easy, strict=True) if is_one is which] for which in (True, False)
+    )
+    keys = _keys(simple)
+    made = widened(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
+    taken = iter(_taken(made, simple, keys))
+    pieces = _pieces(way, engine, pupil, grid, made, wanted, others) if others else {}
+    slopes = [
+        next(taken) if is_one else _combined(each, made, pieces, wanted.dtype)
+        for each, is_one in zip(sums, easy, strict=True)
+    ]
+    return way, made, slopes
+
+
+def _keys(sums: Sequence[Parts]) -> tuple[Key, ...]:
+    """Return what derivatives are wanted by, each once."""
+    return tuple(dict.fromkeys(key for each in sums for key in each.phases))
+
+
+def single_light(method: Method | None) -> Method | None:
+    """Return the method for each wavelength; None where none was named."""
+    return method.method if isinstance(method, Polychromatic) else method
+
+
+def engines(
+    method: Method | None, pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts], tol: float
+) -> tuple[Method, Method]:
+    """Return what makes images, and what makes their derivatives at each wavelength.
+
+    Parameters
+    ----------
+    method : Method or None
+        None where none was named.
+    pupil : Pupil
+    names : sequence
+    sums : sequence of Parts
+        What each is made of.
+    tol : float
+        Where none was named.
+
+    Returns
+    -------
+    (Method, Method)
+
+    Raises
+    ------
+    ValueError
+        If nothing has these derivatives, or not what was named.
+    """
+    if not pupil.circular:
+        raise ValueError(
+            "derivatives are available of round apertures only; with a spider, vignetting or a mask take "
+            "differences, as (psf(a + h) - psf(a - h)) / (2 h)"
+        )
+    engine, radial = single_light(method), pupil.radial and all(map(_radial, sums))
+    if engine is None:
+        engine = NijboerZernike(tol) if radial else ChordalGauss(tol)
+    elif isinstance(engine, NijboerZernike) and not radial:
+        listed = ", ".join(map(repr, names))
+        raise ValueError(
+            f"derivatives by {listed} are not available from NijboerZernike, which has those by radially symmetric "
+            "terms and by shifts, of pupils that are radially symmetric too; use ChordalGauss, or name no method"
+        )
+    elif not isinstance(engine, NijboerZernike | ChordalGauss):
+        raise ValueError(
+            f"derivatives are not available from {type(engine).__name__}; use NijboerZernike or ChordalGauss, or "
+            "name no method"
+        )
+    return (method if isinstance(method, Polychromatic) else engine), engine
+
+
+def _radial(each: Parts) -> bool:
+    """Return whether a derivative is by powers of rho, terms that are few of these, or what samples of I tell."""
+
+    def known(key: Key) -> bool:
+        return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
+
+    return all(map(known, each.phases)) and not each.rim
+
+
+def _single(each: Parts, engine: Method) -> bool:
+    """Return whether a derivative is one by a coefficient, times a factor, as the engine has it along with images."""
+    tilt = isinstance(engine, NijboerZernike) and any(key in TILTS for key in each.phases)
+    return len(each.phases) == 1 and not (tilt or np.any(each.own) or np.any(each.growth) or each.rim)
+
+
+def translated(phases: Mapping[Key, Any], *, powers: bool) -> dict[Key, Any]:
+    """Return factors by powers of rho as such by Zernike terms, whose sums these are, or the other way round.
+
+    Parameters
+    ----------
+    phases : mapping
+        As of :attr:`Parts.phases`.
+    powers : bool
+        Whether all are to be by powers.
+
+    Returns
+    -------
+    dict
+    """
+    found: dict[Key, Any] = {}
+    for key, factor in phases.items():
+        shares: dict[Key, float] = {key: 1.0}
+        if powers and isinstance(key, tuple) and key not in TILTS:
+            column = zernike.legendre_to_powers(key[0] // 2)[:, -1]
+            shares = {k: float(share) for k, share in enumerate(column, 1)}
+        elif not powers and isinstance(key, int):
+            column = zernike.powers_to_legendre(key)[1:, -1]
+            shares = {(2 * j, 0): float(share) for j, share in enumerate(column, 1)}
+        for other, share in shares.items():
+            found[other] = found.get(other, 0.0) + share * factor
+    return found
+
+
+def _asked(engine: Method, pupil: Pupil, grid: Grid, wanted: Wanted, keys: tuple[Key, ...] = ()) -> Images:
+    """Return images and their derivatives by some coefficients, which are powers of rho or Zernike terms."""
+    powers = tuple(key for key in keys if isinstance(key, int))
+    terms = tuple(key for key in keys if isinstance(key, tuple))
+    return engine.images(pupil, grid, wanted._replace(powers=powers, terms=terms))
+
+
+def _brightest(made: Images) -> Array:
+    """Return what the peak of images is at least, shape (n,)."""
+    top = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64)
+    if made.peak is not None:
+        top = np.maximum(top, made.peak * made.scale)
+    assert made.error is not None
+    return np.asarray(top / (1.0 + made.error))
+
+
+def _taken(made: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
+    """Return derivatives that are those by one coefficient each, times a factor."""
+    found, taken = [], set[int]()
+    for each in sums:
+        assert made.slopes is not None
+        ((key, factor),) = each.phases.items()
+        at = keys.index(key)
+        values, error, by = made.slopes.values[at], made.slopes.error[at], _each(factor, len(made.values))
+        if not np.all(by == 1.0):
+            values = (values * by[:, None, None]).astype(values.dtype)
+            rounded = _most(values) * storing(values.dtype) * (by != 2.0)  # a power of two rounds nothing
+            error = np.abs(by) * error + rounded / _brightest(made)
+        elif at in taken:
+            values = values.copy()
+        taken.add(at)
+        found.append(Slope(values, error))
+    return found
+
+
+def _each(factor: Any, count: int) -> Array:
+    """Return a factor for each pupil."""
+    return np.broadcast_to(np.asarray(factor, dtype=np.float64), (count,))
+
+
+def _most(values: NDArray[Any]) -> Array:
+    """Return the largest magnitude in each image."""
+    return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1), dtype=np.float64)
+
+
+def _pieces(
+    way: Method,
+    engine: Method,
+    pupil: Pupil,
+    grid: Grid,
+    made: Images,
+    wanted: Wanted,
+    sums: Sequence[Parts],
+) -> dict[Any, Piece]:
+    """Return all that the derivatives of images are summed from but these, in double precision, over all light."""
+    # Powers cancel, by those of the highest radial term 321 times at most.
+    size = max(
+        sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
+    )
+    closer = engine.tightened(engine.tol / min(size, _MOST_CANCELLED)) if size > 2.0 else engine
+    grows, rim = (any(np.any(getattr(each, part)) for each in sums) for part in ("growth", "rim"))
+    keys = _keys(sums)
+    asked = tuple(dict.fromkeys((*keys, *TILTS))) if grows else keys
+    by_samples = isinstance(engine, NijboerZernike)  # of radially symmetric pupils, whose tilts are not
+    assert isinstance(wanted.scale, float)
+    faintest = float(_brightest(made).min()) / wanted.scale
+    found: dict[Any, Piece] = {}
+
+    def add(key: Any, values: Array, error: Array, factor: float) -> None:
+        before = found.get(key, Piece(np.zeros((1, 1, 1)), np.zeros(1)))
+        found[key] = Piece(before.values + factor * values, before.error + factor * error)
+
+    for part in way.components(pupil):
+        scale, threads = wanted.scale * part.weight, wanted.threads
+        left = (part.pupil.wavefront.left_out + 2.0 * part.pupil.illumination.error) * part.pupil.amplitude**2
+        add("unknown", np.zeros((1, 1, 1)), np.full(1, 2.0 * left), scale)
+        slopes: dict[Key, Piece] = {}
+        if by_samples and any(key in TILTS for key in asked):
+            for term, (values, error) in zip(TILTS, tilted(engine, part.pupil, grid, threads), strict=True):
+                slopes[term] = Piece(values, error + 4.0 * left)
+        if rest := tuple(key for key in asked if key not in slopes):
+            ask = partial(_asked, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=rest)
+            _, here = first_proven((closer, engine), ask)
+            assert here.slopes is not None
+            assert here.peak is not None
+            for key, values, error in zip(rest, *here.slopes, strict=True):
+                slopes[key] = Piece(values, error * here.peak + 4.0 * left)
+        for key in keys:
+            # Phases are path differences: in radians they grow as the wavelength falls.
+            add(key, *slopes[key], scale * part.stretch)
+        if grows:
+            add("growth", *growth(engine, part.pupil, grid, [slopes[key] for key in TILTS], threads), scale)
+        if rim:
+            add("rim", *by_obscuration(part.pupil, grid, 0.1 * engine.tol * faintest), scale)
+    return found
+
+
+def _combined(each: Parts, made: Images, pieces: Mapping[Any, Piece], dtype: Any) -> Slope:
+    """Return the sum of pieces, each times its factor, and of the images themselves, as it is stored."""
+    assert made.error is not None
+    count, bright = len(made.values), _brightest(made)
+    factors: dict[Any, Any] = {**each.phases, "growth": each.growth, "rim": each.rim, "unknown": each.unknown}
+    total = made.values * _each(each.own, count)[:, None, None].astype(np.float64)
+    error = np.abs(_each(each.own, count)) * made.error * bright * (1.0 + made.error)
+    size = _most(total)
+    for key, factor in factors.items():
+        by = _each(factor, count)
+        if by.any():
+            total += by[:, None, None] * pieces[key].values
+            error = error + np.abs(by) * pieces[key].error
+            size = size + np.abs(by) * _most(pieces[key].values)
+    values = total.astype(dtype)
+    error = error + (len(factors) + 8) * 2.0**-53 * size + storing(dtype) * _most(total)
+    return Slope(values, error / bright)

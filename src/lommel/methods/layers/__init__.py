@@ -1,0 +1,1 @@
+"""Methods for light through the plane layers of a microscope."""

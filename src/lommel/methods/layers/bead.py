@@ -1,0 +1,116 @@
+"""Beads that are filled with emitters: what a microscope sees of what is no point."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.methods.layers.disc_means import disc_means, ellipses, gauss_error
+from lommel.methods.layers.orders import Orders, highest, light
+from lommel.methods.layers.proven_radial import ProvenMethod
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+
+_NODES_MOST = 200
+_DIAMETER_MOST = 1e-5
+
+
+@dataclass(frozen=True)
+class Bead(ProvenMethod):
+    r"""The light of a ball that is evenly filled with emitters, around the place of that of a pupil.
+
+    A ball is made of discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D the mean over a disc of the radius
+    ``R sqrt(1 - u^2)`` of the light of emitters at the depth ``d + R u``. By Gauss's rule for the weight ``1 - u^2``,
+    with as many heights as are proven to suffice.
+
+    Parameters
+    ----------
+    diameter : float
+        Metres, in the sample.
+    tol : float, default 1e-6
+        Tolerance over the peak of each plane.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one of them is out of range.
+
+    Notes
+    -----
+    Along the height and sideways alike light is band-limited: fields vary by ``k n_s (1 - c)`` at most, and above the
+    critical angle fade like ``exp(-k n_s kappa h)``, so the sum over heights converges geometrically. Emitters are
+    as if in the sample alone: that the bead itself refracts does not count.
+    """
+
+    diameter: float
+    tol: float = 1e-6
+
+    def __post_init__(self) -> None:
+        size = validation.real("diameter", self.diameter, above=0.0, unit="metres")
+        if size > _DIAMETER_MOST:
+            raise ValueError(f"diameter is in metres and must be at most {_DIAMETER_MOST:g}, got {size:g}")
+        object.__setattr__(self, "diameter", size)
+        super().__post_init__()
+
+    def unsupported(self, pupil: Any) -> str | None:
+        """Return the reason where there are aberrations, or the bead would be in the glass."""
+        radius = 0.5 * self.diameter
+        near = float(pupil.depth.min()) if isinstance(pupil, ObjectivePupil) else radius
+        if near < radius * (1.0 - 1e-9):
+            return f"needs a depth of at least the radius of the bead, {radius:g} metres, got {near:g}"
+        return super().unsupported(pupil)
+
+    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+        """Return the light at rising v."""
+        radius, layers, highest_order = 0.5 * self.diameter, pupil.layers, highest(pupil)
+        size = layers.wavenumber * layers.NA * radius
+        heights, weights, off = _rule(self._growth(pupil), asked)
+        depths = np.maximum(pupil.depth.ravel() + radius * heights[:, None], 0.0)
+        stack = _at_depths(pupil, depths)
+        power = stack.power.reshape(depths.shape)
+        half = heights.size // 2
+        discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
+        discs = discs[: -half - 1 : -1] + discs  # the same below the middle
+        places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
+        found = light(stack, places, asked, self.tol)
+        values_at, errors = found.values.reshape(*depths.shape, -1, places.size), found.error.reshape(depths.shape)
+        share = weights[:, None] * power
+        share /= share.sum(axis=0)
+        values: Any = 0.0
+        error, first = np.full(depths.shape[1], off), 0
+        for k, means in enumerate(discs):
+            here = rows[first : first + means.places.size]
+            first += means.places.size
+            values = values + share[k, :, None, None] * means.of(values_at[k][..., here])
+            error += share[k] * (errors[k] * means.gain + means.error)
+        return Orders(values, error)
+
+    def _growth(self, pupil: ObjectivePupil) -> Array:
+        """Return the logarithm of how much intensities grow on ellipses of complex heights."""
+        layers, radius = pupil.layers, 0.5 * self.diameter
+        eta, ratio = ellipses(), layers.NA / layers.sample
+        within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))
+        fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))
+        # abs(Im) of the disc is R sinh(eta) abs(cos), that of the height R sinh(eta) abs(sin).
+        across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * within))
+        return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * fading * np.cosh(eta)
+
+
+def _rule(growth: Array, error: float) -> tuple[Array, Array, float]:
+    """Return heights, weights that sum to 1, and what sums over them err by: `error`, or more at the most nodes."""
+    from scipy.special import roots_jacobi
+
+    nodes = 2
+    # Twice: what intensities are divided by is such a sum too.
+    while (off := 2.0 * gauss_error(growth, nodes)) > error and nodes < _NODES_MOST:
+        nodes += 1
+    u, w = roots_jacobi(nodes, 1.0, 1.0)
+    return u, w / w.sum(), off
+
+
+def _at_depths(pupil: ObjectivePupil, depths: Array) -> ObjectivePupil:
+    focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
+    return replace(pupil, depth=depths, focus=focus, z=z)

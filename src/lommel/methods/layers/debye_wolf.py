@@ -1,0 +1,143 @@
+"""The Debye-Wolf integral of a microscope by plain quadrature: the reference for stacks through plane layers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Images, Intensities, Wanted
+from lommel.methods.layers.refinement import BRIGHT_RING, LEAST, LayeredMethod, settled
+from lommel.methods.method import RadialMethod, painted
+from lommel.methods.pixels.averaging import averaged_images
+from lommel.methods.pixels.subpixel import subpixel_intensity
+from lommel.optics.grid import Grid
+from lommel.optics.layers import debye
+from lommel.optics.layers.emitter import Harmonic
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+
+
+class Harmonics(NamedTuple):
+    """Orders of the azimuth at given radii, first axis the flattened stack.
+
+    Attributes
+    ----------
+    values : ndarray, shape (orders, n, radii)
+    error : ndarray, shape (n,)
+        Bounds on the error of any intensity of these.
+    """
+
+    values: Array
+    error: Array
+
+
+@dataclass(frozen=True)
+class DebyeWolf(LayeredMethod, RadialMethod):
+    r"""Gauss-Legendre quadrature over the angles of the light of an objective, at every radius.
+
+    Supports the pupils of :meth:`lommel.Objective.pupil` only. Each distinct distance from the axis is integrated on
+    its own, without interpolation; the number of angles is proven to suffice.
+
+    Parameters
+    ----------
+    tol : float, default 1e-6
+        Tolerance over the peak of each plane.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `tol` is out of range.
+
+    References
+    ----------
+    P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
+    """
+
+    tol: float = 1e-6
+
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
+        """Return why `pupil` is not supported, or None if it is."""
+        return "supports no aberrations on top of those of layers; use DebyeRings" if pupil.aberrated else None
+
+    def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
+        """Return I at rising v; its bound is checked against the peak that was found."""
+        # Light that is dark on the axis is bright here: errors relate to the peak, wherever that is.
+        made = self._proven(pupil, np.append(v, BRIGHT_RING), lambda found: found.values[0], self.tol)
+        return made._replace(values=made.values[:, :-1])
+
+    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        if grid.integrate and pupil.radial:
+            return subpixel_intensity(self, pupil, grid, threads)
+        if grid.integrate:
+            made = self.images(pupil, grid, Wanted(threads=threads))
+            return Intensities(made.values, made.error, made.peak)
+        if grid.symmetric and pupil.radial:
+            return self.profile(pupil, grid.v(pupil))
+        return self._centres(pupil, grid, self.tol)
+
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        if pupil.radial or not grid.integrate or wanted.terms or wanted.powers:
+            return super().images(pupil, grid, wanted)
+        return averaged_images(self._samples, pupil, grid, self.tol, wanted)
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        made = self._centres(pupil, grid, max(tol, LEAST))
+        return painted(made, grid, wanted)
+
+    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        """Return I at the centres of pixels, around one axis or one for each plane."""
+        if not grid.stack:
+            return self._sampled(pupil, grid, tol)
+        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
+        return Intensities(values, error, peak)
+
+    def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
+        radius, place = np.unique(np.hypot(x, y), return_inverse=True)
+        azimuth = np.arctan2(y, x)
+
+        def turned(found: Harmonics) -> Array:
+            total = np.zeros((found.values.shape[1], *grid.shape))
+            for h, values in zip(pupil.light.harmonics, found.values, strict=True):
+                around = h.cosine * np.cos(h.order * azimuth) + h.sine * np.sin(h.order * azimuth)
+                total += values[:, place.reshape(grid.shape)] * around
+            return np.maximum(total, 0.0)
+
+        return self._proven(pupil, pupil.v(radius), turned, tol)
+
+    def _proven(self, pupil: ObjectivePupil, v: Array, made_of: Any, tol: float) -> Intensities:
+        """Return intensities made of harmonics that are exact enough for the peak that is found."""
+
+        def at(fields: float) -> tuple[Array, Array]:
+            found = harmonics(pupil, v, fields)
+            return made_of(found), found.error
+
+        return settled(at, tol, first=0.02 * tol, least=LEAST, named=self.tol)
+
+
+def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> Harmonics:
+    """Return the orders of the intensity of a flattened stack at rising v, by fields that are exact to `tol`."""
+    light, depth, focus = pupil.light, pupil.depth.ravel(), pupil.focus.ravel()
+    rule = debye.rule(pupil.layers, light.model, depth, focus, float(v.max(initial=0.0)), tol)
+    parts = np.stack(debye.fields(rule, light.model, depth, focus, v))
+    values = np.stack([_form(h, parts) for h in light.harmonics]) / pupil.power[:, None]
+    brightest = np.abs(parts).max(axis=2)
+    error = sum((_form_error(h, brightest, rule.error) for h in light.harmonics), np.zeros(depth.size))
+    return Harmonics(values, error / pupil.power * (1.0 + 1e-12) + 2.0**-50)
+
+
+def _form(harmonic: Harmonic, parts: NDArray[np.complex128]) -> Array:
+    return np.asarray(np.einsum("jl,jnr,lnr->nr", harmonic.form, parts, parts.conj()).real)
+
+
+def _form_error(harmonic: Harmonic, brightest: Array, error: float) -> Array:
+    """Bound the error of a harmonic whose parts, at most so bright, are each off by `error`."""
+    sizes = np.abs(harmonic.form) * np.hypot(harmonic.cosine, harmonic.sine)
+    one, other = brightest[:, None], brightest[None]
+    return np.asarray(np.einsum("jl,jln->n", sizes, error * (one + other + error)))

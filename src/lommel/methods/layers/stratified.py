@@ -1,0 +1,225 @@
+r"""Stacks through the layers of a microscope, by an engine that interpolates what it has proven.
+
+All planes share their angles and radii, so that their fields are products of matrices; what depends on the objective
+and the pixels alone is kept. See docs/certificate.md, section 15, for what is proven.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Images, Intensities, Wanted
+from lommel.core.engine import Window, layered_images, layered_profiles
+from lommel.core.layers import Layered, LayeredSlopes
+from lommel.methods.layers.debye_wolf import DebyeWolf
+from lommel.methods.layers.refinement import likely_peak
+from lommel.optics.grid import Grid
+from lommel.optics.layers import debye
+from lommel.optics.layers.debye import Rule, Turning
+from lommel.optics.layers.emitter import Light
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.pupil_pieces import Complex, Model
+from lommel.optics.layers.stratified import Layers
+
+# Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.
+_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0
+_LEAST = 2.0**-52
+_TURNS = 2  # the highest order of the azimuth that the core makes images of
+
+T = TypeVar("T")
+_Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float, float]
+
+
+@dataclass(frozen=True)
+class Stratified(DebyeWolf):
+    r"""Certified stacks through plane layers, by products of matrices: the default for an :class:`lommel.Objective`.
+
+    Supports what :class:`lommel.DebyeWolf` does, with the same contract. Fields are summed over angles whose
+    number is proven to suffice, at few radii; between these the intensity, which is of exponential type 2 in v, is
+    interpolated with a proven error. Of light that depends on the azimuth that engine has samples, around any axis;
+    averages over pixels are made of them. Where the axis is not the middle pixel and pixels are farther from it than
+    110 in v, and where a tolerance is near what rounding allows, it is computed as `DebyeWolf` does.
+
+    Parameters
+    ----------
+    tol : float, default 1e-6
+        Tolerance over the peak of each plane.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `tol` is out of range.
+
+    Notes
+    -----
+    Bessel functions of angles and radii are kept for stacks of the same objective, wavelength, emitter and pixels,
+    whose depths and foci lie in about the same range; so are angles.
+
+    References
+    ----------
+    B. Richards and E. Wolf, Proc. R. Soc. Lond. A 253, 358 (1959), doi:10.1098/rspa.1959.0200.
+    P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
+    """
+
+    def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
+        """Return I at rising v; its bound is checked against the peak that was found."""
+
+        def attempt(accuracy: _Accuracy) -> tuple[Intensities, float]:
+            values, off = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
+            top = values[:, 0].max(axis=1)
+            relative = np.divide(off, top - off, out=np.full(top.shape, np.inf), where=top > off)
+            return Intensities(values[:, 0], relative, top - off), float(relative.max())
+
+        made = _settled(attempt, pupil, self.tol) if v.size and pupil.light.model.orders[0] == 0 else None
+        return super().profile(pupil, v) if made is None else made
+
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        if wanted.terms or wanted.powers or (grid.integrate and not pupil.radial):
+            return super().images(pupil, grid, wanted)
+        made = _made(pupil, grid, self.tol, wanted)
+        return super().images(pupil, grid, wanted) if made is None else made
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        made = _made(pupil, grid, tol, wanted)
+        return super()._samples(pupil, grid, tol, wanted) if made is None else made
+
+
+class By(NamedTuple):
+    """A derivative that the engine makes: of :class:`lommel.core.layers.LayeredSlopes`.
+
+    Attributes
+    ----------
+    which : int
+    factor : float
+    own : ndarray or float
+        What I itself counts in it, of each plane.
+    """
+
+    which: int
+    factor: float = 1.0
+    own: Array | float = 0.0
+
+
+class _Accuracy(NamedTuple):
+    """What fields may err by, and what interpolation may add to I."""
+
+    field: float
+    between: float
+
+
+def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
+    """Return what the first attempt made whose bound is at most `tol`; None where there is none, or it made none."""
+    peak = likely_peak(pupil)
+    while True:
+        # Powers of two, so that angles and tables serve others too.
+        field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD * tol * math.sqrt(peak))))
+        made, worst = attempt(_Accuracy(field, max(_LEAST, 2.0 ** math.floor(math.log2(_BETWEEN * tol * peak)))))
+        if made is None or worst <= tol:
+            return made
+        if field <= _LEAST:
+            return None
+        peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
+
+
+def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
+    """Return images by the engine, or None where it has none, or none that is exact enough."""
+    made = differentiated(pupil, grid, (), tol, wanted)
+    return None if made is None else made[0]
+
+
+def differentiated(
+    pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted
+) -> tuple[Images, NDArray[Any], Array] | None:
+    """Return images exact to `tol`, their derivatives, and bounds on the errors of these over the scale.
+
+    None where the engine has no such windows, or none that is exact enough; see
+    :func:`lommel.core.engine.layered_images`.
+    """
+    if not known(pupil.light):
+        return None
+    step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
+    window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
+
+    def attempt(accuracy: _Accuracy) -> tuple[tuple[Images, NDArray[Any], Array] | None, float]:
+        # Averages are more sums of fields than samples are.
+        field = accuracy.field / 2.0 if grid.integrate else accuracy.field
+        slopes = None
+        if by:
+            errors, turned = _slopes(*_question(pupil, reach, field))
+            each = np.array([(one.which, one.factor) for one in by])
+            own = np.stack([np.broadcast_to(one.own, pupil.power.shape) for one in by])
+            slopes = LayeredSlopes(each, own, errors, *turned)
+        asked = layered(pupil, reach, field)
+        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate, slopes=slopes)
+        return made, 0.0 if made is None or made[0].error is None else float(made[0].error.max())
+
+    return _settled(attempt, pupil, tol)
+
+
+def known(light: Light) -> bool:
+    """Return whether the core makes images of such light: vortices and high orders of the azimuth it has none of."""
+    return light.model.orders[0] == 0 and max(h.order for h in light.harmonics) <= _TURNS
+
+
+def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
+    """Return a flattened stack as the core takes it, by fields that are exact to `tol` up to `reach` in v."""
+    found, parts, rates = _angles(*_question(pupil, reach, tol))
+    planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
+    return Layered(found.rho, parts, rates, found.error, planes, *_forms(pupil.light))
+
+
+def _question(pupil: ObjectivePupil, reach: float, tol: float) -> _Question:
+    """Return what angles are found for: all planes between two depths, and two foci counted from paraxial ones."""
+    depth, layers = pupil.depth.ravel(), pupil.layers
+    away = pupil.focus.ravel() - layers.immersion / layers.sample * depth
+    return layers, pupil.light.model, _outwards(depth), _outwards(away), _above(reach), tol
+
+
+def _forms(light: Light) -> tuple[Complex, Array]:
+    forms = np.stack([h.form for h in light.harmonics])
+    return forms, np.array([[h.order, h.cosine, h.sine] for h in light.harmonics], dtype=np.float64)
+
+
+def _outwards(values: Array) -> tuple[float, float]:
+    """Return a range around values that others like them have too: multiples of an eighth of their width or less."""
+    low, high = float(values.min()), float(values.max())
+    unit = 2.0 ** math.floor(math.log2(max(high - low, 4e-7) / 8.0))
+    return unit * math.floor(low / unit), unit * math.ceil(high / unit)
+
+
+def _above(reach: float) -> float:
+    """Return a reach that others like it have too, at most an eighth larger."""
+    unit = 2.0 ** math.floor(math.log2(max(reach, 1.0) / 8.0))
+    return unit * math.ceil(reach / unit)
+
+
+def _corners(layers: Layers, depths: tuple[float, float], foci: tuple[float, float]) -> tuple[Array, Array]:
+    depth = np.repeat(np.maximum(depths, 0.0), 2)
+    return depth, layers.immersion / layers.sample * depth + np.tile(foci, 2)
+
+
+@lru_cache(maxsize=32)
+def _angles(
+    layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
+) -> tuple[Rule, Complex, Complex]:
+    found = debye.rule(layers, model, *_corners(layers, depths, foci), reach, tol)
+    return found, np.stack(found.parts), np.stack(found.rates)
+
+
+@lru_cache(maxsize=32)
+def _slopes(
+    layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
+) -> tuple[Array, Turning]:
+    """Return what derivatives of fields err by with these angles, and what these change by with the wavenumber."""
+    found, _, _ = _angles(layers, model, depths, foci, reach, tol)
+    errors = debye.slope_errors(found, layers, model, *_corners(layers, depths, foci), reach, tol)
+    return np.array(errors), debye.turning(found, layers, model)

@@ -1,0 +1,1 @@
+"""The six methods of the paper that this package started from."""

@@ -1,0 +1,1 @@
+"""Averages over the area of pixels."""

@@ -1,0 +1,505 @@
+r"""Averages over the pixels of a sensor for any pupil: finer samples, filtered.
+
+A pixel averages the intensity over its square, which multiplies the transfer function by ``sinc(a wx / 2)`` and
+``sinc(a wy / 2)``, a the pitch in v. The transfer function vanishes beyond ``|w| = 2``, so any taps c_k on samples
+h apart whose response ``C(w) = sum_k c_k cos(k h w)`` agrees with the sinc up to there do the same, along rows and
+then along columns. An error eps of the response costs at most ``(2 eps + eps^2) int |OTF| dw``, an integral that is
+at most the intensity at the peak without aberration, where the transfer function is nowhere negative.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.core.answers import Images, Slopes, ToleranceError, Wanted, not_met
+from lommel.core.engine import average_samples
+from lommel.methods.method import normalized_error, stored, storing
+from lommel.optics.base_pupil import BasePupil
+from lommel.optics.grid import Grid
+
+# A filter for pixels side by side need not have whole samples a pixel: two pixels of pitch a may share s samples, an
+# odd number, ``h = 2 a / s`` apart. The middle of the one is a sample then, that of the other half way between two.
+
+_FARTHEST = 1.27  # v between samples that two pixels share: of pi/2, where no filter is long enough, four fifths
+_WORTH = 0.85  # of the samples that whole ones a pixel take
+
+
+def fitted(response: Any, wave: Any, x: NDArray[Any]) -> tuple[NDArray[np.float64], float, float]:
+    """Return weights of samples at rising distances `x` on either side, a bound on what they are off by, their gain.
+
+    Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire, of
+    type ``T = x[-1]``; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 T + 48`` (its Chebyshev series
+    falls below ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value no faster
+    than ``cos(M s)`` (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938), and one of 2 M Chebyshev points is
+    within ``pi / (4 M)`` of that: it is at most sqrt(2) times as large as at these points.
+
+    Parameters
+    ----------
+    response : callable
+        What is wanted of angular frequencies in v, up to 2.
+    wave : callable
+        ``np.cos`` of even responses, ``np.sin`` of odd ones.
+    x : ndarray, shape (k,)
+        In v; a sample at 0 counts once.
+
+    Returns
+    -------
+    weights : ndarray, shape (k,)
+    error : float
+        At most this far is the response, for ``|w| <= 2``.
+    gain : float
+        Sum of the magnitudes of all weights.
+    """
+    degree = math.ceil(2.36 * float(x[-1])) + 48
+    w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
+    times = np.where(x > 0.0, 2.0, 1.0)
+    basis = times * wave(np.outer(w, x))
+    wanted = response(w)
+    c, *_ = np.linalg.lstsq(basis, wanted, rcond=1e-13)
+    c *= (x > 0.0) | (wave is np.cos)  # which no odd response tells
+    gain = float((times * np.abs(c)).sum())
+    rounding = 2.0**-52 * (x.size + 3) * gain
+    return c, math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17, gain
+
+
+def shared(step: float, error: float, across: int, sides: tuple[int, ...]) -> int:
+    """Return how many samples two pixels had best share along an axis; twice `across`, where that is as good.
+
+    Fewer samples take longer filters, and so more of them beyond the edges of a window of few pixels.
+
+    Parameters
+    ----------
+    step : float
+        Pitch in v.
+    error : float
+        Of the filter.
+    across : int
+        Samples a pixel that are known to do.
+    sides : tuple of int
+        Of the window, in pixels.
+    """
+
+    def samples(s: int) -> float:
+        return math.prod(0.5 * s * side + 2.0 * _half(step, error, s) for side in sides)
+
+    fewest = min(range(math.ceil(2.0 * step / _FARTHEST), 2 * across + 1), key=samples)
+    return fewest if samples(fewest) < _WORTH * samples(2 * across) else 2 * across
+
+
+def _half(step: float, error: float, s: int) -> int:
+    """Return how many samples on either side a filter takes, likely."""
+    room = 1.0 - 4.0 * step / (s * math.pi)
+    return max(s // 4 + 2, int(0.25 * s + math.log(0.1 / error) / (3.4 * room)) - 2)
+
+
+def paired(response: Any, step: float, error: float, s: int) -> tuple[NDArray[np.float64], float, float]:
+    """Return weights for two pixels that share `s` samples, odd, off by `error`; both from the first sample on.
+
+    Parameters
+    ----------
+    response, error
+        As of :func:`fitted`.
+    step : float
+        Pitch in v.
+    s : int
+
+    Returns
+    -------
+    weights : ndarray, shape (2, 2 k + s // 2 + 1)
+        The middle of the first pixel is sample k; that of the second is half a step beyond sample ``k + s // 2``.
+    error, gain : float
+        The larger one of both.
+    """
+    h, half = 2.0 * step / s, _half(step, error, s)
+    while True:
+        even, off, gain = fitted(response, np.cos, h * np.arange(half + 1))
+        odd, *worse = fitted(response, np.cos, h * (np.arange(half) + 0.5))
+        off, gain = max(off, worse[0]), max(gain, worse[1])
+        if (off <= error and gain <= 1.5) or half > s + 60:
+            weights = np.zeros((2, 2 * half + s // 2 + 1))
+            weights[0, : 2 * half + 1] = np.concatenate([even[:0:-1], even])
+            weights[1, s // 2 + 1 :] = np.concatenate([odd[::-1], odd])
+            return weights, off, gain
+        half += 1
+
+
+_VALUES = 2**23  # samples at once
+_WIDEST, _CLOSER = 1.05, 0.8  # v between samples: two thirds of what the band of I allows, and half
+_MOST = 512  # samples across a pixel
+_SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
+_DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
+
+Sample = Callable[[Any, Grid, float, Wanted], Images]
+"""From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
+
+Band = tuple[float, float]
+
+
+class Averages(NamedTuple):
+    """Averages over pixels of the flattened stack.
+
+    Attributes
+    ----------
+    values : ndarray, shape (1 + k, n, height, width)
+        Of the intensity, then of its derivatives by k terms.
+    error : ndarray, shape (1 + k, n)
+        Bounds over `peak`; that of the intensity for values once they are stored.
+    peak : ndarray, shape (n,)
+    """
+
+    values: NDArray[np.float64]
+    error: NDArray[np.float64]
+    peak: NDArray[np.float64]
+
+
+def averaged(
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+) -> Averages:
+    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as is wanted.
+
+    The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
+    divided by the largest average in the window. Derivatives by Zernike terms follow: their transfer function is at
+    most twice what that of the aperture is without aberration, for terms are at most 1. Of light that is made of
+    others `band` tells how much faster than the intensity it varies, and the integral of the modulus of its transfer
+    function.
+
+    Raises
+    ------
+    ToleranceError
+        If the bound stays above `tol`.
+    """
+    band = band or (1.0, pupil.amplitude**2)
+    try:
+        return _averaged(sample, pupil, grid, tol, wanted, band, _WIDEST)
+    except ToleranceError:
+        # Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
+        return _averaged(sample, pupil, grid, tol, wanted, band, _CLOSER)
+
+
+def _averaged(
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band, widest: float
+) -> Averages:
+    # What varies faster than I is I of larger pixels.
+    step, ceiling, dtype, normalize = band[0] * grid.step(pupil), band[1], wanted.dtype, wanted.scale is None
+    lowest = least_average(step)
+    # Values divided by their own largest one are off by twice as much.
+    aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
+    finer, response = _first_errors(aim, step)
+    for _ in range(5):
+        taps = filtered_by(step, response, widest) if widest < _WIDEST else _shared_by(step, response, grid.shape)
+        try:
+            asked = finer / taps.gain**2
+            lost = _DARK * aim * lowest if asked >= _SINGLE else 0.0
+            total, given, peaks = _filtered(sample, pupil, grid, asked, taps, wanted, lost / _lost(taps))
+        except ToleranceError as fault:
+            raise ToleranceError(
+                f"tol={tol:g} cannot be met by averages over pixels of {step / math.pi:.3g} lambda*N, for which "
+                f"samples must be exact to {finer:.2g} of the peak: {fault}"
+            ) from None
+        tops = total[0].max(axis=(1, 2))
+        rounding = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * peaks
+        filtering = (2.0 + taps.error) * taps.error * ceiling
+        own = filtering + rounding[0] + 1.01 * lost * peaks[0]
+        found = tops if normalize else np.maximum(tops, lowest * peaks[0])
+        if not found.min() > 0:
+            break
+        relative = (given[0] + own) / found
+        bounds = stored(normalized_error(relative) if normalize else relative, dtype)
+        if bounds.max() <= tol:
+            slopes = (given[1:] + 2.0 * filtering + rounding[1:]) / found
+            return Averages(total, np.concatenate([bounds[None], slopes]), found)
+        if finer >= _SINGLE * taps.gain**2:
+            # What single precision stores is off by more than what doubles are, and tells little of it.
+            finer = 0.9 * _SINGLE
+        else:
+            finer *= min(1.0, 0.5 * aim / float((given[0] / found).max()))
+        response *= min(1.0, 0.2 * aim / float((own / found).max()))
+    raise not_met(tol, 1.0 if not found.min() > 0 else float(bounds.max()), "the largest value in the window")
+
+
+def _first_errors(aim: float, step: float) -> tuple[float, float]:
+    """Return errors of samples and of a response that are likely to be enough for one of averages."""
+    # As if the largest average were a few times the least it can be, and the peak not faint.
+    lowest = least_average(step)
+    return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
+
+
+def averaged_images(
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+) -> Images:
+    """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
+    made = averaged(sample, pupil, grid, tol, wanted, band)
+    tops = made.values[0].max(axis=(1, 2))
+    scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(wanted.scale, tops.shape)
+    values = np.empty(made.values[0].shape, wanted.dtype) if wanted.out is None else wanted.out
+    np.multiply(made.values[0], scales[:, None, None], out=values, casting="same_kind")
+    slopes = None
+    if wanted.terms:
+        off = made.error[1:]
+        largest = np.abs(made.values[1:]).max(axis=(2, 3)) / made.peak
+        stored_as = (made.values[1:] * scales[:, None, None]).astype(wanted.dtype)
+        slopes = Slopes(stored_as, off + (largest + off) * storing(wanted.dtype))
+    return Images(values, scales, made.error[0], slopes, made.peak)
+
+
+def least_average(step: float) -> float:
+    """Return what the best placed pixel of pitch `step` in v averages at least, over the peak of I.
+
+    ``f = 2 I - M``, M the peak, is of exponential type 2 along a line through it and within M, so
+    ``f'^2 + 4 f^2 <= 4 M^2`` (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s below pi/2
+    from the peak ``I >= M cos(s)^2``. The pixel around the peak holds a disc of half its pitch.
+    """
+    r = min(0.5 * step, 0.5 * math.pi)
+    return 0.5 * math.pi * (r * r + r * math.sin(2.0 * r) - math.sin(r) ** 2) / step**2
+
+
+class Taps(NamedTuple):
+    """A filter that averages over pixels, along one axis.
+
+    Attributes
+    ----------
+    stride : int
+        Samples a pixel, or of two that share an odd number of them.
+    weights : ndarray, shape (2 k + 1,), or (2, 2 k + stride // 2 + 1)
+        Of the samples from k before to k after the middle of the pixel; or of two pixels, as
+        :func:`lommel.methods.pixels.averaging.paired` has them.
+    error : float
+        Bound on how far the response is from that which is wanted, for ``|w| <= 2``.
+    gain : float
+        Sum of the magnitudes of the weights: what errors of samples are multiplied by at most.
+    """
+
+    stride: int
+    weights: NDArray[np.float64]
+    error: float
+    gain: float
+
+    @property
+    def pixels(self) -> int:
+        """How many pixels have weights of their own."""
+        return 1 if self.weights.ndim == 1 else len(self.weights)
+
+    @property
+    def margin(self) -> int:
+        """Samples before the middle of the first pixel."""
+        return int(self.weights.shape[-1] - (self.pixels - 1) * (self.stride // 2)) // 2
+
+
+def samples_across(step: float, widest: float = _WIDEST) -> int:
+    """Return how many samples a pixel of pitch `step` in v takes along an axis, `widest` apart at most."""
+    if step > _MOST * _WIDEST:
+        raise ValueError(
+            f"pixel must be at most {_MOST * _WIDEST / math.pi:.0f} lambda*N to average a pupil that is not radially "
+            f"symmetric over it, got {step / math.pi:.4g} lambda*N; take smaller pixels, and average blocks of them"
+        )
+    return max(1, math.ceil(step / widest))
+
+
+@lru_cache(maxsize=64)
+def filtered_by(step: float, error: float, widest: float = _WIDEST, *, growing: bool = False) -> Taps:
+    """Return the shortest filter for pixels of pitch `step` in v, samples at most `widest` apart, off by `error`.
+
+    Where the pixel is `growing`, the response is the derivative by ln a, ``cos(a w / 2) - sinc(a w / 2)``.
+    """
+
+    def response(w: NDArray[np.float64]) -> NDArray[np.float64]:
+        mean = _pixel(step)(w)
+        return np.cos(0.5 * step * w) - mean if growing else mean
+
+    return _fitted(response, np.cos, step, error, widest, 3.0 if growing else 1.5)
+
+
+def _pixel(step: float) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
+    return lambda w: np.sinc(0.5 * step / math.pi * w)
+
+
+@lru_cache(maxsize=64)
+def _shared_by(step: float, error: float, shape: tuple[int, int]) -> Taps:
+    """Return the filter that takes fewest samples of a window, two pixels of which may share an odd number."""
+    s = shared(step, error, samples_across(step), shape)
+    if s % 2 == 0:
+        return filtered_by(step, error, 2.0 * step / s * (1.0 + 1e-12))
+    return Taps(s, *paired(_pixel(step), step, error, s))
+
+
+@lru_cache(maxsize=64)
+def sloping(step: float, error: float, *, averages: bool, widest: float = _WIDEST) -> Taps:
+    """Return the shortest filter for the derivative along an axis, of averages over pixels or at their centres.
+
+    The response, but for a factor i, is ``w sinc(a w / 2)`` or w.
+    """
+
+    def response(w: NDArray[np.float64]) -> NDArray[np.float64]:
+        return w * np.sinc(0.5 * step / math.pi * w) if averages else w
+
+    return _fitted(response, np.sin, step, error, widest, 6.0)
+
+
+def _fitted(response: Any, wave: Any, step: float, error: float, widest: float, most: float) -> Taps:
+    """Return the shortest filter of such waves with a response, or about the best one, of a gain below `most`."""
+    stride = samples_across(step, widest)
+    half, odd = stride // 2 + 2, wave is np.sin
+    while True:
+        c, reached, gain = fitted(response, wave, step / stride * np.arange(half + 1))
+        # Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
+        if (reached <= error and gain <= most) or half > stride + 60:
+            return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
+        half += 1
+
+
+def _lost(taps: Taps) -> float:
+    """Return what sums in single precision along both axes cost averages, of the largest sample."""
+    return float(2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2)
+
+
+def _filtered(
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted, dark: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`.
+
+    Where samples are at most `dark` times the peak they are summed in single precision.
+    """
+    count, images = math.prod(pupil.shape), 1 + len(wanted.terms)
+    dtype = np.dtype(np.float32 if tol >= _SINGLE else np.float64)
+    question = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms)
+    total, error, peaks = np.empty((images, count, *grid.shape)), np.zeros((images, count)), np.zeros((images, count))
+    for part, one, pixels in blocks(pupil, grid, taps, images):
+        for fine, rows in _strips_of(total[:, part], pixels, taps):
+            made = sample(one, fine, tol, question)
+            assert made.error is not None
+            assert made.peak is not None
+            error[0, part] = np.maximum(error[0, part], taps.gain**2 * made.error * made.peak)
+            peaks[0, part] = np.maximum(peaks[0, part], made.peak * (1.0 - made.error))
+            limit = dark * float(made.peak.min())
+            average_samples(made.values, _sets(taps), taps.stride, wanted.threads, rows[0], dark=limit)
+            if made.slopes is None:
+                continue
+            largest = np.abs(made.slopes.values).max(axis=(2, 3))
+            peaks[1:, part] = np.maximum(peaks[1:, part], largest)
+            error[1:, part] = np.maximum(error[1:, part], taps.gain**2 * made.slopes.error * made.peak)
+            for slopes, out in zip(made.slopes.values, rows[1:], strict=True):
+                average_samples(slopes, _sets(taps), taps.stride, wanted.threads, out, -math.inf)
+    return total, error, peaks
+
+
+def filtered(
+    samples: Callable[[Grid], Sequence[NDArray[Any]]],
+    out: NDArray[np.float64],
+    grid: Grid,
+    taps: Taps,
+    threads: int = 0,
+) -> NDArray[np.float64]:
+    """Write averages over the pixels of `grid` to `out`, shape (k, n, height, width), some rows at once; return it.
+
+    The first of the k is an intensity, the others need not be positive.
+    """
+    for fine, rows in _strips_of(out, grid, taps):
+        for k, values in enumerate(samples(fine)):
+            average_samples(values, _sets(taps), taps.stride, threads, rows[k], -math.inf if k else 0.0)
+    return out
+
+
+def _sets(taps: Taps) -> NDArray[np.float64]:
+    """Return the weights as the core takes them, those of each pixel that has its own."""
+    return np.atleast_2d(taps.weights)
+
+
+def _strips_of(out: NDArray[np.float64], grid: Grid, taps: Taps) -> Iterator[tuple[Grid, NDArray[np.float64]]]:
+    """Return the samples that some rows of (..., n, height, width) take at once, and these."""
+    return ((_fine(grid, y, rows.shape[-2], taps), rows) for y, rows in _strips(out, taps))
+
+
+def averaged_gradient(
+    gradient: Callable[[Any, Grid, float, NDArray[np.float64]], NDArray[np.float64]],
+    pupil: BasePupil,
+    grid: Grid,
+    tol: float,
+    weights: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
+
+    By the transpose of the filter: `gradient` is asked about samples, with a tolerance and weights for these. The
+    tolerance is that which :func:`averaged` begins with, and mostly ends with; so is the filter, of small windows.
+    """
+    finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
+
+    def by(widest: float) -> NDArray[np.float64]:
+        taps = filtered_by(grid.step(pupil), response, widest)
+        found = []
+        for part, one, pixels in blocks(pupil, grid, taps):
+            sums: Any = 0.0
+            for y, rows in _strips(weights[part], taps):
+                sums += gradient(
+                    one, _fine(pixels, y, rows.shape[1], taps), finer / taps.gain**2, spread_out(rows, taps)
+                )
+            found.append(sums)
+        return np.concatenate(found)
+
+    try:
+        return by(_WIDEST)
+    except ToleranceError:
+        return by(_CLOSER)
+
+
+def _strips(values: NDArray[Any], taps: Taps) -> Iterator[tuple[int, NDArray[Any]]]:
+    """Return the first of some rows of (..., n, height, width) that are filtered at once, and these."""
+    each = math.prod(values.shape[:-3]) * _samples(values.shape[-1], taps) * taps.stride / taps.pixels
+    most = max(1, int(_VALUES / each))
+    for y in range(0, values.shape[-2], most):
+        yield y, values[..., y : y + most, :]
+
+
+def spread_out(weights: NDArray[np.float64], taps: Taps) -> NDArray[np.float64]:
+    """Return the weights that samples have in weighted sums of averages, shape (n, samples, samples)."""
+
+    def matrix(pixels: int) -> NDArray[np.float64]:
+        made = np.zeros((_samples(pixels, taps), pixels))
+        for pixel in range(pixels):
+            made[pixel * taps.stride :, pixel][: taps.weights.size] = taps.weights
+        return made
+
+    _, height, width = weights.shape
+    return np.ascontiguousarray(matrix(height) @ weights @ matrix(width).T)
+
+
+def weighed(samples: NDArray[np.float64], rows: Taps, columns: Taps, threads: int = 0) -> NDArray[np.float64]:
+    """Return sums of finer samples, shape (n, h, w), by as many taps along each axis; of any sign."""
+    sides = ((side - rows.weights.size) // rows.stride + 1 for side in samples.shape[1:])
+    out = np.empty((len(samples), *sides))
+    average_samples(samples, _sets(rows), rows.stride, threads, out, -math.inf, _sets(columns))
+    return out
+
+
+def _samples(pixels: int, taps: Taps) -> int:
+    return (pixels - 1) // taps.pixels * taps.stride + int(taps.weights.shape[-1])
+
+
+def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
+    """Return the samples that the averages over some rows of pixels take."""
+    across, (y, x) = taps.stride / taps.pixels, grid.center
+    at = (y - row) * across + taps.margin, x * across + taps.margin
+    return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.side / across, center=at)
+
+
+def finer(grid: Grid, taps: Taps) -> Grid:
+    """Return all samples that the averages over the pixels of `grid` take."""
+    return _fine(grid, 0, grid.height, taps)
+
+
+def blocks(pupil: BasePupil, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[slice, Any, Grid]]:
+    """Return parts of a stack that are sampled at once, where they are in the flattened stack, and their pixels."""
+    size = max(1, _VALUES // (images * math.prod(_samples(side, taps) for side in grid.shape)))
+    count = math.prod(pupil.shape)
+    if count <= size:
+        yield slice(0, count), pupil, grid
+        return
+    for first in range(0, count, size):
+        part = slice(first, min(first + size, count))
+        which = np.unravel_index(np.arange(part.start, part.stop), pupil.shape)
+        yield part, pupil[which], grid[which] if grid.stack else grid

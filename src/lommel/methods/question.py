@@ -1,0 +1,218 @@
+"""What is asked of methods about pupils that nothing but their phase tells apart: all else is decided once."""
+
+from __future__ import annotations
+
+# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, cast
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.core.answers import Images, Wanted
+from lommel.methods.choice import candidates, first_proven
+from lommel.methods.method import Method, Shortcut, widened
+from lommel.optics.base_pupil import BasePupil
+from lommel.optics.grid import Grid
+
+if TYPE_CHECKING:
+    from lommel.methods.derivative_names import Name
+    from lommel.methods.derivatives.slopes import Slope
+    from lommel.optics.layers.objective_pupil import ObjectivePupil
+
+
+class Asked(NamedTuple):
+    """A question about pupils of some light.
+
+    Attributes
+    ----------
+    light : tuple
+        Whatever a pupil has but its phase, and whether that is radially symmetric.
+    grid : Grid
+    ways : tuple of Method
+        As they are tried, one by one.
+    named : bool
+        Whether the caller named one.
+    energy : bool
+        Whether values are fractions of all light.
+    wanted : Wanted
+        Without `out`, and without derivatives.
+    shape, flat : tuple of int
+        Of the values, and of those of the flattened stack.
+    shortcut : callable or None
+        See :meth:`Method.plan`.
+    """
+
+    light: tuple[Any, ...]
+    grid: Grid
+    ways: tuple[Method, ...]
+    named: bool
+    energy: bool
+    wanted: Wanted
+    shape: tuple[int, ...]
+    flat: tuple[int, ...]
+    shortcut: Shortcut | None
+
+    def images(
+        self, pupil: BasePupil, names: tuple[Name, ...] = (), out: NDArray[Any] | None = None
+    ) -> tuple[Method, Images, list[Slope]]:
+        """Return the method, images of a pupil of this light and their derivatives, without a shortcut.
+
+        Raises
+        ------
+        ValueError, ToleranceError
+            If the methods do not support the pupil, have no such derivatives, or cannot meet their tolerance.
+        """
+        self.ways[0].require(pupil)
+        question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
+        if names and pupil.layered:
+            from lommel.methods.layers.slopes import layered_slopes
+
+            layers = cast("ObjectivePupil", pupil)
+            return layered_slopes(self.ways[0], layers, self.grid, names, question, energy=self.energy)
+        if names:
+            from lommel.methods.derivatives.slopes import differentiated
+            from lommel.optics.pupil import checked
+
+            method = self.ways[0] if self.named else None
+            of, tol = checked(pupil), self.ways[0].tol
+            return differentiated(method, of, self.grid, names, question, tol, energy=self.energy)
+
+        def ask(way: Method) -> Images:
+            made = way.images(pupil, self.grid, question)
+            return widened(made, pupil, way, normalized=question.scale is None)
+
+        return *first_proven(self.ways, ask), []
+
+
+def asked_about(
+    pupil: BasePupil,
+    light: tuple[Any, ...],
+    grid: Grid,
+    method: Method | None,
+    tol: float,
+    normalize: str,
+    dtype: np.dtype[Any],
+    threads: int,
+) -> Asked:
+    """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`.
+
+    Raises
+    ------
+    ValueError
+        If a method does not support the pupil, or the window is none that has an answer.
+    """
+    if grid.stack:
+        grid = grid.broadcast(pupil.shape)
+    ways = candidates(pupil, grid, tol) if method is None else (method,)
+    wanted = wanted_on(grid, pupil, ways[0], normalize, dtype, threads)
+    stack = pupil.shape
+    shortcut = ways[0].plan(pupil, grid, wanted) if len(ways) == 1 else None
+    named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
+    return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
+
+
+def wanted_on(
+    grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: np.dtype[Any], threads: int
+) -> Wanted:
+    """Return how images are wanted, once pupil and window are checked.
+
+    Raises
+    ------
+    ValueError
+        If the method does not support the pupil, or the window is none that has an answer.
+    """
+    method.require(pupil)
+    for pitch in grid.pitch:
+        validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
+    if method.sampling == "center":
+        grid.require_reach(pupil)
+    count = math.prod(pupil.shape) * grid.height * grid.width
+    if count > validation.MAX_VALUES:
+        raise ValueError(
+            f"shape {grid.shape} for {math.prod(pupil.shape)} pupils makes {count} values, "
+            f"more than the limit of {validation.MAX_VALUES}"
+        )
+    scale: float | Array | None = None
+    if normalize == "emitted":
+        scale = grid.cell(pupil) / (4.0 * math.pi) * pupil.collected.ravel()
+    elif normalize == "energy":
+        scale = grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)
+    elif normalize == "strehl":
+        scale = 1.0 / method.unaberrated_peak(pupil)
+    return Wanted(scale, dtype, threads=threads)
+
+
+AnyPupil = TypeVar("AnyPupil", bound=BasePupil)
+
+
+def names(derivatives: Sequence[str | tuple[int, int]]) -> tuple[str | tuple[int, int], ...]:
+    """Return what `derivatives` are by; TypeError or ValueError if there are none such."""
+    if isinstance(derivatives, tuple) and not derivatives:
+        return ()
+    from lommel.methods.derivative_names import checked  # most answers have none
+
+    return checked(derivatives)
+
+
+def array(name: str, value: Any) -> NDArray[Any]:
+    """Return `value` if it is an array; the TypeError says which argument is not."""
+    if not isinstance(value, np.ndarray):
+        raise TypeError(f"{name} must be a NumPy array, got {type(value).__name__}")
+    return value
+
+
+def place(out: NDArray[Any], shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return `out` if values of this shape and type can be put there; TypeError or ValueError otherwise."""
+    if array("out", out).shape != shape:
+        raise ValueError(f"out must have the shape {shape}, got {out.shape}")
+    if out.dtype != dtype:
+        raise ValueError(f"out must be of {dtype}, got {out.dtype}")
+    flags = out.flags
+    if not (flags.c_contiguous and flags.writeable):
+        raise ValueError("out must be C-contiguous and writable")
+    return out
+
+
+def output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
+    """Return the type of values that are exact to `tol`; ValueError if the one that is named cannot hold it."""
+    if dtype is None:
+        return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
+    kind = validation.kind("dtype", dtype, np.float32, np.float64)
+    if kind == np.float32 and tol < 2.0**-22:
+        raise ValueError(f"dtype float32 cannot hold tol={tol:g}; use float64, or a tolerance of at least 2.4e-7")
+    return kind
+
+
+def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
+    """Return a pupil for each axis, in the shape that the stack and the places of axes broadcast to."""
+    try:
+        return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
+    except ValueError:
+        raise ValueError(
+            f"center must broadcast with the stack of pupils, got places of shape {places} for {pupil.shape}"
+        ) from None
+
+
+def way(method: Any, tol: float | None, integrate: Any) -> tuple[Method | None, float]:
+    """Return the method, if one is named, and the tolerance; TypeError or ValueError if there are none such."""
+    if method is not None and not isinstance(method, Method):
+        raise TypeError(
+            f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"
+        )
+    if not (integrate is None or isinstance(integrate, bool)):
+        raise TypeError(f"integrate must be True, False or None, got {validation.shown(integrate)}")
+    if integrate is False and method is not None and method.sampling == "pixel":
+        raise ValueError(
+            f"integrate must not be False for {type(method).__name__}, which has no point values; leave it out"
+        )
+    if tol is None:
+        tol = (method or Method).tol
+    elif method is None:
+        tol = validation.real("tol", tol, least=Method.least_tol, below=1e-1)
+    else:
+        method = method.with_tol(tol)
+    return method, tol

@@ -1,0 +1,333 @@
+"""PSFs of confocal, two-photon and light-sheet microscopes, and images of beads."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.core.answers import ToleranceError
+from lommel.methods.layers.bead import Bead
+from lommel.methods.layers.depletion import Sted, crest
+from lommel.methods.layers.scanning import Confocal, TwoPhoton
+from lommel.methods.method import Method, storing
+from lommel.methods.question import output_type
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.psf import PSF, psf
+
+_DARK = 5.0  # thicknesses: 1e-30 of the light
+_CLOSE = 1e-12  # metres: as near as planes of two colours must be
+
+
+def confocal(
+    excitation: ObjectivePupil,
+    emission: ObjectivePupil,
+    shape: int | tuple[int, int],
+    pixel: float,
+    *,
+    pinhole: float = 1.0,
+    integrate: bool = False,
+    normalize: str = "strehl",
+    tol: float = 1e-6,
+) -> PSF:
+    """Compute the PSF of a confocal microscope: of the spot that excites, and of a pinhole before the detector.
+
+    Parameters
+    ----------
+    excitation, emission : ObjectivePupil
+        The light that excites, whose emitter is a :class:`lommel.Beam`, and that of the emitter, in the same planes,
+        both without aberrations. A :class:`lommel.Dipole` absorbs the part of the field along it; where it wobbles,
+        as if it had turned in the meantime.
+        Colours have their foci apart: with ``z=emission.focus, origin="coverslip"`` the excitation is in the planes
+        of the emission, whatever the origin of these.
+    shape : int or (int, int)
+    pixel : float
+        As of :func:`lommel.psf`: metres on the camera, the magnification times those in the sample.
+    pinhole : float, default 1
+        Radius of the pinhole in Airy units, ``0.61 lambda / NA`` of the emission.
+    integrate : bool, default False
+        Whether pixels average; a beam that stops at each pixel samples their centres.
+    normalize : {"strehl", "peak"}, default "strehl"
+        "strehl": the intensity of the excitation, relative to the focus of a uniform scalar aperture that sends as
+        much light through the same plane of the sample, times the share of the collected light that passes the
+        pinhole. Planes of one depth compare; of several depths multiply by ``excitation.collected`` for one power of
+        the laser. See :class:`lommel.methods.Confocal` for the formula. "peak": the largest value of each plane is 1.
+    tol : float, default 1e-6
+        Tolerance over the peak of each plane.
+
+    Returns
+    -------
+    PSF
+        Its pupil is the emission. Its `energy` and `encircled_energy` are those of a thin, even layer in each plane,
+        which tell by how much planes out of focus are suppressed.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, if the planes differ, or if either light has aberrations.
+    ToleranceError
+        If the tolerance cannot be met.
+
+    Examples
+    --------
+    >>> water = lm.Objective(
+    ...     NA=1.2,
+    ...     magnification=60,
+    ...     immersion=1.333,
+    ...     working_distance=0.28e-3,
+    ...     coverslip=lm.Layer(1.5255, 170e-6),
+    ...     sample=1.36,
+    ... )
+    >>> emission = water.pupil(depth=20e-6, wavelength=525e-9)
+    >>> laser = {"wavelength": 488e-9, "emitter": lm.Beam("circular")}
+    >>> excitation = water.pupil(depth=20e-6, z=emission.focus, origin="coverslip", **laser)
+    >>> spot = lm.microscopy.confocal(excitation, emission, 33, 3e-6)
+    >>> print(f"{1e9 * spot.fwhm() / 60:.1f} nm")
+    219.5 nm
+    """
+    lit, seen = _pupil("excitation", excitation), _pupil("emission", emission)
+    _same_planes("excitation", lit, seen)
+    _relative(normalize)
+    way = Confocal(lit, pinhole, tol)
+    return psf(seen, shape, pixel, method=way, normalize=normalize, integrate=integrate)
+
+
+def two_photon(
+    excitation: ObjectivePupil,
+    shape: int | tuple[int, int],
+    pixel: float,
+    *,
+    integrate: bool = False,
+    normalize: str = "strehl",
+    tol: float = 1e-6,
+) -> PSF:
+    """Compute the PSF of a two-photon microscope: the square of the intensity of what excites.
+
+    Parameters
+    ----------
+    excitation : ObjectivePupil
+        Whose emitter is a :class:`lommel.Beam`.
+    shape, pixel, integrate, normalize, tol
+        As of :func:`lommel.microscopy.confocal`; 1 is the square of the intensity in the focus of a uniform scalar
+        aperture that sends as much light through the same plane of the sample. Of several depths multiply by
+        ``excitation.collected**2`` for one power of the laser.
+
+    Returns
+    -------
+    PSF
+        Its pupil is the excitation; its `energy` is that of a thin, even layer in each plane.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or if the light has aberrations.
+    ToleranceError
+        If the tolerance cannot be met.
+    """
+    lit = _pupil("excitation", excitation)
+    _relative(normalize)
+    return psf(lit, shape, pixel, method=TwoPhoton(tol), normalize=normalize, integrate=integrate)
+
+
+def bead(
+    pupil: ObjectivePupil,
+    diameter: float,
+    shape: int | tuple[int, int],
+    pixel: float,
+    *,
+    integrate: bool = True,
+    normalize: str = "energy",
+    tol: float = 1e-6,
+) -> PSF:
+    """Compute the image of a bead that is evenly filled with emitters, as one records it to measure a PSF.
+
+    Parameters
+    ----------
+    pupil : ObjectivePupil
+        The depth is that of the middle of the bead.
+    diameter : float
+        Metres, in the sample.
+    shape, pixel, integrate, normalize
+        As of :func:`lommel.psf`.
+    tol : float, default 1e-6
+        Tolerance over the peak of each plane.
+
+    Returns
+    -------
+    PSF
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, if the bead reaches into the glass, or if the light has aberrations.
+    ToleranceError
+        If the tolerance cannot be met.
+
+    See Also
+    --------
+    lommel.methods.Bead : how, and with what proven error
+    """
+    way = Bead(diameter, tol)
+    return psf(_pupil("pupil", pupil), shape, pixel, method=way, normalize=normalize, integrate=integrate)
+
+
+def light_sheet(
+    emission: ObjectivePupil,
+    thickness: float,
+    shape: int | tuple[int, int],
+    pixel: float,
+    *,
+    offset: ArrayLike | None = None,
+    normalize: str = "energy",
+    tol: float = 1e-6,
+) -> PSF:
+    """Compute the PSF of a light-sheet microscope: that of the emission, of emitters that a sheet lights.
+
+    Parameters
+    ----------
+    emission : ObjectivePupil
+        Of any emitter.
+    thickness : float
+        Full width of the sheet at half of its intensity, a Gaussian across; metres in the sample.
+    shape, pixel
+        As of :func:`lommel.psf`; pixels average.
+    offset : array_like, optional
+        How far the emitter is from the middle of the sheet in each plane, metres in the sample; broadcasts with the
+        stack. By default z of the pupil, as where the sheet stays in the plane that the objective looks at and the
+        indices of sample and immersion are one.
+    normalize : {"energy", "emitted", "strehl"}, default "energy"
+        As of :func:`lommel.psf`, of an emitter in the middle of the sheet.
+    tol : float, default 1e-6
+        Tolerance over the peak of each plane.
+
+    Returns
+    -------
+    PSF
+        Its `energy` counts the light of each emitter as if it were lit fully.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+    ToleranceError
+        If the tolerance cannot be met.
+    """
+    seen = _pupil("emission", emission)
+    width = validation.real("thickness", thickness, above=0.0, unit="metres")
+    validation.choice("normalize", normalize, ("energy", "emitted", "strehl"))
+    away = seen.z if offset is None else validation.real_array("offset", offset)
+    away = validation.broadcast("offset and the stack", away, seen.z)[0]
+    if away.shape != seen.shape:
+        raise ValueError(f"offset must broadcast to the stack of shape {seen.shape}, got shape {away.shape}")
+    if (far := float(np.abs(away).max(initial=0.0))) > _DARK * width:
+        raise ValueError(f"offset must be within {_DARK:g} times the thickness, beyond which it is dark, got {far:g}")
+    lit = np.exp(-4.0 * math.log(2.0) * (away / width) ** 2)
+    dtype = output_type(None, validation.real("tol", tol, least=Method.least_tol, below=1e-1))
+    # Values are stored once more after they are multiplied.
+    further = storing(dtype)
+    made = psf(seen, shape, pixel, tol=tol - 1.1 * further, normalize=normalize, dtype=np.float64)
+    values = (made.values * lit[..., None, None]).astype(dtype)
+    if made.error_bound is None:
+        raise ToleranceError(f"tol={tol:g} cannot be met: {type(made.method).__name__} has no bound")
+    return replace(made, values=values, scale=made.scale * lit, error_bound=made.error_bound + 1.01 * further)
+
+
+def _pupil(name: str, pupil: Any) -> ObjectivePupil:
+    found: ObjectivePupil = validation.instance(name, pupil, ObjectivePupil)
+    return found
+
+
+def _relative(normalize: str) -> None:
+    validation.choice("normalize", normalize, ("strehl", "peak"))
+
+
+def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
+    if beam.shape != emission.shape:
+        raise ValueError(f"{what} must have the planes of the emission, of shape {emission.shape}, got {beam.shape}")
+    for name in ("depth", "focus"):
+        apart = float(np.abs(getattr(beam, name) - getattr(emission, name)).max(initial=0.0))
+        if apart > _CLOSE:
+            raise ValueError(
+                f"{what} must have the planes of the emission, got a {name} up to {apart:.3g} metres off; "
+                'objective.pupil(depth=..., z=emission.focus, origin="coverslip", ...) has the same'
+            )
+
+
+def sted(
+    excitation: ObjectivePupil,
+    depletion: ObjectivePupil,
+    emission: ObjectivePupil,
+    shape: int | tuple[int, int],
+    pixel: float,
+    *,
+    saturation: float,
+    pinhole: float = 1.0,
+    tol: float = 1e-6,
+) -> PSF:
+    """Compute the PSF of a STED microscope: of a confocal one whose light a doughnut depletes around the axis.
+
+    Parameters
+    ----------
+    excitation, emission : ObjectivePupil
+        As of :func:`lommel.microscopy.confocal`; emitters turn freely.
+    depletion : ObjectivePupil
+        ``lm.Beam("vortex")`` of its wavelength, in the same planes.
+    shape, pixel
+        As of :func:`lommel.microscopy.confocal`, whose pixels sample their centres.
+    saturation : float
+        The intensity on the crest of the doughnut over that which leaves half of the light, 0 to some hundreds. The
+        crest is that of a doughnut without aberrations behind the same interfaces: plane waves keep what these
+        transmit, and the phase that they gain in the layers is left out. So depletion fades, as it does, where layers
+        blur it.
+    pinhole, tol : float
+        As of :func:`lommel.microscopy.confocal`.
+
+    Returns
+    -------
+    PSF
+        As of :func:`lommel.microscopy.confocal`: planes of one depth compare, and so do saturations.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, if the planes differ, if there are aberrations, if the depletion depends on
+        the direction, or emitters do not turn freely.
+    ToleranceError
+        If the tolerance cannot be met.
+
+    See Also
+    --------
+    lommel.methods.Sted : the model, and with what proven error
+
+    Examples
+    --------
+    >>> water = lm.Objective(
+    ...     NA=1.2,
+    ...     magnification=60,
+    ...     immersion=1.333,
+    ...     working_distance=0.28e-3,
+    ...     coverslip=lm.Layer(1.5255, 170e-6),
+    ...     sample=1.333,
+    ... )
+    >>> emission = water.pupil(depth=5e-6, wavelength=680e-9)
+    >>> planes = {"depth": 5e-6, "z": emission.focus, "origin": "coverslip"}
+    >>> excitation = water.pupil(**planes, wavelength=640e-9, emitter=lm.Beam("circular"))
+    >>> doughnut = water.pupil(**planes, wavelength=775e-9, emitter=lm.Beam("vortex"))
+    >>> spot = lm.microscopy.sted(excitation, doughnut, emission, 33, 1e-6, saturation=20.0)
+    >>> print(f"{1e9 * spot.fwhm() / 60:.1f} nm")
+    72.2 nm
+    """
+    lit, depleting, seen = (
+        _pupil(name, given)
+        for name, given in (("excitation", excitation), ("depletion", depletion), ("emission", emission))
+    )
+    _same_planes("excitation", lit, seen)
+    _same_planes("depletion", depleting, seen)
+    factor = validation.real("saturation", saturation, least=0.0)
+    highest = crest(depleting) if depleting.radial else 1.0  # what is no doughnut the method refuses
+    way = Sted(lit, pinhole, tol, depletion=depleting, saturation=factor / highest)
+    return psf(seen, shape, pixel, method=way, normalize="strehl", integrate=False)

@@ -1,0 +1,1 @@
+"""Obstructions, the shape of the opening, and the amplitude across it."""

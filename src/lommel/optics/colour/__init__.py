@@ -1,0 +1,1 @@
+"""Wavelengths, the channels of a sensor, and the dispersion of a lens."""

@@ -1,0 +1,316 @@
+"""What a lens does to colours beyond diffraction: where each is in focus, and how large its image is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.optics.base_pupil import BasePupil
+from lommel.optics.wavefront import aplanatic
+from lommel.optics.wavefront.wavefront import Wavefront
+
+if TYPE_CHECKING:
+    from lommel.optics.geometry import Geometry
+
+
+@dataclass(frozen=True, init=False)
+class Colour:
+    """The focal length and the size of the image of a lens at some wavelengths, and smoothly in between.
+
+    Parameters
+    ----------
+    wavelengths : sequence of float, shape (n,)
+        Metres, rising, at least two. Between them all is a cubic spline (not-a-knot); beyond them nothing is guessed.
+    focus_shift : sequence of float, shape (n,), optional
+        Axial colour, metres: how much longer the focal length is at each wavelength. Only differences count: at the
+        wavelength of the lens the focal length is that of the lens.
+    lateral : array_like, shape (n,) or (heights, n), optional
+        Lateral colour, metres: how much farther from the axis the image of a point is at each wavelength. Only
+        differences from the wavelength of the pupil count.
+    heights : float or sequence of float, optional
+        Distances from the axis that `lateral` is known at, metres, rising from above 0. With one the shift is in
+        proportion to the distance, with more a cubic spline through 0 on the axis, odd in the height.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If these are not numbers, do not rise, or differ in length.
+
+    Notes
+    -----
+    The lens stays thin: at each wavelength it is one of another focal length, with the sensor and the stop where they
+    were, and with the same path differences of its aberrations (spherochromatism is left out).
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> colour = lm.Colour([450e-9, 550e-9, 650e-9], focus_shift=[60e-6, 0.0, 40e-6])
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=2.0, wavelength=550e-9, colour=colour)
+    >>> round(lens.in_light(450e-9).focal_length * 1e3, 3)
+    50.06
+    """
+
+    wavelengths: tuple[float, ...]
+    focus_shift: tuple[float, ...]
+    lateral: tuple[tuple[float, ...], ...]
+    heights: tuple[float, ...]
+
+    def __init__(
+        self,
+        wavelengths: ArrayLike,
+        focus_shift: ArrayLike | None = None,
+        lateral: ArrayLike | None = None,
+        heights: ArrayLike | None = None,
+    ) -> None:
+        waves = _rising("wavelengths", wavelengths)
+        if waves.size < 2:
+            raise ValueError(f"wavelengths must be at least two, got {waves.size}")
+        for wave in waves:
+            validation.wavelength(float(wave))
+        shift = np.zeros(waves.size) if focus_shift is None else validation.real_array("focus_shift", focus_shift)
+        if shift.shape != waves.shape:
+            raise ValueError(f"focus_shift must be one for each of {waves.size} wavelengths, got shape {shift.shape}")
+        if (lateral is None) != (heights is None):
+            raise ValueError("lateral and heights, at which it is known, must be given together or not at all")
+        across = np.zeros((0, waves.size)) if lateral is None else validation.real_array("lateral", lateral)
+        places = np.zeros(0) if heights is None else _rising("heights", heights)
+        if places.size and not places[0] > 0.0:
+            raise ValueError(f"heights must be above 0, where there is no lateral colour, got {places[0]:g}")
+        across = np.atleast_2d(across)
+        if across.shape != (places.size, waves.size):
+            raise ValueError(
+                f"lateral must be of shape (heights, wavelengths), {(places.size, waves.size)}, got {across.shape}"
+            )
+        vars(self).update(
+            wavelengths=tuple(waves.tolist()),
+            focus_shift=tuple(shift.tolist()),
+            lateral=tuple(tuple(row) for row in across.tolist()),
+            heights=tuple(places.tolist()),
+        )
+
+    @classmethod
+    def singlet(cls, focal_length: float, wavelengths: ArrayLike, indices: ArrayLike) -> Colour:
+        """Return the axial colour of a thin lens of one glass, whose focal length is in proportion to ``1/(n - 1)``.
+
+        Parameters
+        ----------
+        focal_length : float
+            Metres, at the first of the wavelengths.
+        wavelengths : array_like, shape (n,)
+            Metres, rising.
+        indices : array_like, shape (n,)
+            Of refraction, above 1.
+
+        Returns
+        -------
+        Colour
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are no such numbers.
+        """
+        f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
+        index = validation.real_array("indices", indices)
+        if index.ndim != 1 or not index.size or not index.min() > 1.0:
+            raise ValueError(f"indices must be above 1, one for each wavelength, got {validation.shown(indices)}")
+        return cls(wavelengths, f * ((index[0] - 1.0) / (index - 1.0) - 1.0))
+
+    def shift(self, wavelength: float) -> float:
+        """Return how much longer the focal length is at a wavelength.
+
+        Parameters
+        ----------
+        wavelength : float
+            Metres.
+
+        Returns
+        -------
+        float
+            Metres, as the table counts them.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it is no wavelength, or lies beyond those that are known.
+        """
+        return float(_between(self._known(wavelength), self.wavelengths, self.focus_shift))
+
+    def shift_across(self, height: ArrayLike, wavelength: float) -> Array:
+        """Return how much farther from the axis the image is at a wavelength.
+
+        Parameters
+        ----------
+        height : array_like
+            Distances from the axis, metres.
+        wavelength : float
+            Metres.
+
+        Returns
+        -------
+        ndarray
+            Metres, as the table counts them, of the shape of `height`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are no such numbers, or lie beyond those that are known.
+        """
+        h, known = validation.real_array("height", height, least=0.0), self._known(wavelength)
+        if not self.heights:
+            return np.zeros(h.shape)
+        if h.size and h.max() > self.heights[-1] * (1.0 + 1e-9):
+            raise ValueError(
+                f"lateral colour is known up to {self.heights[-1]:g} m from the axis, asked for {h.max():g} m; give "
+                "larger heights"
+            )
+        here = [float(_between(known, self.wavelengths, row)) for row in self.lateral]
+        places = np.array(self.heights)
+        both = np.concatenate([-places[::-1], [0.0], places])
+        return np.asarray(_between(h, both, [-d for d in reversed(here)] + [0.0, *here]))
+
+    def _known(self, wavelength: float) -> float:
+        wave, (first, *_, last) = validation.wavelength(wavelength), self.wavelengths
+        if not first * (1.0 - 1e-9) <= wave <= last * (1.0 + 1e-9):
+            raise ValueError(
+                f"colour of the lens is known from {first * 1e9:g} to {last * 1e9:g} nm, asked for {wave * 1e9:g}; "
+                "give more wavelengths"
+            )
+        return wave
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Colour:
+        """Rebuild what a `description` by :meth:`to_dict` holds."""
+        parts = dict(description)
+        if not parts["heights"]:
+            del parts["heights"], parts["lateral"]
+        return cls(**parts)
+
+
+@dataclass(frozen=True)
+class PupilColour:
+    """What the colour of its lens changes in a pupil, or in each of a flattened stack.
+
+    Attributes
+    ----------
+    table : Colour
+    focal_length : float
+        Metres, less the shift of the table.
+    radius : float
+        Of the aperture, metres.
+    model : str
+        Of the lens.
+    x, y : tuple of float
+        Where on the sensor each pupil is, metres from the axis; empty on the axis.
+    """
+
+    table: Colour
+    focal_length: float
+    radius: float
+    model: str = "paraxial"
+    x: tuple[float, ...] = ()
+    y: tuple[float, ...] = ()
+
+    def at(self, x: Array, y: Array) -> PupilColour:
+        """Return that of pupils at places on the sensor."""
+        if not self.table.heights:
+            return self
+        return replace(self, x=tuple(x.ravel().tolist()), y=tuple(y.ravel().tolist()))
+
+    def part(self, shape: tuple[int, ...], index: Any) -> PupilColour:
+        """Return that of a part of a stack of a `shape`, as NumPy indexes arrays."""
+        if not self.x:
+            return self
+        return self.at(*(np.asarray(np.reshape(p, shape)[index]) for p in (self.x, self.y)))
+
+    def broadcast(self, shape: tuple[int, ...], new: tuple[int, ...]) -> PupilColour:
+        """Return that of a stack of a `shape` that was broadcast to a `new` one."""
+        if not self.x:
+            return self
+        return self.at(*(np.broadcast_to(np.reshape(p, shape), new) for p in (self.x, self.y)))
+
+    def change(
+        self, pupil: BasePupil, geometry: Geometry | None, wavelength: float
+    ) -> tuple[Wavefront, Geometry | None]:
+        """Return what another wavelength adds to the wavefront, beyond the same paths, and the distances there.
+
+        Parameters
+        ----------
+        pupil : Pupil
+        geometry : Geometry or None
+            That of the pupil.
+        wavelength : float
+            Metres.
+
+        Returns
+        -------
+        Wavefront, Geometry or None
+
+        Raises
+        ------
+        ValueError
+            If the table does not reach so far, or if the distances of an aplanatic lens are not known.
+        """
+        known, shape = pupil.wavelength, pupil.shape
+        assert known is not None
+        if wavelength == known:
+            return Wavefront(), geometry
+        before, after = (self.focal_length + self.table.shift(w) for w in (known, wavelength))
+        moved = geometry and replace(geometry, focal_length=geometry.focal_length + (after - before))
+        added = Wavefront()
+        if after != before:
+            vergence = 1.0 / before - 1.0 / after
+            if self.model == "paraxial":
+                added = Wavefront.of_defocus(0.5 * math.pi / wavelength * vergence * self.radius**2)
+            elif geometry is None or moved is None:
+                raise ValueError(
+                    "colour of an aplanatic lens needs its distances, which this pupil does not have: take those of "
+                    'Lens.pupil, or of a grid with lens= and depths=, or a lens with model="paraxial"'
+                )
+            else:
+                spheres = [(g.sphere, np.reshape(g.vergence, shape)) for g in (geometry, moved)]
+                old, new = (aplanatic.wavefront(self.radius, a, v, wavelength) for a, v in spheres)
+                added = new - old
+        if self.x:
+            x, y = (np.reshape(p, shape) for p in (self.x, self.y))
+            h = np.hypot(x, y)
+            far = self.table.shift_across(h, wavelength) - self.table.shift_across(h, known)
+            far *= np.divide(math.pi / (pupil.scale * wavelength / known), h, out=np.zeros(shape), where=h > 0.0)
+            added = added + Wavefront(np.zeros(shape), nonradial={(1, 1): far * x, (1, -1): far * y})
+        return added, moved
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> PupilColour:
+        """Rebuild what a `description` by :meth:`to_dict` holds."""
+        parts = dict(description)
+        x, y = (tuple(float(p) for p in parts.pop(name)) for name in ("x", "y"))
+        return cls(Colour.from_dict(parts.pop("table")), x=x, y=y, **parts)
+
+
+def _rising(name: str, value: ArrayLike) -> Array:
+    array = np.atleast_1d(validation.real_array(name, value))
+    if array.ndim != 1 or not np.all(np.diff(array) > 0.0):
+        raise ValueError(f"{name} must rise, got {validation.shown(value)}")
+    return array
+
+
+def _between(at: float | Array, known: Any, values: Any) -> Any:
+    """Return the cubic spline through values; a line or a parabola where there are two or three."""
+    from scipy.interpolate import CubicSpline
+
+    size = known[-1] - known[0]
+    return CubicSpline((np.asarray(known) - known[0]) / size, values)((np.asarray(at) - known[0]) / size)

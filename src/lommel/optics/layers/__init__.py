@@ -1,0 +1,1 @@
+"""Microscope objectives: plane layers, emitters, integrals over angles."""

@@ -1,0 +1,289 @@
+r"""Integrals over the angles of a microscope's light, by Gauss-Legendre quadrature that is proven to suffice.
+
+Each piece of the pupil (:mod:`lommel.optics.layers.pupil_pieces`) has its own angles.
+
+References
+----------
+B. Richards and E. Wolf, Proc. R. Soc. Lond. A 253, 358 (1959), doi:10.1098/rspa.1959.0200.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.optics.layers.pupil_pieces import ETA, At, Complex, Covered, Model, Piece, enclosed, extremes, pieces
+from lommel.optics.layers.stratified import Layers
+from lommel.special.legendre import gauss_legendre
+
+_ROUNDOFF = 2.0**-53
+_RADII = 2048  # at once
+
+
+class Rule(NamedTuple):
+    """Angles, and what is summed over them.
+
+    Attributes
+    ----------
+    rho : ndarray, shape (q,)
+    parts : tuple of ndarray of complex, each of shape (q,)
+        With the weights of the rule, in the order of the model.
+    rates : tuple of three ndarrays of complex, shape (q,)
+        The phase, and its derivatives by depth and focus.
+    error : float
+        What the rule is proven to err by, with an allowance for rounding.
+    rounding : float
+        That allowance.
+    counts : tuple of int
+        How many angles there are on each side of the critical angle.
+    """
+
+    rho: Array
+    parts: tuple[Complex, ...]
+    rates: tuple[Complex, Complex, Complex]
+    error: float
+    rounding: float
+    counts: tuple[int, ...]
+
+    def waves(self, depth: Array, focus: Array) -> Complex:
+        """Return ``exp(i psi)`` for each plane and angle, shape ``(planes, q)``."""
+        fixed, by_depth, by_focus = self.rates
+        return np.asarray(np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))))
+
+
+def rule(
+    layers: Layers,
+    model: Model,
+    depth: Array,
+    focus: Array,
+    v: float,
+    tol: float,
+    factor: Callable[[Piece], Array] | None = None,
+) -> Rule:
+    """Return angles enough for every part to err by at most `tol`, at any radius up to `v`, in the planes given.
+
+    Parameters
+    ----------
+    layers : Layers
+    model : Model
+    depth, focus : ndarray, shape (planes,)
+        Metres.
+    v : float
+        ``k NA r`` at the largest radius.
+    tol : float
+        Of the fields, whose focus is 1 where NA is small.
+    factor : callable, optional
+        Of integrands with a further factor, analytic as they are and at most 1 for real rho: the logarithm of a bound
+        on its modulus on each disc around a piece.
+
+    Returns
+    -------
+    Rule
+    """
+    rhos, parts, rates, counts = [], [], [], []
+    cut = pieces(layers, model)
+    for piece in cut:
+        if factor is None:
+            n = piece.enough(model, depth, focus, v, tol / len(cut))
+        else:
+            n = piece.nodes(piece.growth(model, depth, focus, v, factor=factor(piece)), tol / len(cut))
+        counts.append(n)
+        x, w = gauss_legendre(n, piece.low, piece.high)
+        at = At(piece, x)
+        rhos.append(np.sqrt(at.square) / layers.NA)
+        parts.append([w * part for part in piece.parts(at, model)])
+        rates.append(piece.rates(at))
+    rho = np.concatenate(rhos)
+    joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
+    fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
+    paths = sum(index * abs(thickness) for index, thickness in layers.paths)
+    reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
+    size = max(float(np.abs(part).sum()) for part in joined)
+    rounding = (4.0 * layers.wavenumber * reach + 4.0 * v + 2.0 * math.sqrt(rho.size) + 64.0) * _ROUNDOFF * size
+    return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding), rounding, tuple(counts))
+
+
+def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
+    """Return each part at each plane and each v, shape ``(planes, radii)``."""
+    from scipy.special import jv
+
+    waves = rule.waves(depth, focus)
+    found = tuple(np.empty((depth.size, v.size), np.complex128) for _ in model.orders)
+    for start in range(0, v.size, _RADII):
+        arguments = np.multiply.outer(rule.rho, v[start : start + _RADII])
+        for order, part, values in zip(model.orders, rule.parts, found, strict=True):
+            values[:, start : start + _RADII] = (waves * part) @ jv(order, arguments)
+    return found
+
+
+def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str | None = None) -> tuple[Array, Array]:
+    """Return the light of each part of an emitter's field, and of one far from the glass, over ``4 pi / (k NA)^2``.
+
+    ``int abs(a T_m)^2 exp(-2 k d n_s Im c_s) rho d rho / 2``, the same at every focus, by rules of twice as many
+    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``. With `by` "depth" or "wavenumber",
+    their derivatives by the depth or by ln k instead.
+    """
+    model = model or Model()
+    before = np.full((1, 1), -1.0)
+    for n in (32 * 2**k for k in range(9)):
+        found = _collected(layers, model, n)
+        left = np.exp(np.outer(depth, found.fading))
+        all_light = left @ found.faint + found.steady
+        near, far = all_light, found.steady
+        if by is not None:
+            faded = left @ (found.faint * found.fading[:, None])
+            near, far = faded, 0.0 * far
+            if by == "wavenumber":
+                near = depth[:, None] * faded + left @ found.faint_change + found.steady_change
+                far = found.steady_change
+        # A derivative need not be more exact than what it is one of.
+        size = all_light if by is None else all_light + np.abs(near)
+        if (np.abs(near - before) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
+            break
+        before = near
+    return near, far
+
+
+class _Collected(NamedTuple):
+    """The light of each part that reaches any depth; how fast other light fades, and it, at some angles; changes."""
+
+    steady: Array
+    fading: Array
+    faint: Array
+    steady_change: Array
+    faint_change: Array
+
+
+@lru_cache(maxsize=64)
+def _collected(layers: Layers, model: Model, n: int) -> _Collected:
+    """Return what n angles make of it, with derivatives by ln k."""
+    parts = len(model.orders)
+    steady, steady_change = np.zeros(parts), np.zeros(parts)
+    fading, faint, faint_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
+    for piece in pieces(layers, model):
+        x, w = gauss_legendre(n, piece.low, piece.high)
+        at = At(piece, x)
+        measure = (w / (2.0 * piece.jacobian(x)))[:, None]
+        of = np.stack(piece.parts(at, model), axis=1)
+        light: Array = measure * np.abs(of) ** 2
+        change: Array = np.zeros(of.shape)
+        if films(layers, model):
+            change = measure * 2.0 * (of.conj() * np.stack(piece.changes(at, model), axis=1)).real
+        if piece.above:
+            fading, faint, faint_change = -2.0 * piece.rates(at)[1].imag, light, change
+        else:
+            steady += light.sum(axis=0)
+            steady_change += change.sum(axis=0)
+    return _Collected(steady, fading, faint, steady_change, faint_change)
+
+
+def films(layers: Layers, model: Model) -> bool:
+    """Return whether amplitudes depend on the wavelength."""
+    return bool(layers.films) and model.transmits
+
+
+# By the depth, by the focus and by v the factors are ``i d psi / dx`` and ``rho J_m'(v rho)``. All phases are
+# proportional to the wavenumber k, so that by ln k the factor is ``i psi``; a real constant in psi turns all fields
+# alike, and is left out. The amplitudes along s and p change with k, too, where there are films.
+
+
+class Turning(NamedTuple):
+    """What fields of a :class:`Rule` change by with ln k at fixed v.
+
+    Attributes
+    ----------
+    rates : ndarray of complex, shape (3, q)
+        As those of the rule, each less a constant.
+    changes : ndarray of complex, shape (parts, q), or None
+        Of the parts themselves.
+    """
+
+    rates: Complex
+    changes: Complex | None
+
+
+def turning(found: Rule, layers: Layers, model: Model) -> Turning:
+    """Return what the fields of a rule change by."""
+    rates = np.stack(found.rates) - np.array(layers.middle_rates())[:, None]
+    if not films(layers, model):
+        return Turning(rates, None)
+    changes = []
+    for piece, n in zip(pieces(layers, model), found.counts, strict=True):
+        x, w = gauss_legendre(n, piece.low, piece.high)
+        changes.append(w * np.stack(piece.changes(At(piece, x), model)))
+    return Turning(rates, np.concatenate(changes, axis=1))
+
+
+def slope_errors(
+    found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
+) -> tuple[float, float, float, float]:
+    """Return what a :func:`lommel.optics.layers.debye.rule` for these arguments errs by in derivatives.
+
+    By the depth, the focus, v, and ln k at fixed v.
+    """
+    share = tol / len(found.counts)
+    each = [
+        _of_piece(piece, model, depth, focus, v, share, n)
+        for piece, n in zip(pieces(layers, model), found.counts, strict=True)
+    ]
+    by_k = turning(found, layers, model)
+    phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
+    if by_k.changes is not None:
+        phase += max(float(np.abs(part).sum()) for part in by_k.changes) / max(
+            float(np.abs(part).sum()) for part in found.parts
+        )
+    largest = *(float(np.abs(rate).max()) for rate in found.rates[1:]), 1.0, 1.0 + phase
+    sums = [sum(part) + found.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)]
+    return sums[0], sums[1], sums[2], sums[3]
+
+
+def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[float, float, float]:
+    """Return what the factors of derivatives by depth, focus and ln k are at most in the pupil, less a real constant.
+
+    An analytic function is largest on the border of an ellipse around a piece of the pupil; discs cover that.
+    """
+    found = np.zeros(3)
+    middle = layers.middle_rates()
+    for piece in pieces(layers, model):
+        row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].fit[0])
+        covered, _ = enclosed(piece, model, (row,))
+        rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
+        found = np.maximum(
+            found, [*(each.max() for each in rates), _phases(piece, model, covered, depth, focus).max()]
+        )
+    return float(found[0]), float(found[1]), float(found[2])
+
+
+def _of_piece(
+    piece: Piece, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
+) -> tuple[float, ...]:
+    """Return what n nodes of a piece, which serve to `error`, err by at most."""
+    growth = piece.serving(model, depth, focus, v, error)
+    rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
+    covered, _ = enclosed(piece, model, rows)
+    _, by_depth, by_focus = covered.rates
+    # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
+    rho = np.sqrt(covered.at.square.largest) / piece.layers.NA
+    factors = by_depth.largest, by_focus.largest, rho, _phases(piece, model, covered, depth, focus)
+    proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
+    return tuple(float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
+
+
+def _phases(piece: Piece, model: Model, covered: Covered, depth: Array, focus: Array) -> Array:
+    """Return what bounds the derivatives by ln k over the integrands on each disc."""
+    psi, middle = np.zeros(covered.at.square.radius.shape), piece.layers.middle_rates()
+    for d, f in extremes(depth, focus):
+        centre, radius = np.zeros(psi.shape, np.complex128), np.zeros(psi.shape)
+        for by, rate, least in zip((1.0, d, f), covered.rates, middle, strict=True):
+            centre = centre + by * (rate.centre - least)
+            radius = radius + abs(by) * rate.radius
+        psi = np.maximum(psi, (np.abs(centre) + radius) * (1.0 + 1e-12))
+    if films(piece.layers, model):
+        of_s, of_p = piece.layers.log_slopes(covered.at, covered.at.square)
+        psi = psi + np.maximum(of_s.largest, of_p.largest)
+    return psi

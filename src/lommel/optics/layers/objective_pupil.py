@@ -1,0 +1,194 @@
+"""The pupil of a microscope's objective, with an emitter at some depth and the stage at some place; or a stack."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
+from lommel.optics.base_pupil import BasePupil
+from lommel.optics.layers import debye
+from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Light, Scalar
+from lommel.optics.layers.stratified import Layers
+from lommel.optics.wavefront.wavefront import Wavefront, same_path
+
+
+@dataclass(frozen=True, eq=False)
+class ObjectivePupil(BasePupil):
+    """What :meth:`lommel.Objective.pupil` returns; :func:`lommel.psf` takes it.
+
+    Intensities are over the light that the objective collects in each plane: 1 would be the peak of a uniform, scalar
+    aperture without aberration that passes as much.
+
+    Parameters
+    ----------
+    layers : Layers
+    magnification : float
+    depth, focus, z : ndarray, all of the shape of the stack
+        Metres: of the emitter from the glass; of the stage since the surface of the cover glass was in paraxial
+        focus; of the stage from the origin that was asked for.
+    emitter : Dipole, Beam or Scalar
+    aberrations : Wavefront, optional
+        Measured, on top of what the layers do: one, or a stack of the shape of the planes.
+    """
+
+    layered: ClassVar[bool] = True
+    layers: Layers
+    magnification: float
+    depth: Array
+    focus: Array
+    z: Array
+    emitter: Emitter
+    aberrations: Wavefront | None = None
+
+    circular = True
+    amplitude = transmission = 1.0
+    likely_peak = 0.1
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the stack; ``()`` for a single plane."""
+        return self.focus.shape
+
+    @property
+    def wavelength(self) -> float:
+        """Metres, in vacuum."""
+        return self.layers.wavelength
+
+    @property
+    def f_number(self) -> float:
+        """On the camera, ``M / (2 NA)``."""
+        return self.magnification / (2.0 * self.layers.NA)
+
+    @cached_property
+    def light(self) -> Light:
+        """What is integrated, and what the intensity is made of."""
+        return self.emitter.light
+
+    @property
+    def radial(self) -> bool:
+        """Whether what it makes depends on the distance from the axis only."""
+        return self.light.radial and not self.aberrated
+
+    @property
+    def aberrated(self) -> bool:
+        """Whether a measured wavefront is on top of what the layers do."""
+        return self.aberrations is not None
+
+    @property
+    def left_out(self) -> tuple[float, float]:
+        """Largest phase that the aberrations do not hold, radians, and no amplitude."""
+        return 0.0 if self.aberrations is None else self.aberrations.left_out, 0.0
+
+    @cached_property
+    def aperture(self) -> tuple[Any, ...]:
+        """All that decides how much light passes; and whether wavefronts are on top, which other methods take."""
+        return self.layers, self.magnification, self.emitter, self.depth.tobytes(), self.aberrated
+
+    @cached_property
+    def power(self) -> Array:
+        """The light that is collected in each plane of the flattened stack, over ``4 pi / (k NA)^2``."""
+        depth, place = np.unique(self.depth.ravel(), return_inverse=True)
+        near, _ = debye.power(self.layers, depth, self.light.model)
+        return np.asarray((near @ self.light.shares)[place.ravel()])
+
+    @property
+    def collected(self) -> Array:
+        """:attr:`power` over that of the same emitter far from the glass, of the shape of the stack."""
+        _, far = debye.power(self.layers, np.zeros(0), self.light.model)
+        return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
+
+    def geometric_radius(self) -> Array:
+        """Return how far from the axis rays meet the camera, metres there, within 0.98 of the critical angle."""
+        rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
+        rates = self.layers.rates(self.layers.cosine(rho))
+        fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
+        height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
+        return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
+
+    def __getitem__(self, index: Any) -> ObjectivePupil:
+        """Return part of a stack, as NumPy indexes arrays of its shape."""
+        return self._planes(lambda part: part[index])
+
+    def broadcast(self, shape: tuple[int, ...]) -> ObjectivePupil:
+        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
+        wanted = validation.stack_shape(shape, self.shape)
+        return self._planes(lambda part: _broadcast(part, wanted))
+
+    def _planes(self, of: Callable[[Any], Any]) -> ObjectivePupil:
+        planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in PLANES}
+        measured = self.aberrations
+        return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
+
+    def in_light(self, wavelength: float) -> ObjectivePupil:
+        """Return it in light of another `wavelength` (metres): indices and path differences of aberrations stay.
+
+        TypeError or ValueError if it is none.
+        """
+        layers = replace(self.layers, wavelength=validation.wavelength(wavelength))
+        measured = self.aberrations and same_path(self.aberrations, self.wavelength, layers.wavelength)
+        return replace(self, layers=layers, aberrations=measured)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types; :meth:`from_dict` is the inverse."""
+        layers = {item.name: getattr(self.layers, item.name) for item in fields(Layers)}
+        planes = {name: getattr(self, name).tolist() for name in PLANES}
+        emitter = {item.name: getattr(self.emitter, item.name) for item in fields(self.emitter)}
+        if isinstance(jones := emitter.get("polarization"), tuple):
+            emitter["polarization"] = [[part.real, part.imag] for part in jones]
+        emitter["kind"] = type(self.emitter).__name__
+        return {
+            "layers": layers,
+            "magnification": self.magnification,
+            "emitter": emitter,
+            "aberrations": self.aberrations and self.aberrations.to_dict(),
+        } | planes
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> ObjectivePupil:
+        """Rebuild a pupil from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
+        plain = dict(description["emitter"])
+        kind = {each.__name__: each for each in (Dipole, Beam, Scalar)}[plain.pop("kind")]
+        if isinstance(jones := plain.get("polarization"), list):
+            plain["polarization"] = tuple(complex(*part) for part in jones)
+        layers = description["layers"]
+        numbers: dict[str, Any] = {name: validation.real(name, layers[name]) for name in _NUMBERS}
+        pairs: dict[str, Any] = {name: tuple((float(n), float(t)) for n, t in layers[name]) for name in _PAIRS}
+        planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in PLANES}
+        magnification = validation.real("magnification", description["magnification"], above=0.0)
+        measured = description.get("aberrations")
+        aberrations = measured and Wavefront.from_dict(measured)
+        return cls(
+            Layers(**numbers, **pairs), magnification, emitter=kind(**plain), aberrations=aberrations, **planes
+        )
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether two are the same."""
+        return self.to_dict() == other.to_dict() if isinstance(other, ObjectivePupil) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        planes = "one plane" if not self.shape else f"{'x'.join(map(str, self.shape))} planes"
+        spans = ", ".join(
+            f"{name} {1e6 * float(at.min()):.4g} to {1e6 * float(at.max()):.4g} um"
+            for name, at in (("depth", self.depth), ("z", self.z))
+        )
+        of = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
+        measured = f", {self.aberrations!r}" if self.aberrations else ""
+        return f"<ObjectivePupil {of}, {planes}: {spans}, {self.emitter!r}{measured}>"
+
+
+def _broadcast(part: Any, shape: tuple[int, ...]) -> Any:
+    return part.broadcast(shape) if isinstance(part, Wavefront) else np.broadcast_to(part, shape)
+
+
+PLANES = ("depth", "focus", "z")
+_NUMBERS = ("NA", "immersion", "glass", "sample", "wavelength")
+_PAIRS = ("films", "paths")

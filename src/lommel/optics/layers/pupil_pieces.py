@@ -1,0 +1,376 @@
+r"""The pupil of a microscope in pieces on which the integrands are analytic, and how many angles each takes.
+
+[0, 1] is cut at the critical angle of the sample, ``rho = n_s / NA``. Below, the variable is 1 - c, with the cosine c
+in the layer of the lowest index, with ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. In these what is
+even in rho is analytic on both sides, and the rule of Gauss converges like ``exp(-2 n eta)`` for each ellipse that
+holds no branch point of another cosine and no zero of a denominator. What is odd in rho, of radial and azimuthal
+polarisation and of vortices, is integrated over the centre in the variable rho itself. Discs that cover the ellipse
+bound the integrand: see docs/certificate.md.
+
+References
+----------
+L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapter 19.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
+from lommel.optics.layers.stratified import Amplitudes, Layers, Values
+from lommel.special.discs import Disc, disc, windings
+
+ETA = np.geomspace(4e-3, 2.5, 28)
+_ARCS = 1024
+_GLANCE = 24  # points of an ellipse
+_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1), "vortex": (1, 2, 3)}
+_ODD = ("radial", "azimuthal", "vortex")
+# Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.
+_CENTRE = 0.3
+_CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Model:
+    """What is integrated: the parts of a vectorial field, or one scalar field.
+
+    Attributes
+    ----------
+    kind : {"vectorial", "scalar", "radial", "azimuthal", "vortex"}
+        K0, K1 and K2; U; the fields along z and r of a radially polarised beam; nothing, and the field around the
+        axis, of one polarised so; what is vectorial, with Bessel functions of an order more.
+    aplanatic : bool
+        Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
+    supercritical : bool
+        Whether light beyond the critical angle of the sample counts.
+    """
+
+    kind: str = "vectorial"
+    aplanatic: bool = True
+    supercritical: bool = True
+
+    @property
+    def orders(self) -> tuple[int, ...]:
+        """The orders of the Bessel functions, one for each part: 0, 1, ..., or of a vortex 1, 2, 3."""
+        return _ORDERS[self.kind]
+
+    @property
+    def transmits(self) -> bool:
+        """Whether surfaces and films count."""
+        return self.kind != "scalar"
+
+
+class Covered(NamedTuple):
+    """Ellipses around a piece, each with discs along it: the rates of the phase there, the amplitudes.
+
+    `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
+    """
+
+    at: At
+    rates: tuple[Disc, Disc, Disc]
+    amplitudes: Amplitudes
+    height: Array
+    fit: NDArray[np.bool_]
+
+
+class At:
+    """Points of a piece, or discs: ``(NA rho)^2`` there, cosines in each layer, the transmission; computed once.
+
+    Parameters
+    ----------
+    piece : Piece
+    x : Values
+        In its variable.
+    """
+
+    def __init__(self, piece: Piece, x: Values) -> None:
+        self.x, self.square = x, piece.square(x)
+        self._piece = piece
+        self._known: dict[float, Values] = {}
+
+    def __call__(self, index: float) -> Values:
+        """Return c_m of a layer."""
+        if index not in self._known:
+            self._known[index] = self._piece.cosine(self, index)
+        return self._known[index]
+
+    @cached_property
+    def amplitudes(self) -> Amplitudes:
+        """The transmission."""
+        return self._piece.layers.amplitudes(self, self.square)
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One side of the critical angle, in the variable in which the integrand is analytic.
+
+    Where it is `odd` in rho, that is on ellipses which do not hold rho = 0.
+    """
+
+    layers: Layers
+    low: float
+    high: float
+    above: bool = False
+    odd: bool = False
+
+    @property
+    def lowest(self) -> float:
+        """The index of the layer whose cosine c is ``1 - x``, or ``i x`` above the critical angle."""
+        return min(self.layers.immersion, self.layers.glass, self.layers.sample)
+
+    def square(self, x: Values) -> Values:
+        """Return ``(NA rho)^2``."""
+        return self.lowest**2 * (x * x + 1.0 if self.above else x * (2.0 - x))
+
+    def cosine(self, at: At, index: float) -> Values:
+        """Return c_m of a layer."""
+        if self._is_root(index):
+            return _root(1.0 - at.square * index**-2)
+        return 1j * at.x if self.above else 1.0 + 0.0j - at.x
+
+    def _is_root(self, index: float) -> bool:
+        """Return whether a cosine is one of what may have branch points."""
+        return index != self.lowest
+
+    def rates(self, at: At) -> tuple[Values, Values, Values]:
+        """Return the phase without depth and focus, and its derivatives by these."""
+        return self.layers.rates(at)
+
+    def jacobian(self, x: Values) -> Values:
+        """Return ``rho d rho / dx``."""
+        return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
+
+    def parts(self, at: At, model: Model) -> tuple[Complex, ...]:
+        """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
+        return self._composed(at, model, *(at.amplitudes[:2] if model.transmits else (1.0, 1.0)))
+
+    def changes(self, at: At, model: Model) -> tuple[Complex, ...]:
+        """Return the derivatives of :meth:`parts` by ln k, which films have."""
+        of_s, of_p = self.layers.log_slopes(at, at.square)
+        t_s, t_p, _ = at.amplitudes
+        return self._composed(at, model, t_s * of_s, t_p * of_p)
+
+    def _composed(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
+        c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
+        light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
+        if model.kind == "scalar":
+            return (2.0 * light,)
+        sine = np.sqrt(at.square) / self.layers.sample
+        if model.kind == "azimuthal":
+            return 0.0 * light, 2.0 * light * t_s
+        if model.kind == "radial":
+            return 2.0j * light * t_p * sine, 2.0 * light * t_p * c_s
+        return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
+
+    def _ellipses(self, eta: Array, theta: NDArray[Any]) -> Complex:
+        """Return points on the ellipses around the piece, one for each eta, shape ``(eta, theta)``."""
+        half = 0.5 * (self.high - self.low)
+        return np.asarray(self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None])))
+
+    @cached_property
+    def covered(self) -> Covered:
+        """What is known of all ellipses."""
+        return self._cover(ETA)
+
+    def _cover(self, eta: Array) -> Covered:
+        step = 2.0 * math.pi / _ARCS
+        theta = (np.arange(_ARCS) + 0.5) * step
+        # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
+        slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
+        radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
+        at = At(self, Disc(self._ellipses(eta, theta), radius))
+        rates, amplitudes = self.rates(at), at.amplitudes
+        fit = np.all([windings(each) == 0 for each in amplitudes.denominators], axis=0)
+        fit &= self._in_sheet(at)
+        if self.odd:
+            fit &= windings(at.square) == 0
+        return Covered(at, rates, amplitudes, self._height(at), fit)
+
+    def _in_sheet(self, at: At) -> NDArray[np.bool_]:
+        """Return on which ellipses all cosines are known, and those that may have branch points have none within."""
+        fit = np.ones(disc(at.x).radius.shape[:-1], np.bool_)
+        for index in {*self._rooted, self.layers.sample}:
+            c = at(index)
+            if isinstance(c, Disc):
+                fit &= np.isfinite(c.radius).all(axis=-1)
+                if index in self._rooted:
+                    fit &= (c.centre.real > c.radius).all(axis=-1)
+            elif self._is_root(index):
+                fit &= ((c * c).real > 0.0).all(axis=-1)
+            elif index in self._rooted:
+                fit &= (c.real > 0.0).all(axis=-1)
+        return fit
+
+    @property
+    def _rooted(self) -> tuple[float, ...]:
+        """The indices of layers whose cosines are roots of what must stay in the right half plane."""
+        return self.layers.immersion, self.layers.glass
+
+    def _height(self, at: At) -> Array:
+        """Return what bounds ``abs(Im rho)``."""
+        square = at.square * self.layers.NA**-2
+        root = np.sqrt(square.centre)
+        size = np.maximum(np.abs(root), 1e-300)
+        near = np.abs(root.imag) + square.radius / size
+        return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
+
+    def growth(
+        self,
+        model: Model,
+        depth: Array,
+        focus: Array,
+        v: float,
+        rows: tuple[int, ...] | None = None,
+        factor: Array | float = 0.0,
+    ) -> Array:
+        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular.
+
+        Where `rows` are given, of these ellipses alone; the others count as singular. `factor` is that of a bound on
+        what the integrands are multiplied by, on each disc of all ellipses.
+        """
+        covered, amplitude = enclosed(self, model, rows)
+        fixed, by_depth, by_focus = covered.rates
+        worst = np.full(covered.height.shape, -np.inf)
+        with np.errstate(all="ignore"):
+            for d, f in extremes(depth, focus):
+                phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
+                worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
+            grown = (amplitude + worst + v * covered.height + factor).max(axis=-1)
+        found = np.full(ETA.shape, np.inf)
+        found[list(rows or range(ETA.size))] = np.where(covered.fit & np.isfinite(grown), grown + 1e-9, np.inf)
+        return found
+
+    def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
+        """Return what :meth:`growth` may be, from some points of each ellipse: no bound, at a tenth of the cost."""
+        at = At(self, self._ellipses(ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE)))
+        fixed, by_depth, by_focus = self.rates(at)
+        fit = self._in_sheet(at)
+        for around in (*at.amplitudes.denominators, *([at.square] if self.odd else [])):
+            fit &= windings(disc(around)) == 0
+        with np.errstate(all="ignore"):
+            light = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
+            fading = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
+            found = (light - fading + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
+        return np.where(fit & np.isfinite(found), found, np.inf)
+
+    def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
+        """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
+        return self.nodes(self.serving(model, depth, focus, v, error), error)
+
+    def serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
+        """Return the :meth:`growth` on few ellipses, one of which serves best at a glance."""
+        glance = self._needed(self._glance(model, depth, focus, v), error)
+        best = int(glance.argmin())
+        # One is nearly always enough: the next cost as much each.
+        for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < ETA.size)):
+            growth = self.growth(model, depth, focus, v, rows)
+            if np.isfinite(growth).any():
+                return growth
+        return self.growth(model, depth, focus, v)
+
+    def constant(self) -> Array:
+        """Return the logarithm of what the growth counts, but for the nodes."""
+        return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * ETA)))
+
+    def _needed(self, growth: Array, error: float) -> Array:
+        with np.errstate(over="ignore"):
+            return np.asarray((growth + self.constant() - math.log(error)) / (2.0 * ETA))
+
+    def nodes(self, growth: Array, error: float) -> int:
+        """Return the fewest nodes whose rule is proven to err by at most `error`."""
+        needed = float(self._needed(growth, error).min())
+        if not math.isfinite(needed):
+            thinner = "films must be thinner, or " if self.layers.films else ""
+            raise ValueError(
+                f"{thinner}NA must be farther below the indices of immersion and cover glass: at {self.layers.NA:g} "
+                "no number of angles is proven to suffice"
+            )
+        return max(2, math.ceil(needed))
+
+
+class Centre(Piece):
+    """The centre of the pupil in the variable rho, in which what is odd in rho is analytic, too."""
+
+    def square(self, x: Values) -> Values:
+        """Return ``(NA rho)^2``."""
+        return x * x * self.layers.NA**2
+
+    def _is_root(self, index: float) -> bool:
+        return True
+
+    def jacobian(self, x: Values) -> Values:
+        """Return rho."""
+        return x
+
+    @property
+    def _rooted(self) -> tuple[float, ...]:
+        return self.layers.immersion, self.layers.glass, self.layers.sample
+
+    def _height(self, at: At) -> Array:
+        return np.asarray(np.abs(at.x.centre.imag) + at.x.radius)
+
+
+def _root(of: Values) -> Values:
+    return of.sqrt() if isinstance(of, Disc) else np.sqrt(of + 0.0j)
+
+
+@lru_cache(maxsize=32)
+def enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None) -> tuple[Covered, Array]:
+    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each arc of these.
+
+    Without its exponential and its Bessel function.
+    """
+    covered = piece.covered if rows is None else piece._cover(ETA[list(rows)])
+    return covered, _largest(piece, model, covered)
+
+
+def _largest(piece: Piece, model: Model, covered: Covered) -> Array:
+    at, (t_s, t_p, _) = covered.at, covered.amplitudes
+    with np.errstate(all="ignore"):
+        light = np.log(piece.jacobian(at.x).largest)
+        if model.aplanatic:
+            light -= 0.5 * np.log(at(piece.layers.immersion).least)
+        if model.kind == "scalar":
+            return np.asarray(light + math.log(2.0))
+        c_s = at(piece.layers.sample)
+        sine = np.sqrt(at.square.largest) / piece.layers.sample
+        if model.kind == "azimuthal":
+            return np.asarray(light + np.log(2.0 * t_s.largest))
+        if model.kind == "radial":
+            return np.asarray(light + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
+        return np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
+
+
+def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
+    """Return the pairs of depth and focus that bound all others: the phase is linear in both."""
+    found = []
+    for d in np.unique(depth):
+        here = focus[depth == d]
+        found += [(float(d), float(f)) for f in {here.min(), here.max()}]
+    return found
+
+
+@lru_cache(maxsize=8)
+def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
+    """Return the parts of the pupil, the one beyond the critical angle of the sample last, if its light counts."""
+    odd = model.kind in _ODD
+    lowest = min(layers.immersion, layers.glass, layers.sample)
+    sine = min(1.0, layers.NA / lowest)
+    edge = sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
+    found: list[Piece] = []
+    if odd:
+        found.append(Centre(layers, 0.0, min(1.0, _CENTRE_RHO * lowest / layers.NA)))
+    if not odd or edge > _CENTRE:
+        found.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
+    if layers.sample < layers.NA and model.supercritical:
+        reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
+        found.append(Piece(layers, 0.0, reach, above=True, odd=odd))
+    return tuple(found)

@@ -1,0 +1,1 @@
+"""The phase across the pupil: Zernike terms, measured maps, fits."""

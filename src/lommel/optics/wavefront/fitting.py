@@ -1,0 +1,370 @@
+"""Wavefronts from what was measured, a radial function or a map of path differences, and back to such maps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.optics.wavefront.descriptions import radians_per
+from lommel.optics.wavefront.opd import OPDMap, plain
+from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront
+from lommel.special import zernike
+
+MAX_RADIAL = 2 * (2 + MAX_HIGHER)
+"""Highest power of rho in a radial fit, and highest degree n of a fit to a map."""
+
+MAX_CONDITION = 1e4
+"""Samples that determine the terms worse than this are refused: errors of measurement grow by up to as much."""
+
+_BLOCK = 16384  # samples at a time, so that a fit to a large map needs little memory
+_RADIAL_NODES = 400
+
+
+@dataclass(frozen=True, eq=False)
+class WavefrontFit:
+    """A wavefront fitted to measurements, and what it leaves of them.
+
+    Attributes
+    ----------
+    wavefront : Wavefront
+        Without the constant; a stack if a stack of maps was fitted.
+    piston : ndarray, shape ``wavefront.shape``
+        The constant that was removed.
+    rms, peak_to_valley : ndarray, shape ``wavefront.shape``
+        Of the residual over the samples.
+    residual : ndarray
+        Measurement minus fit, shaped like the measurement; NaN where there was none.
+    samples : ndarray of int, shape ``wavefront.shape``
+        How many were used.
+    condition : float
+        Of the worst fit: errors of measurement grow by at most about so much. 1 for even samples of a full pupil.
+    unit : str
+        Of all these numbers.
+    """
+
+    wavefront: Wavefront
+    piston: Array
+    rms: Array
+    peak_to_valley: Array
+    residual: Array
+    samples: NDArray[np.int64]
+    condition: float
+    unit: str
+
+
+def fit_radial(
+    phase: Callable[[Array], ArrayLike] | ArrayLike,
+    rho: ArrayLike | None = None,
+    *,
+    degree: int = MAX_RADIAL,
+    unit: str = "radians",
+    wavelength: float | None = None,
+    tol: float | None = None,
+) -> WavefrontFit:
+    """Fit a radially symmetric wavefront, a polynomial in rho^2, by least squares.
+
+    Parameters
+    ----------
+    phase : callable, or array_like of shape (samples,)
+        A function of pupil radii (an array in [0, 1], to an array of the same shape), or values at `rho`.
+    rho : array_like, shape (samples,), optional
+        Pupil radii of the values, 0 to 1, each sample counting alike. A function is sampled at 400 Gauss-Legendre
+        nodes in rho^2, which weigh it by area.
+    degree : int, default 20
+        Highest power of rho, even, 2 to 20.
+    unit : {"radians", "waves", "metres"}, default "radians"
+        Of `phase`; metres of optical path need `wavelength`.
+    wavelength : float, optional
+        Metres.
+    tol : float, optional
+        Largest rms of the residual that is accepted, in `unit`. In radians it bounds the error of the field
+        relative to an unaberrated peak, ``abs(dU) <= mean abs(d phase) <= rms``.
+
+    Returns
+    -------
+    WavefrontFit
+        Residuals at the samples, or at the nodes.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If values are not finite, too few or too close together to determine the terms, or fitted worse than `tol`.
+    """
+    scale = radians_per(unit, wavelength)
+    limit = _tolerance(tol)
+    highest = validation.integer("degree", degree, least=2, most=MAX_RADIAL)
+    if highest % 2:
+        raise ValueError(f"degree must be even, since rho comes in even powers, got {highest}")
+    weights = None
+    if callable(phase):
+        if rho is not None:
+            raise TypeError("rho must be left out where phase is a function")
+        x, w = np.polynomial.legendre.leggauss(_RADIAL_NODES)
+        at, weights = np.sqrt(0.5 + 0.5 * x), 0.5 * w
+        values = validation.real_array("phase", phase(at))
+    else:
+        if rho is None:
+            raise TypeError("rho, the pupil radii of the values, must be given where phase is no function")
+        at, values = validation.real_array("rho", rho, least=0.0), validation.real_array("phase", phase)
+        if np.any(at > 1.0):
+            raise ValueError(f"rho must be at most 1, got {at.max():g}")
+    if values.shape != at.shape or at.ndim != 1:
+        raise ValueError(f"phase must have one value for each rho, got shapes {values.shape} and {at.shape}")
+    terms = [(n, 0) for n in range(0, highest + 1, 2)]
+    coefficients, residual, condition = _least_squares(at, np.zeros(at.size), values[None], terms, weights)
+    return _finish(terms, coefficients, residual, condition, (), unit, scale, limit, weights)
+
+
+def fit_opd(
+    opd: ArrayLike | OPDMap,
+    *,
+    unit: str | None = None,
+    wavelength: float | None = None,
+    mask: ArrayLike | None = None,
+    degree: int = 8,
+    center: tuple[float, float] | None = None,
+    radius: float | None = None,
+    tol: float | None = None,
+) -> WavefrontFit:
+    """Fit Zernike terms to a measured map of optical path differences, or to a stack of maps.
+
+    Parameters
+    ----------
+    opd : array_like, shape (..., height, width), or OPDMap
+        The measurement; x rises with the columns and y with the rows. NaN marks pixels without one, where there is
+        neither `mask` nor a masked array. :func:`lommel.load_opd` reads one.
+    unit : {"radians", "waves", "metres"}
+        Of `opd`; metres need `wavelength`. An OPDMap is in metres, and may have a wavelength. The sign is that of the
+        phase: flip that of a map that counts a lengthened path as negative.
+    wavelength : float, optional
+        Metres.
+    mask : array_like of bool, shape (height, width) or that of `opd`, optional
+        True where the measurement counts. An obscuration or a vane is masked out. What a masked array hides counts
+        neither way.
+    degree : int, default 8
+        All terms with n up to this are fitted, 1 to 20: (degree + 1) (degree + 2) / 2 of them.
+    center : (float, float), optional
+        Row and column of the centre of the pupil, 0 being the middle of the first pixel. Default: the middle.
+    radius : float, optional
+        Of the pupil, in pixels. Default: that of the circle inscribed in the array, half the smaller side.
+    tol : float, optional
+        Largest rms of the residual that is accepted, in `unit`.
+
+    Returns
+    -------
+    WavefrontFit
+        The terms are orthogonal over the full circle; over an obscured one the fit is still that of least squares.
+        Pixels whose middle lies outside of the circle are not used.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On maps that are not finite inside the mask (the message says where), masks without a pixel, too few
+        samples for the terms, samples that do not determine them, or a residual beyond `tol`.
+    """
+    opd, unit, wavelength = plain(opd, unit, wavelength)
+    scale = radians_per(unit, wavelength)
+    limit = _tolerance(tol)
+    highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
+    maps, mask = _maps(opd, mask)
+    height, width = maps.shape[-2:]
+    x, y = _pupil_coordinates((height, width), center, radius)
+    inside = x * x + y * y <= 1.0
+    valid = _valid(maps, mask, inside)
+    terms = [(n, m) for n in range(highest + 1) for m in range(-n, n + 1, 2)]
+    stack = maps.shape[:-2]
+    flat, used = maps.reshape(-1, height, width), valid.reshape(-1, height, width)
+    coefficients = np.empty((len(flat), len(terms)))
+    residual = np.full(flat.shape, np.nan)
+    condition = 1.0
+    for where, members in _groups(used):
+        rho, theta = np.hypot(x[where], y[where]), np.arctan2(y[where], x[where])
+        found, left, worst = _least_squares(rho, theta, flat[members][:, where], terms)
+        coefficients[members] = found
+        for member, rest in zip(members, left, strict=True):
+            residual[member][where] = rest
+        condition = max(condition, worst)
+    return _finish(terms, coefficients, residual, condition, stack, unit, scale, limit)
+
+
+def opd_map(
+    wavefront: Wavefront,
+    shape: int | tuple[int, int],
+    *,
+    unit: str = "radians",
+    wavelength: float | None = None,
+    center: tuple[float, float] | None = None,
+    radius: float | None = None,
+) -> Array:
+    """Sample a wavefront at the pixels of a map, as :func:`fit_opd` reads them.
+
+    Parameters
+    ----------
+    wavefront : Wavefront
+    shape : int or (int, int)
+        Height and width in pixels.
+    unit, wavelength, center, radius
+        As those of :func:`fit_opd`; the unit is by default that of a wavefront.
+
+    Returns
+    -------
+    ndarray, shape ``wavefront.shape + (height, width)``
+        In `unit`, without the constant; NaN at pixels whose middle lies outside of the pupil.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+    """
+    validation.instance("wavefront", wavefront, Wavefront)
+    scale = radians_per(unit, wavelength)
+    size = validation.image_shape(shape)
+    x, y = _pupil_coordinates(size, center, radius)
+    rho = np.hypot(x, y)
+    inside = rho <= 1.0
+    out = np.full((*wavefront.shape, *size), np.nan)
+    out[..., inside] = wavefront.phase(rho[inside], np.arctan2(y, x)[inside]) / scale
+    return out
+
+
+def _least_squares(
+    rho: Array, theta: Array, values: Array, terms: list[tuple[int, int]], weights: Array | None = None
+) -> tuple[Array, Array, float]:
+    """Return coefficients (maps, terms) normalised to their rms, residuals (maps, samples), and the condition.
+
+    By the normal equations of terms that are nearly orthonormal, block by block, with one step of refinement: the
+    condition being at most 1e4, that reaches the rounding errors of the values.
+    """
+    if rho.size < len(terms):
+        raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
+    share = np.full(rho.size, 1.0 / rho.size) if weights is None else weights
+    gram = np.zeros((len(terms), len(terms)))
+    for block, basis in _basis(rho, theta, terms):
+        gram += (basis * share[block]) @ basis.T
+    eigenvalues = np.linalg.eigvalsh(gram)
+    low, high = float(eigenvalues[0]), float(eigenvalues[-1])
+    condition = math.sqrt(high / low) if low > 0.0 else math.inf
+    if not condition <= MAX_CONDITION:
+        raise ValueError(
+            f"the {rho.size} samples do not determine {len(terms)} terms (condition {condition:.2g}, the limit is "
+            f"{MAX_CONDITION:g}); lower degree, or see whether the samples cover the pupil"
+        )
+    coefficients, residual = np.zeros((len(values), len(terms))), values.copy()
+    for _ in range(2):
+        moments = np.zeros_like(coefficients)
+        for block, basis in _basis(rho, theta, terms):
+            moments += (residual[:, block] * share[block]) @ basis.T
+        coefficients += np.linalg.solve(gram, moments.T).T
+        for block, basis in _basis(rho, theta, terms):
+            residual[:, block] = values[:, block] - coefficients @ basis
+    return coefficients, residual, condition
+
+
+def _basis(rho: Array, theta: Array, terms: list[tuple[int, int]]) -> Iterator[tuple[slice, Array]]:
+    """Yield slices of the samples with the terms there, normalised to their rms, shape (terms, samples)."""
+    for start in range(0, rho.size, _BLOCK):
+        block = slice(start, start + _BLOCK)
+        r, angle = rho[block], theta[block]
+        radial = {key: zernike.rms_factor(*key) * zernike.radial(*key, r) for key in {(n, abs(m)) for n, m in terms}}
+        azimuth = {m: np.cos(m * angle) if m >= 0 else np.sin(-m * angle) for m in {m for _, m in terms}}
+        yield block, np.array([radial[n, abs(m)] * azimuth[m] for n, m in terms])
+
+
+def _finish(
+    terms: list[tuple[int, int]],
+    coefficients: Array,
+    residual: Array,
+    condition: float,
+    stack: tuple[int, ...],
+    unit: str,
+    scale: float,
+    tol: float,
+    weights: Array | None = None,
+) -> WavefrontFit:
+    """Return the answer, if its residuals (first axis the flattened stack, NaN where unused) are within `tol`."""
+    rest = residual.reshape(len(residual), -1)
+    count = np.isfinite(rest).sum(axis=1)
+    # The constant is among the terms: the mean of the residual is 0.
+    rms = np.sqrt(np.nanmean(rest**2, axis=1) if weights is None else rest**2 @ weights)
+    worst = int(rms.argmax())
+    if not rms[worst] <= tol:
+        which = f" of map {worst}" if len(rms) > 1 else ""
+        raise ValueError(f"the residual{which} has an rms of {rms[worst]:.3g} {unit}, beyond tol={tol:g}")
+    found = {t: scale * c.reshape(stack) for t, c in zip(terms, coefficients.T, strict=True)}
+    return WavefrontFit(
+        wavefront=Wavefront.zernike(found),
+        piston=coefficients[:, terms.index((0, 0))].reshape(stack),
+        rms=rms.reshape(stack),
+        peak_to_valley=(np.nanmax(rest, axis=1) - np.nanmin(rest, axis=1)).reshape(stack),
+        residual=residual.reshape(*stack, *residual.shape[1:]),
+        samples=count.reshape(stack),
+        condition=condition,
+        unit=unit,
+    )
+
+
+def _tolerance(tol: float | None) -> float:
+    return math.inf if tol is None else validation.real("tol", tol, above=0.0)
+
+
+def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, ArrayLike | None]:
+    """Return the maps, and where they count: the mask that is given, less what the maps mask themselves."""
+    if isinstance(opd, np.ma.MaskedArray) and np.ma.is_masked(opd):
+        bare = ~np.ma.getmaskarray(opd)
+        mask = bare if mask is None else _truths(mask, bare.shape) & bare
+        opd = np.asarray(opd.data)
+    given = validation.array("opd", opd)
+    if given.dtype.kind not in "iuf":
+        raise TypeError(f"opd must hold real numbers, got an array of {given.dtype}")
+    if given.ndim < 2 or given.size == 0:
+        raise ValueError(f"opd must have the shape (..., height, width) and not be empty, got {given.shape}")
+    return given.astype(np.float64), mask
+
+
+def _truths(mask: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    given = validation.array("mask", mask)
+    if given.dtype != np.bool_:
+        raise TypeError(f"mask must hold booleans, got an array of {given.dtype}")
+    if given.shape not in (shape[-2:], shape):
+        raise ValueError(f"mask must have the shape {shape[-2:]} or that of opd, got {given.shape}")
+    return given
+
+
+def _valid(maps: Array, mask: ArrayLike | None, inside: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which pixels count: inside the pupil, and in the mask or else not NaN."""
+    used = inside & ~np.isnan(maps) if mask is None else inside & _truths(mask, maps.shape)
+    bad = np.argwhere(used & ~np.isfinite(maps))
+    if len(bad):
+        shown = ", ".join(str(tuple(place.tolist())) for place in bad[:3]) + (", ..." if len(bad) > 3 else "")
+        raise ValueError(f"opd must be finite inside the mask, got NaN or infinity at {len(bad)} pixels: {shown}")
+    if not used.any(axis=(-2, -1)).all():
+        of = "mask" if mask is not None else "opd"
+        raise ValueError(f"{of} must leave samples inside the pupil of every map, got none")
+    return np.broadcast_to(used, maps.shape)
+
+
+def _groups(used: NDArray[np.bool_]) -> Iterator[tuple[NDArray[np.bool_], list[int]]]:
+    """Yield each pattern of samples with the maps that share it."""
+    members: dict[bytes, list[int]] = {}
+    for i, pattern in enumerate(used):
+        members.setdefault(np.packbits(pattern).tobytes(), []).append(i)
+    for group in members.values():
+        yield used[group[0]], group
+
+
+def _pupil_coordinates(
+    shape: tuple[int, int], center: tuple[float, float] | None, radius: float | None
+) -> tuple[Array, Array]:
+    """Return x and y of the pixel centres, over the radius of the pupil."""
+    height, width = shape
+    row, column = ((height - 1) / 2, (width - 1) / 2) if center is None else validation.position("center", center)
+    size = 0.5 * min(height, width) if radius is None else validation.real("radius", radius, above=0.0, unit="pixels")
+    with np.errstate(over="ignore"):  # pixels far outside of a small pupil
+        y, x = np.meshgrid((np.arange(height) - row) / size, (np.arange(width) - column) / size, indexing="ij")
+    return x, y

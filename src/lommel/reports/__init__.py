@@ -1,1 +1,0 @@
-"""What there is to say about a lens and its PSFs, as plain data."""

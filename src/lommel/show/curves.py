@@ -1,0 +1,220 @@
+"""Modulation transfer functions as curves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.measures import transfer
+from lommel.measures.answer import Answer, checked
+from lommel.measures.continuous_image import ImageModel, sampled_transfer
+from lommel.measures.energy import encircled_energy as within
+from lommel.optics.base_pupil import BasePupil
+from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import checked as checked_pupil
+from lommel.show.drawing import frequencies, lengths, new_axes
+from lommel.show.labels import few_of, of_pupils
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+_POINTS = 129
+_MOST = 8  # pupils of a stack
+_TOL = 1e-6
+
+
+def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = None) -> Any:
+    """Draw the modulation transfer function along x and along y, beside that without aberration, and the pixel's.
+
+    Parameters
+    ----------
+    thing : Pupil or PSF
+        Of a stack eight are drawn at most, evenly chosen. The curves are those of all light up to the cutoff, of a
+        PSF with its blur and its pixels: :meth:`lommel.PSF.mtf`. Of apertures that are neither a disc nor an annulus
+        they are drawn from samples, to about 1e-3.
+    ax : matplotlib Axes, optional
+        By default those of a new figure, which has a title.
+    pixel : float, optional
+        Pitch of pixels that average, metres or units of lambda*N; by default those of a PSF that averages. All
+        curves are then of a lens and its pixels, a dotted one is of the pixels alone, and a line is at their Nyquist
+        frequency.
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is neither, if a pupil is not round, or a pixel is given for a PSF, which has its own.
+    ImportError
+        If matplotlib is not installed.
+    """
+    validation.axes("ax", ax)
+    if isinstance(thing, Answer):
+        if pixel is not None:
+            raise ValueError(f"pixel must be None for a PSF, which has its own, got {validation.shown(pixel)}")
+        pupil, grid = thing.pupil, thing.grid
+        sides = grid.active
+    else:
+        pupil = checked_pupil(thing)
+        if not pupil.circular:
+            raise ValueError(
+                "pupil must be a disc or an annulus, since a curve of others takes minutes; draw that of an image, "
+                "psf.plot_mtf(), or ask for few frequencies, lommel.mtf"
+            )
+        side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
+        sides = side, side
+    places = few_of(pupil.shape, _MOST)
+    words = of_pupils(pupil)
+    axes = new_axes(ax)
+    factor, unit = frequencies(pupil.unit)
+    most = pupil.cutoff * (thing.method.stretch(pupil) if isinstance(thing, Answer) else 1.0)
+    f, zero = np.linspace(0.0, most, _POINTS), np.zeros(_POINTS)
+    for k, (place, index) in enumerate(places.items()):
+        one = thing[index] if pupil.shape else thing
+        name = f"{words[place]}, " if pupil.shape else ""
+        if _alike(one, sides):
+            axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
+            continue
+        axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
+        axes.plot(factor * f, _curve(one, zero, f, sides), "--", color=f"C{k}", label=f"{name}along y")
+    if isinstance(pupil, Pupil):
+        first: Any = thing[(0,) * len(pupil.shape)] if pupil.shape else thing
+        if isinstance(first, Answer):
+            ideal: Any = replace(first, pupil=first.pupil.unaberrated(), derivatives={})  # type: ignore[attr-defined]
+        else:
+            ideal = first.unaberrated()
+        axes.plot(factor * f, _curve(ideal, f, zero, sides), color="0.5", linewidth=1.0, label="without aberration")
+    if sides[1]:
+        axes.plot(factor * f, _of_pixel(f, sides[1]), ":", color="0.5", label="pixel alone")
+        nyquist = 0.5 / (thing.grid.pitch[1] if isinstance(thing, Answer) else sides[1])
+        if nyquist <= most:
+            axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
+    axes.set_xlabel(f"spatial frequency ({unit})")
+    axes.set_ylabel("MTF (1)")
+    axes.set_xlim(0.0, factor * most)
+    axes.set_ylim(0.0, 1.05)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8)
+    if ax is None:
+        axes.set_title(_title(pupil, thing.pixel if isinstance(thing, Answer) and sides[1] else pixel), fontsize=9)
+    return axes
+
+
+def _of_pixel(f: Array, side: float) -> Array:
+    return np.asarray(np.abs(np.sinc(f * side)))
+
+
+def _alike(thing: Any, sides: tuple[float, float]) -> bool:
+    """Return whether the curves along x and y are one."""
+    if not isinstance(thing, Answer):
+        return bool(thing.radial)
+    turned = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
+    return thing.pupil.radial and sides[0] == sides[1] and not turned
+
+
+def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Array:
+    """Return the MTF of a single pupil with pixels of such sides, or of a single PSF."""
+    if not isinstance(thing, Answer):
+        return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _of_pixel(fx, sides[1]) * _of_pixel(fy, sides[0])
+    if isinstance(thing.pupil, Pupil) and thing.pupil.circular:
+        return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
+    # Of other apertures a frequency of the wavefront takes up to a second.
+    scale = thing.pupil.scale
+    return np.asarray(np.abs(sampled_transfer(ImageModel.of(thing), fx * scale, fy * scale)[0]))
+
+
+def _title(pupil: BasePupil, pixel: float | tuple[float, float] | None) -> str:
+    what = "modulation transfer function"
+    if pixel is None:
+        return what
+    factor, unit = (1e6, "µm") if pupil.unit == "m" else (1.0, "λN")
+    sides = (pixel,) if isinstance(pixel, float) else pixel
+    return f"{what} with pixels of {' x '.join(f'{factor * side:.4g}' for side in sides)} {unit}"
+
+
+_RADII = 129
+_SHARES = (0.5, 0.8)
+
+
+def encircled_energy(psf: Answer, ax: Axes | None = None, *, radius: float | None = None) -> Any:
+    """Draw the fraction of all light within circles about the axis, beside that of the aperture without aberration.
+
+    Parameters
+    ----------
+    psf : PSF
+        Of a stack eight are drawn at most, evenly chosen.
+    ax : matplotlib Axes, optional
+        By default those of a new figure, which has a title: of a single PSF with the radii where the curve reaches
+        50 and 80 %.
+    radius : float, optional
+        Of the largest circle, metres or units of lambda*N; by default that which fits into the window.
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+    ImportError
+        If matplotlib is not installed.
+
+    Notes
+    -----
+    The curve is :func:`lommel.measures.energy.encircled_energy`, of the image with its blur and its pixels. Dashed is
+    the same aperture in focus and without aberration, of a single PSF of a lens.
+    """
+    pupil = checked(psf, "psf").pupil
+    validation.axes("ax", ax)
+    far = _fitting(psf) if radius is None else validation.real("radius", radius, above=0.0)
+    at = np.linspace(0.0, far, _RADII)
+    factor, unit = lengths(psf.unit)
+    title = "encircled energy"
+    axes = new_axes(ax)
+    if pupil.shape:
+        titles = of_pupils(pupil)
+        for place, index in few_of(pupil.shape, _MOST).items():
+            axes.plot(factor * at, within(psf[index], at), label=titles[place])
+    else:
+        curve = np.asarray(within(psf, at))
+        axes.plot(factor * at, curve, label="PSF")
+        ideal = _ideal(psf, at)
+        if ideal is not None:
+            axes.plot(factor * at, ideal, "--", color="0.5", label="without aberration")
+        found = {share: float(np.interp(share, curve, at)) for share in _SHARES if curve[-1] > share}
+        told = [f"{share:.0%} within {half * factor:.3g} {unit}" for share, half in found.items()]
+        title = ", ".join([title, *told])
+        for share, half in found.items():
+            axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)
+    axes.set_xlabel(f"radius ({unit})")
+    axes.set_ylabel("fraction of all light (1)")
+    axes.set_xlim(0.0, far * factor)
+    axes.set_ylim(0.0, 1.05)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8, loc="lower right")
+    if ax is None:
+        axes.set_title(title, fontsize=9)
+    return axes
+
+
+def _fitting(psf: Answer) -> float:
+    """Return the radius of the largest circle about the axis in all windows; of others half their longer side."""
+    ends = [part for at in (psf.grid.x, psf.grid.y) for part in (-at[..., 0], at[..., -1])]
+    inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
+    sides = (count * pitch for count, pitch in zip(psf.grid.shape, psf.grid.pitch, strict=True))
+    return inside if inside > 0.0 else 0.5 * max(sides)
+
+
+def _ideal(psf: Answer, radius: Array) -> Array | None:
+    """Return the light of the aperture without aberration, with the same blur and pixels, of lenses."""
+    if not isinstance(psf.pupil, Pupil):
+        return None
+    return np.asarray(within(replace(psf, pupil=psf.pupil.unaberrated(), derivatives={}), radius))

@@ -1,0 +1,1 @@
+"""Differentiable PSFs: matrix products inside NumPy, JAX, PyTorch, CuPy or any array API."""

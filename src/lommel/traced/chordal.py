@@ -1,0 +1,438 @@
+r"""The field of pupils with any Zernike terms, by the rule of chords: products of matrices.
+
+Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; over each chord the kernel is that of the rows of a window, over
+the chords that of its columns. What is proven of the two sums is in docs/certificate.md, section 8: with W_p the
+amplitude of the terms of a degree n_p and |m|, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in
+W_p, so that its bound is a product too. An inner disk is more chords, of negative weights.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import ToleranceError
+from lommel.core.engine import DiskStack, Window, chordal_sums, chordal_sums_gradient
+from lommel.optics.aperture.apodization import Apodization
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+from lommel.traced import phases
+from lommel.traced.certificate import FieldError, exponential
+from lommel.traced.means import CURVES, Mean, best, even
+from lommel.traced.namespaces import Namespace
+from lommel.traced.phases import UNIT, PhaseRule, waves
+from lommel.traced.radial import columns
+
+# At the four images ``(+-x, +-y)`` of a node the waves have parts that are even and odd in either coordinate. With
+# these the kernel is a product of a cosine or sine of ``v_x x`` and one of ``v_y y``, real, and the same at the
+# images of a pixel but for signs. Pupils stand last throughout: all products are of small tables with long rows.
+
+IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))  # of a node: signs of x and y
+
+
+class Axis(NamedTuple):
+    """How the places of a window along one axis follow from those on one side of its middle.
+
+    Attributes
+    ----------
+    first : int
+        Of those, the first with an image: 1 where the middle is a place itself.
+    negative, positive : int
+        How many are on either side; none is negative where places are no images of each other, and all are kept.
+    """
+
+    first: int
+    negative: int
+    positive: int
+
+    def whole(self, ns: Namespace, below: Any, above: Any, axis: int) -> Any:
+        """Return values at all places, along an axis, from those at the images and at the places that are kept."""
+        here: list[Any] = [slice(None)] * 3
+        here[axis] = slice(0, self.positive)
+        above = above[tuple(here)]
+        if not self.negative:
+            return above
+        here[axis] = slice(self.first, self.first + self.negative)
+        return ns.xp.concat([ns.flip(below[tuple(here)], axis), above], axis=axis)
+
+
+def axis_of(v: Array) -> tuple[Axis, Array]:
+    """Return the axis of increasing places, and the places that are kept."""
+    half = np.unique(np.abs(v))
+    first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
+    positive = len(v) - negative
+    if np.array_equal(v, np.concatenate([-half[first : first + negative][::-1], half[:positive]])):
+        return Axis(first, negative, positive), half
+    return Axis(0, 0, len(v)), v
+
+
+def folded_tables(x: Array, y: Array, weights: Array, columns: Array, rows: Array) -> dict[str, Array]:
+    """Return the real kernels of chords x and of nodes y on them, with their weights ``(chords, nodes)``."""
+    down, over = rows[:, None] * y[:, None, :], columns[:, None] * x
+    return {
+        "along even": np.cos(down) * weights[:, None, :],
+        "along odd": np.sin(down) * weights[:, None, :],
+        "across even": np.cos(over),
+        "across odd": np.sin(over),
+    }
+
+
+def folded_intensity(
+    ns: Namespace, kernels: dict[str, Any], waves: list[tuple[Any, Any]], axes: tuple[Axis, Axis]
+) -> Any:
+    """Return the squared modulus of the sum, shape ``(n, columns * rows)``, columns one after another.
+
+    Parameters
+    ----------
+    ns : Namespace
+    kernels : dict
+        Those of :func:`tables`.
+    waves : list of (array, array)
+        Cosine and sine at each of :data:`IMAGES`, chord by chord, ``(nodes, n)``.
+    axes : (Axis, Axis)
+        Of columns and rows.
+    """
+    parts = [part for images in zip(*waves, strict=True) for part in _transformed(ns, kernels, images)]
+    image = ns.apart(_assembled(ns, axes), *ns.apart(_quadrants(axes), *parts))
+    across, down, count = image.shape
+    return ns.xp.permute_dims(ns.xp.reshape(image, (across * down, count)), (1, 0))
+
+
+def _transformed(ns: Namespace, kernels: dict[str, Any], images: tuple[Any, ...]) -> list[Any]:
+    """Return the sums of parts even in both, odd in y, odd in x and odd in both, each ``(columns, rows, n)``."""
+    found = []
+    for across in ("across even", "across odd"):
+        for along in ("along even", "along odd"):
+            part, given = _part(ns, along, across), (kernels[along], kernels[across], *images)
+            # One after the other, lest what is between two products go to the memory and come back.
+            found.append(ns.apart(part, *given))
+    return found
+
+
+@cache
+def _part(ns: Namespace, along: str, across: str) -> Callable[..., Any]:
+    """Return what sums that part of values at four images which is even or odd in y and x, as kernels are called."""
+
+    def made(rows: Any, columns: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
+        one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
+        part = one + other if across == "across even" else one - other
+        chords, places, nodes = rows.shape
+        count = part.shape[-1]
+        of_chords = ns.matmul(rows, ns.xp.reshape(part, (chords, nodes, count)))
+        total = ns.matmul(columns, ns.xp.reshape(of_chords, (chords, places * count)))
+        return ns.xp.reshape(total, (columns.shape[0], places, count))
+
+    return made
+
+
+@cache
+def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Any, ...]]:
+    """Return what makes values at images of the places that are kept, of the parts of a sum, real and imaginary."""
+
+    def made(*parts: Any) -> tuple[Any, ...]:
+        real, imaginary = parts[:4], parts[4:]
+        alike = real[0] - real[3], imaginary[1] + imaginary[2], imaginary[0] - imaginary[3], real[1] + real[2]
+        other = real[0] + real[3], imaginary[2] - imaginary[1], imaginary[0] + imaginary[3], real[2] - real[1]
+        # In the order of IMAGES: signs are alike in the first and the last.
+        there = [(alike, True), *([(other, True)] * down), *([(other, False)] * across)]
+        there += [(alike, False)] * (across and down)
+        return tuple(_square(a + b, c - d) if add else _square(a - b, c + d) for (a, b, c, d), add in there)
+
+    across, down = (axis.negative > 0 for axis in axes)
+    return made
+
+
+def _square(real: Any, imaginary: Any) -> Any:
+    return real * real + imaginary * imaginary
+
+
+@cache
+def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Any]:
+    """Return what makes images ``(columns, rows, n)`` of the quadrants that there are."""
+
+    def made(*quadrants: Any) -> Any:
+        across, down = axes
+        each = 2 if down.negative else 1
+        sides = [down.whole(ns, quadrants[k + each - 1], quadrants[k], 1) for k in range(0, len(quadrants), each)]
+        return across.whole(ns, sides[-1], sides[0], 0)
+
+    return made
+
+
+# Each step of PyTorch is a pass over the memory, and its products of small matrices alone take as long as the core.
+# So where nothing but values or a first gradient is asked for, the core sums over the same chords and nodes. It is
+# for float32 alone: what the core loses there is less than what is counted for the framework (docs/certificate.md),
+# so that bounds stay what they are.
+
+_DEGREE = 30  # what rounding to parts of a turn adds rises with the number of terms
+
+
+class Sums(NamedTuple):
+    """Which sums they are.
+
+    Attributes
+    ----------
+    terms : tuple of (n, m)
+    stretch : float
+        That coefficients and pitch are multiplied by.
+    obscuration : float
+    exponent : tuple of float
+        Of the amplitude.
+    shape : (int, int)
+        Rows and columns.
+    axis : (float, float)
+        Row and column of the axis.
+    step : float
+        Pitch in v.
+    chords, nodes : int
+    """
+
+    terms: tuple[tuple[int, int], ...]
+    stretch: float
+    obscuration: float
+    exponent: tuple[float, ...]
+    shape: tuple[int, int]
+    axis: tuple[float, float]
+    step: float
+    chords: int
+    nodes: int
+
+    def _asked(self, c: Array) -> tuple[DiskStack, Window, tuple[int, int]]:
+        edge = np.multiply(c, self.stretch, dtype=np.float64, order="C")
+        terms, exponent = np.array(self.terms, dtype=np.int32), np.array(self.exponent)
+        window = Window(self.shape, self.axis, self.stretch * self.step)
+        return DiskStack(terms, edge, self.obscuration, exponent), window, (self.chords, self.nodes)
+
+    def intensity(self, c: Array, threads: int) -> NDArray[np.float32]:
+        """Return I of pupils `c`, shape ``(n, columns * rows)``, columns one after another."""
+        return chordal_sums(*self._asked(c), threads).reshape(len(c), -1)
+
+    def gradient(self, c: Array, weights: Array, threads: int) -> Array:
+        """Return the derivatives by `c` of the sum of weights times what :meth:`intensity` returns."""
+        by_row = weights.reshape(len(c), *self.shape[::-1]).transpose(0, 2, 1)
+        by_row = np.ascontiguousarray(by_row, dtype=np.float64)
+        return self.stretch * chordal_sums_gradient(*self._asked(c), by_row, threads)
+
+
+def compiled_sums(
+    pupil: Pupil, grid: Grid, stretch: float, terms: tuple[Any, ...], counts: tuple[int, int]
+) -> Sums | None:
+    """Return the sums of samples of square pixels by so many chords and nodes; None where the core has none such."""
+    if grid.integrate or not isinstance(grid.pixel, float) or not all(0 < n <= _DEGREE for n, _ in terms):
+        return None
+    light = tuple(pupil.illumination.exponent.tolist())
+    return Sums(terms, stretch, pupil.obscuration, light, grid.shape, grid.axis, grid.step(pupil), *counts)
+
+
+def intensity(ns: Namespace, sums: Sums | None, c: Any, followed: Callable[[Any], Any]) -> Any:
+    """Return what `followed` makes of coefficients `c`, by the sums where it need not be followed step by step."""
+    values = ns.values_now(c) if sums and len(c) else None
+    if sums is None or values is None:
+        return followed(c)
+    if ns.name == "numpy":
+        return sums.intensity(values, 0)
+    return _of_torch().apply(c, sums, followed)
+
+
+@cache
+def _of_torch() -> Any:
+    import torch
+
+    ns = Namespace.of("torch")
+
+    class Compiled(torch.autograd.Function):  # type: ignore[misc]
+        """The sums with their gradient; that has its own from the steps of PyTorch."""
+
+        @staticmethod
+        def forward(ctx: Any, c: Any, sums: Sums, followed: Callable[[Any], Any]) -> Any:
+            ctx.save_for_backward(c)
+            ctx.sums, ctx.followed = sums, followed
+            return torch.from_numpy(sums.intensity(c.detach().numpy(), torch.get_num_threads()))
+
+        @staticmethod
+        def backward(ctx: Any, weights: Any) -> tuple[Any, None, None]:
+            (c,) = ctx.saved_tensors
+            given = None if torch.is_grad_enabled() else ns.values_now(weights)
+            if given is not None:
+                found = ctx.sums.gradient(c.detach().numpy(), given, torch.get_num_threads())
+                return torch.from_numpy(found).to(c.dtype), None, None
+            with torch.enable_grad():
+                made = ctx.followed(c)
+            return *torch.autograd.grad(made, c, weights, create_graph=torch.is_grad_enabled()), None, None
+
+    return Compiled
+
+
+_B = np.geomspace(4e-3, 4.0, 64)
+_MOST = 512
+_SAMPLED, _MEMBERS = 12, 64  # degrees and pupils that means are sampled for
+
+
+class Chordal(NamedTuple):
+    """The field of one wavelength: all that is no array."""
+
+    phase: PhaseRule
+    error: FieldError
+    axes: tuple[Axis, Axis]
+    means: tuple[Mean, Mean] | None
+    sums: Sums | None
+
+    def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
+        """Return I, shape ``(n, columns * rows)``, column by column, and a bound on the error of the field, (n,)."""
+
+        def followed(c: Any) -> Any:
+            of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(IMAGES))]
+            both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
+            return folded_intensity(ns, tables, both, self.axes)
+
+        error = self._field_error(ns, tables, c)  # first, lest its room be beside that of images
+        return intensity(ns, self.sums, c, followed), error
+
+    def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
+        xp = ns.xp
+        still = ns.stop(xp.astype(c, tables["size"].dtype))
+        total = 0.0
+        for name, mean in zip(("chords", "nodes"), self.means or (None, None), strict=True):
+            if mean is not None:
+                total = total + exponential(ns, mean.logarithm(ns, tables, name, still))
+                continue
+            amplitudes = xp.sqrt(ns.matmul(still * still, tables["pairs"]))
+            size = ns.matmul(amplitudes, tables["growth"]) * (
+                1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
+            )
+            total = total + exponential(ns, xp.min(size + tables[name], axis=-1))
+        return self.error.total(ns, self.phase, tables, still, total)
+
+
+def pairs(terms: tuple[Any, ...]) -> tuple[Array, Array]:
+    """Return which terms share a degree and abs(m), shape ``(terms, pairs)``, and the degree of each pair."""
+    kinds = sorted({(n, abs(m)) for n, m in terms})
+    matrix = np.zeros((len(terms), len(kinds)))
+    for j, (n, m) in enumerate(terms):
+        matrix[j, kinds.index((n, abs(m)))] = 1.0
+    return matrix, np.array([n for n, _ in kinds], dtype=np.float64)
+
+
+def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
+    """Return what is added to the logarithm of the integrand on curves, of both sums, but for ``-2 N b``."""
+    grown = light.growth(np.cosh(2.0 * b)) if not light.uniform else 0.0
+    # With four chords or more, 1 - exp(-2 (N + 1) b) is more than 1 - exp(-10 b).
+    chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + grown
+    return chords, math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * b)) + grown
+
+
+def make(
+    pupil: Pupil, grid: Grid, stretch: float, window: tuple[Array, Array], error: float, precision: str
+) -> tuple[Chordal, dict[str, Array]]:
+    """Return the field of a stack at rows and columns in v, and of pupils no larger than a member, and its tables.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        At its own wavelength.
+    grid : Grid
+    stretch : float
+        That wavelength over the one of the field.
+    window : (ndarray, ndarray)
+        Rows and columns, at the wavelength of the field.
+    error : float
+        Of the quadrature.
+    precision : str
+
+    Raises
+    ------
+    ToleranceError
+        If it takes too many chords.
+    """
+    y, x = window
+    terms, c = columns(pupil)
+    low, light = pupil.obscuration, pupil.illumination
+    reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
+    disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
+    where = terms, stretch, window
+    chords, nodes, means, bounds = _sampled(pupil, where, disks, error, UNIT[precision]) or _largest(
+        pupil, stretch, disks, reach, error
+    )
+    if max(chords, nodes) > _MOST:
+        raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
+    px, py, weights = _rule(chords, nodes, disks, light)
+    at_x, at_y = (np.stack([sign[k] * p for sign in IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py)))
+    rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
+    basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
+    degree = max(n for n, _ in terms)
+    largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
+    phase, tables = phases.make(basis, degree**2, largest, precision, pupils_last=True)
+    unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
+    rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
+    rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
+    phase_left, light_left = pupil.left_out
+    tables |= {name: tables[name].reshape(len(IMAGES), py.size, -1) for name in phase.tables}
+    (across, right), (down, below) = axis_of(x), axis_of(y)
+    tables |= folded_tables(px, py, weights, right, below) | bounds
+    left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
+    core = compiled_sums(pupil, grid, stretch, terms, (chords, nodes)) if precision == "float32" else None
+    return Chordal(phase, left, (across, down), means, core), tables
+
+
+def _sampled(
+    pupil: Pupil, where: tuple[Any, ...], disks: list[tuple[float, Apodization]], error: float, unit: float
+) -> Any:
+    """Return chords, nodes and their bounds by means, of few terms at `where`, terms, stretch and window; or None."""
+    terms, c = columns(pupil)
+    if max(n for n, _ in terms) > _SAMPLED:
+        return None
+    members = c[np.argsort(-np.abs(c) @ [n for n, _ in terms], kind="stable")[:_MEMBERS]]
+    # The inner disk counts by its area.
+    of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
+    chords = best("chords", where, members, [(radius, of[0]) for radius, of in of_disks], 0.5 * error, 0, unit)
+    if chords is None:
+        return None
+    parts = [(radius, of[1]) for radius, of in of_disks]
+    nodes = best("nodes", where, members, parts, 0.5 * error, chords[0], unit)
+    return None if nodes is None else (chords[0], nodes[0], (chords[1], nodes[1]), chords[2] | nodes[2])
+
+
+def _largest(
+    pupil: Pupil, stretch: float, disks: list[tuple[float, Apodization]], reach: tuple[float, float], error: float
+) -> Any:
+    """Return chords, nodes and their bounds by the largest values."""
+    terms, c = columns(pupil)
+    matrix, degrees = pairs(terms)
+    growth = stretch * np.sinh(np.minimum(degrees[:, None] * _B, 300.0))
+    size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
+    # That of the inner disk is as large at most, but for its amplitude, and counts by its area.
+    of_disks = [_constants(one, _B) for _, one in disks]
+    added = math.log1p(pupil.obscuration**2)
+    parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
+    needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
+    chords, nodes = (even(float(each.min())) for each in needed)
+    chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
+    bounds = {
+        "pairs": matrix,
+        "growth": growth[:, chosen],
+        "chords": parts[0][chosen] - 2.0 * chords * _B[chosen],
+        "nodes": parts[1][chosen] - 2.0 * nodes * _B[chosen],
+    }
+    return chords, nodes, None, bounds
+
+
+def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:
+    """Return nodes of positive x and y, and weights with the amplitude: ``(chords,)``, ``(chords, nodes)`` twice."""
+    angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
+    eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
+    x, y, weights = [], [], []
+    for radius, _ in disks:
+        x.append(radius * np.cos(angle))
+        y.append(radius * np.sin(angle)[:, None] * eta)
+        sign = 1.0 if radius == 1.0 else -(radius**2)
+        weights.append(sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1))
+    px, py, w = (np.concatenate(part) for part in (x, y, weights))
+    return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

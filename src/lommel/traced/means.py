@@ -1,0 +1,200 @@
+r"""How large the integrand is on average on the curves that bound the rule of chords.
+
+Terms do not reach their largest values at one place, so the mean of ``|F| = exp(h + l)`` over a curve, l that of the
+kernel, is far below its largest value. Over the window it is convex, and largest at a corner. There, under the weight
+of the curve and ``exp(l)``, h has a mean m and a variance s^2, a linear and a square form in the coefficients, whose
+tables are integrals. As ``(e^x - 1 - x) / x^2`` rises with x and ``h <= H``, ``<e^h> <= e^m (1 + k s^2)``, k that of
+``H - m``. On either curve h is a trigonometric polynomial in two angles, so H is the largest of samples, a little
+widened: docs/certificate.md. Conjugate points have opposite h, so that half of the angles do.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.special.legendre import gauss_legendre
+from lommel.traced.namespaces import Namespace
+
+_STEPS = 5  # of half a turn, for each degree
+_WIDENED = 1.0 / math.cos(0.5 * math.pi / _STEPS) ** 2
+CURVES = np.geomspace(0.04, 1.6, 24)
+_MOST = 40.0  # of logarithms, and of those of the kernel one and a half times that
+_ROUNDED = 0.05  # what exponentials and logarithms may lose
+_LEAST, _FAR = 0.5, 60.0  # what H - m is taken for at least, and where its exponential is not made
+_NUMPY = Namespace.of(None)
+
+
+class Mean(NamedTuple):
+    """The bound of one sum on one curve: what is no array.
+
+    Attributes
+    ----------
+    disks : int
+        How many there are, one in the other.
+    corners : int
+        How many means and square forms each has, in this order.
+    unit : float
+        Unit roundoff of what it is computed in.
+    """
+
+    disks: int
+    corners: int
+    unit: float
+
+    def logarithm(self, ns: Namespace, tables: dict[str, Any], name: str, c: Any) -> Any:
+        """Bound the logarithm of the error of the sum, shape (n,)."""
+        total = self._of_disk(ns, tables, f"{name} 0", c)
+        for k in range(1, self.disks):
+            total = ns.xp.logaddexp(total, self._of_disk(ns, tables, f"{name} {k}", c))
+        return total
+
+    def _of_disk(self, ns: Namespace, tables: dict[str, Any], name: str, c: Any) -> Any:
+        xp, terms = ns.xp, c.shape[-1]
+        c = xp.permute_dims(c, (1, 0))
+        values, forms = ns.matmul(tables[f"{name} samples"], c), ns.matmul(tables[f"{name} forms"], c)
+        size = ns.matmul(tables[f"{name} size"], xp.abs(c))
+        lost = ((terms + 10) * (self.unit + ns.coarseness(self.unit)) + 1e-6) * size[0, ...]
+        top = _WIDENED * xp.max(xp.abs(values), axis=0) + lost
+        mean = forms[: self.corners, :] + lost
+        square = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
+        spread = xp.sqrt(xp.sum(square * square, axis=1)) + lost
+        x, variance = top - mean + 2.0 * lost, spread * spread
+        near = xp.where(x < _LEAST, xp.full_like(x, _LEAST), x)
+        near = xp.where(x > _FAR, xp.full_like(x, _FAR), near)
+        tail = xp.log1p(variance * ((xp.exp(near) - 1.0 - near) / (near * near)))
+        tail = xp.where(x > _FAR, x + xp.log1p(variance), tail)
+        return xp.max(mean + tail + tables[f"{name} constant"], axis=0)
+
+
+def best(
+    name: str,
+    where: tuple[tuple[Any, ...], float, tuple[Array, Array]],
+    c: Array,
+    disks: list[tuple[float, Array]],
+    error: float,
+    chords: int,
+    unit: float,
+) -> tuple[int, Mean, dict[str, Array]] | None:
+    """Return the fewest chords, or nodes, for an error of all members, with their bound; None if there is no curve.
+
+    `where` are terms, stretch and window, `disks` their radii and what is added to logarithms on the curves.
+    """
+    found = None
+    for j, b in enumerate(CURVES.tolist()):
+        if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
+            break
+        tables: dict[str, Array] = {}
+        for k, (radius, constants) in enumerate(disks):
+            mean, one = make(*where, name, b, chords, (k, radius))
+            one[f"{name} {k} constant"] += float(constants[j]) + _ROUNDED
+            tables |= one
+        mean = mean._replace(disks=len(disks), unit=unit)
+        with np.errstate(over="ignore", invalid="ignore"):
+            size = float(mean.logarithm(_NUMPY, tables, name, c).max())
+        if not size < _MOST:
+            continue
+        count = even((size - math.log(error)) / (2.0 * b))
+        if found is None or count < found[0]:
+            for k in range(len(disks)):
+                tables[f"{name} {k} constant"] -= 2.0 * count * b
+            found = count, mean, tables
+    return found
+
+
+def even(needed: float) -> int:
+    """Return how many chords or nodes are taken where so many are needed: an even number, four at least."""
+    return max(4, 2 * math.ceil(0.5 * needed))
+
+
+def make(
+    terms: tuple[tuple[int, int], ...],
+    stretch: float,
+    window: tuple[Array, Array],
+    name: str,
+    b: float,
+    chords: int,
+    disk: tuple[int, float] = (0, 1.0),
+) -> tuple[Mean, dict[str, Array]]:
+    """Return the bound of the sum `name` on a curve b, but for what is added to its logarithm, and its tables.
+
+    Parameters
+    ----------
+    terms : tuple of (n, m)
+    stretch : float
+        That coefficients are multiplied by.
+    window : (ndarray, ndarray)
+        Rows and columns, v.
+    name : {"chords", "nodes"}
+    b : float
+    chords : int
+        How many there are; of "nodes" only.
+    disk : (int, float)
+        The number and the radius of the disk that the curve is of.
+    """
+    (y, x), radius = window, disk[1]
+    degrees = np.array([n for n, _ in terms], dtype=np.float64)
+    steps = _STEPS * max(2, int(degrees.max()))
+    angle = np.arange(steps + 1) * (math.pi / steps)
+    at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
+    samples = stretch * polynomials(terms, *at).imag
+    # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
+    reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
+    count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
+    half = (np.arange(count) + 0.5) * (math.pi / count)
+    if name == "chords":
+        eta, gauss = gauss_legendre(count, -1.0, 1.0)
+        curve = _curve(name, b, half, eta, half)
+        share = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
+    else:
+        phi = np.arange(1, chords + 1) * (math.pi / (chords + 1))
+        curve = _curve(name, b, phi, half, half)
+        share = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
+    at = [radius * places for places in curve]
+    values = stretch * polynomials(terms, *at).imag
+    values, share = np.concatenate([-values, values], axis=1), 0.5 * np.concatenate([share.ravel(), share.ravel()])
+    constants, means, forms = [], [], []
+    corners = sorted({(u, w) for u in (float(y.min()), float(y.max())) for w in (float(x.min()), float(x.max()))})
+    for u, w in corners:
+        lift = w * at[0].imag + u * at[1].imag
+        weight = share * np.exp(np.concatenate([lift, -lift]))
+        total = float(weight.sum())
+        mean = values @ (weight / total)
+        off = values - mean[:, None]
+        size, vectors = np.linalg.eigh((off * (weight / total)) @ off.T)
+        constants.append(math.log(total))
+        means.append(mean)
+        forms.append(np.sqrt(np.maximum(size, 0.0))[:, None] * vectors.T)
+    of_disk = {
+        "samples": np.ascontiguousarray(samples.T),
+        "forms": np.concatenate([np.stack(means), *forms]),
+        "size": stretch * np.sinh(degrees * b)[None, :],
+        "constant": np.array(constants)[:, None],
+    }
+    return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
+
+
+def _curve(name: str, b: float, first: Any, eta: Any, second: Any) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
+    if name == "chords":
+        px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
+    else:
+        px, py = np.cos(first)[:, None] + 0.0j * second, np.sin(first)[:, None] * np.cos(second + 1j * b)
+    return px.ravel(), py.ravel()
+
+
+def polynomials(terms: tuple[tuple[int, int], ...], x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.complex128]:
+    """Return Zernike terms at complex points, shape ``(terms,) + x.shape``."""
+    from scipy.special import eval_jacobi
+
+    square, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
+    found = []
+    for n, m in terms:
+        order = abs(m)
+        around = 0.5 * (plus**order + minus**order) if m >= 0 else -0.5j * (plus**order - minus**order)
+        found.append(eval_jacobi((n - order) // 2, 0.0, float(order), square + 0j) * around)
+    return np.stack(found)

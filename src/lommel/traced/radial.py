@@ -1,0 +1,135 @@
+r"""The field of radially symmetric pupils as one matrix product.
+
+``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at
+K nodes from a few coefficients, its cosine and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)``,
+made in double precision here. How many nodes a tolerance takes, and what each pupil is off by, follow from how large
+the integrand is on Bernstein ellipses: :mod:`lommel.methods.bounds`, whose bound is computed anew for each pupil.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import ToleranceError
+from lommel.methods import bounds
+from lommel.optics.pupil import Pupil
+from lommel.special.legendre import gauss_legendre
+from lommel.traced import phases
+from lommel.traced.certificate import Exponents, FieldError, quadrature
+from lommel.traced.namespaces import Namespace
+from lommel.traced.phases import UNIT, PhaseRule, waves
+
+_ETA = np.geomspace(2e-3, 4.0, 80)
+_CHOSEN = 4  # ellipses on the device, around that which the reach takes
+_MOST_NODES = 4096
+
+
+class Radial(NamedTuple):
+    """The field of one wavelength: all that is no array; see :class:`lommel.traced.certificate.FieldError`."""
+
+    phase: PhaseRule
+    exponents: Exponents
+    error: FieldError
+    nodes: int
+
+    def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
+        """Return I at the radii of the table, shape ``(n, radii)``, and a bound on the error of the field."""
+        cos, sin = waves(ns, phases.turns(ns, self.phase, tables, c))
+        real, imaginary = ns.matmul(cos, tables["table"]), ns.matmul(sin, tables["table"])
+        still = ns.stop(ns.xp.astype(c, tables["table"].dtype))
+        quadrature_error = quadrature(ns, self.exponents, tables, still, self.error.unit)
+        error = self.error.total(ns, self.phase, tables, still, quadrature_error)
+        return real * real + imaginary * imaginary, error
+
+
+def columns(pupil: Pupil) -> tuple[tuple[Any, ...], Array]:
+    """Return the names of the columns of coefficients, and those of the flattened stack: powers, or terms (n, m)."""
+    wavefront = pupil.wavefront
+    if wavefront._powers is None or not pupil.radial:
+        return wavefront.terms, wavefront.edge.reshape(-1, len(wavefront.terms))
+    powers = pupil.coefficients() * np.where(np.arange(wavefront.symmetric) == 0, 0.5, 1.0)
+    return ("defocus", "spherical", *(f"rho^{2 * k + 2}" for k in range(2, wavefront.symmetric))), powers
+
+
+def symmetric_columns(pupil: Pupil) -> tuple[tuple[Any, ...], Array]:
+    """Return those of :func:`columns` that a radially symmetric pupil has; the others are all 0."""
+    terms, c = columns(pupil)
+    keep = [j for j, term in enumerate(terms) if isinstance(term, str) or term[1] == 0]
+    return tuple(terms[j] for j in keep), c[:, keep]
+
+
+def _basis(terms: tuple[Any, ...], t: NDArray[Any]) -> NDArray[Any]:
+    """Return the terms at t, real or complex, each but for a constant, shape ``(terms,) + t.shape``."""
+    if isinstance(terms[0], str):
+        return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, len(terms)))])
+    found, x, before, here = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
+    for j in range(1, len(terms) + 1):
+        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
+        found.append(here)
+    return np.stack(found)
+
+
+def make(pupil: Pupil, stretch: float, v: Array, error: float, precision: str) -> tuple[Radial, dict[str, Array]]:
+    """Return the field of a stack at radii v, and of all pupils in the box of its coefficients, and its tables.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        At its own wavelength.
+    stretch : float
+        That wavelength over the one of the field.
+    v : ndarray, shape (radii,)
+        At the wavelength of the field.
+    error : float
+        Of the quadrature.
+    precision : str
+
+    Raises
+    ------
+    ToleranceError
+        If it takes too many nodes.
+    """
+    from scipy.special import j0
+
+    low, light = pupil.obscuration**2, pupil.illumination
+    terms, c = symmetric_columns(pupil)
+    middle, spread = 0.5 * (c.max(axis=0) + c.min(axis=0)), 0.5 * (c.max(axis=0) - c.min(axis=0))
+    degree, far = len(terms), float(v.max(initial=0.0))
+    steps = max(32, 16 * degree) if low == 0.0 else max(64, 24 * degree)
+    imaginary = stretch * _basis(terms, bounds.ellipses(_ETA, low, steps)).imag
+    kernel = far * bounds.rise(_ETA, low, steps)
+    size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(spread, np.abs(imaginary), 1)
+    constant = light.growth(np.cosh(_ETA), low) + math.log(32.0 / 15.0 * (1.0 - low)) - np.log(-np.expm1(-2.0 * _ETA))
+    needed = (bounds.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
+    best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
+    if nodes > _MOST_NODES:
+        raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MOST_NODES}")
+    chosen = np.unique(np.clip(best + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1))
+    chosen = np.unique([best, *chosen])
+    widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
+    curved = 0.0 if low == 0.0 else (degree * math.pi / steps) ** 2 / 8.0 * widening
+    exponents = Exponents(len(chosen), steps + 1, widening, curved)
+    t, weights = gauss_legendre(nodes, low, 1.0)
+    table = (weights * light.at(t))[:, None] * j0(np.sqrt(t)[:, None] * v)
+    basis = stretch * _basis(terms, t)
+    largest = float(np.abs(c).max(axis=0, initial=0.0) @ np.abs(basis).max(axis=1))
+    phase, tables = phases.make(basis, degree, largest, precision)
+    unit, sums = UNIT[precision], float(np.abs(table).sum(axis=0).max())
+    # Sums, waves and products; weights and amplitude; J0, whose argument is off by 3.5 u: abs(J1(x)) x < 0.83 sqrt x.
+    rounding = sums * (nodes + 16.0) * unit
+    rounding += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
+    phase_left, light_left = pupil.left_out
+    left = (stretch * phase_left + 2.0 * light_left) * float(weights @ light.at(t))
+    tables |= {
+        "table": table,
+        "imaginary": imaginary[:, chosen].reshape(degree, -1),
+        "most": np.abs(imaginary[:, chosen]).max(axis=-1),
+        "kernel": kernel[chosen],
+        "constant": constant[chosen] - 2.0 * nodes * _ETA[chosen],
+    }
+    return Radial(phase, exponents, FieldError(unit, sums, rounding, left, 4.0), nodes), tables

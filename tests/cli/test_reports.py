@@ -1,0 +1,159 @@
+"""What the command line says of a lens and of a PSF, for people and as data."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import re
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.cli import reports
+from lommel.lensfiles.instrument import wide_enough
+from lommel.show.drawing import HOW
+
+LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("flag", "sampling"), [((), "pixel"), (("--integrate",), "pixel"), (("--sample",), "center")], ids=str
+)
+def test_pixels_of_a_sensor_average_unless_told_otherwise(call_lommel, lenses, tmp_path, flag, sampling):
+    arguments = ("psf", lenses["nifty-fifty"], "--object-distance", "1.2 m", "--shape", "21", *flag)
+    shown = call_lommel(*arguments, "-o", "a.npz", folder=tmp_path)
+    assert dict(LINE.findall(shown.stdout))["pixels"] == f"{HOW[sampling]}, 3.4 lambda*N wide"
+    made = lm.PSF.load(tmp_path / "a.npz")
+    lens = lm.load_instrument(lenses["nifty-fifty"]).lens
+    expected = lm.psf(lens.pupil(1.2), 21, 3.45e-6, integrate=sampling == "pixel")
+    np.testing.assert_allclose(made.values, expected.values, rtol=0, atol=1e-6 * expected.values.max())
+    facts = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)["psf"]
+    assert facts["sampling"] == made.sampling == sampling
+    if sampling == "center":
+        assert facts["sum"] == pytest.approx(float(expected.values.sum(dtype=float)))
+        assert f"The values sum to {facts['sum']:.4g}, not to the light" in shown.stdout
+    else:
+        assert facts["sum"] is None
+        assert expected.values.sum() == pytest.approx(facts["energy"], rel=1e-4)
+        assert "sum to" not in shown.stdout
+
+
+@pytest.mark.parametrize("line", ["integrate = false", "integrate = true"])
+def test_a_lens_file_says_whether_pixels_average_and_an_option_overrides_it(call_lommel, lenses, tmp_path, line):
+    text = lenses["phone"].read_text(encoding="utf-8").replace("shape = 33", f"shape = 5\n{line}")
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    own, other = ("pixel", "center") if "true" in line else ("center", "pixel")
+    for command in ("psf", "compare"):
+        shown = call_lommel(command, "own.toml", "--json", folder=tmp_path)
+        facts = json.loads(shown.stdout)
+        assert facts.get("psf", facts)["sampling"] == own
+        flag = "--integrate" if other == "pixel" else "--sample"
+        facts = json.loads(call_lommel(command, "own.toml", flag, "--json", folder=tmp_path).stdout)
+        assert facts.get("psf", facts)["sampling"] == other
+
+
+@pytest.mark.parametrize(("flag", "sampling"), [((), "pixel"), (("--sample",), "center")], ids=str)
+def test_a_grid_over_the_field_averages_or_samples_likewise(call_lommel, lenses, tmp_path, flag, sampling):
+    arguments = ("psf", lenses["camera-field"], "--field", "1x2", "--shape", "9", "--pixel", "2 um", *flag)
+    shown = call_lommel(*arguments, "-o", "a.npz", folder=tmp_path)
+    assert shown.returncode == 0, shown.stderr
+    rows = dict(LINE.findall(shown.stdout))
+    assert rows["pixel"] == f"2 um, {HOW[sampling]}"
+    assert lm.PSFGrid.load(tmp_path / "a.npz").psf.sampling == sampling
+    assert ("sums of the values" in rows) == (sampling == "center")
+
+
+def test_a_window_that_loses_light_is_told_with_the_size_that_holds_it(call_lommel, lenses, tmp_path):
+    arguments = ("psf", lenses["nifty-fifty"], "--object-distance", "1.2 m")
+    facts = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)["psf"]
+    assert facts["energy"] < 0.5
+    side = facts["wide_enough"]
+    shown = call_lommel(*arguments, folder=tmp_path).stdout
+    assert f"holds {facts['energy']:.0%} of the light; {side} x {side} pixels would hold about 98 %" in shown
+    wider = call_lommel(*arguments, "--shape", side, "--json", folder=tmp_path)
+    again = json.loads(wider.stdout)["psf"]
+    assert 0.97 < again["energy"] < 1.0
+    assert again["wide_enough"] is None
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.3, 0.6])
+@pytest.mark.parametrize("wavefront", [(0.0, 0.0), (10.0, 0.0), (-5.0, 8.0), (60.0, -20.0)], ids=str)
+@pytest.mark.parametrize("pixel", [0.4, 3.0])
+def test_a_window_that_is_wide_enough_holds_about_98_per_cent(wavefront, obscuration, pixel):
+    pupil = lm.Pupil(lm.Wavefront(*wavefront), obscuration=obscuration)
+    side = wide_enough(pupil, pixel)
+    assert side % 2
+    assert 0.97 < lm.psf(pupil, side, pixel).energy < 0.9995
+
+
+def test_distances_that_differ_are_shown_with_the_digits_it_takes(call_lommel, lenses, tmp_path):
+    rows = dict(LINE.findall(call_lommel("info", lenses["microscope-20x"], folder=tmp_path).stdout))
+    assert (rows["focused at"], rows["object at"]) == ("10.5 mm", "10.502 mm")
+    at_focus = call_lommel("info", lenses["phone"], "--object-distance", "0.5 m", folder=tmp_path)
+    rows = dict(LINE.findall(at_focus.stdout))
+    assert rows["focused at"] == rows["object at"] == "500 mm"
+
+
+def test_info_tells_what_changes_over_the_field(call_lommel, lenses, tmp_path):
+    shown = call_lommel("info", lenses["camera-field"], folder=tmp_path).stdout
+    facts = json.loads(call_lommel("info", lenses["camera-field"], "--json", folder=tmp_path).stdout)["field"]
+    assert "Over the field: W131 = 2, W222 = 1.6, W220 = -0.9 waves 21.63 mm from the axis" in shown
+    assert facts["seidel"] == {"W131": 2.0, "W222": 1.6, "W220": -0.9}
+    assert [place["part"] for place in facts["places"]] == [0.0, 0.5, 0.7, 1.0]
+    instrument = lm.load_instrument(lenses["camera-field"])
+    for place in facts["places"]:
+        pupil = instrument.field().pupil(18e-3 * place["part"], 12e-3 * place["part"])
+        assert place["strehl"] == pytest.approx(lm.strehl(pupil))
+        assert f"{place['strehl']:.4g}" in shown
+    assert json.loads(call_lommel("info", lenses["phone"], "--json", folder=tmp_path).stdout)["field"] is None
+
+
+def test_what_lies_beyond_a_map_is_left_out(lenses, tmp_path):
+    text = lenses["camera-field"].read_text(encoding="utf-8").replace("W131", 'edge = "15.5 mm"\nW131')
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    facts = reports.describe_lens(lm.load_instrument(tmp_path / "own.toml"))
+    assert [place["part"] for place in facts["field"]["places"]] == [0.0, 0.5, 0.7]
+
+
+def test_what_cannot_be_computed_is_left_out_of_info_with_the_reason(call_lommel, lenses, tmp_path):
+    arguments = ("info", lenses["nifty-fifty"], "--object-distance", "60 mm")
+    shown = call_lommel(*arguments, folder=tmp_path)
+    assert (shown.returncode, shown.stderr) == (0, "")
+    rows = dict(LINE.findall(shown.stdout))
+    assert rows["defocus C_d"].startswith("8")
+    assert rows["full width at half"] == "-"
+    assert "not all could be computed: aberrations this large take a series of" in shown.stdout
+    facts = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
+    assert facts["fwhm"] is None
+    assert facts["refused"]
+
+
+def test_the_axis_of_a_table_over_the_field_has_the_unit_of_the_others(call_lommel, lenses, tmp_path):
+    shown = call_lommel("psf", lenses["camera-field"], "--field", "1x3", "--shape", "5", folder=tmp_path).stdout
+    head, row = shown.splitlines()[-2:]
+    assert head.split() == ["-12", "mm", "0", "mm", "12", "mm"]
+    assert row.split()[:2] == ["0", "mm"]
+
+
+def test_methods_are_listed_with_their_options(call_lommel, tmp_path):
+    shown = call_lommel("methods", folder=tmp_path)
+    assert (shown.returncode, shown.stderr) == (0, "")
+    rows = json.loads(call_lommel("methods", "--json", folder=tmp_path).stdout)["methods"]
+    from lommel.cli.methods import build_method
+    from lommel.methods import METHODS
+
+    assert [row["name"] for row in rows] == list(METHODS)
+    for row in rows:
+        assert f"\n{row['name']} " in shown.stdout
+        # What is shown as the default is taken by --set, and is it.
+        settings = tuple(f"{name}={value}" for name, value in row["options"].items())
+        assert build_method(row["name"], settings) == METHODS[row["name"]]()
+
+
+def test_compare_takes_the_instrument_as_it_is_told_to_be(lenses):
+    instrument = dataclasses.replace(lm.load_instrument(lenses["phone"]), shape=(5, 5))
+    for integrate, sampling in ((None, "pixel"), (True, "pixel"), (False, "center")):
+        one = dataclasses.replace(instrument, integrate=integrate)
+        _, answers = reports.compare(one, [lm.NijboerZernike()])
+        assert {answer.sampling for answer in answers.values()} == {sampling}

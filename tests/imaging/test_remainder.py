@@ -1,0 +1,141 @@
+"""Remainders: what they hold with the windows, how they go on for ever, and how their factors change."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.imaging.bank import Bank, build_bank
+from lommel.imaging.remainder import inner_energy, reach_of, smooth_transforms
+from lommel.imaging.sensor_light import SensorLight
+from lommel.imaging.window_sizes import shares_used
+
+PIXEL = 6e-6
+PUPIL = lm.Pupil(wavelength=540e-9, f_number=8.0)
+
+
+def bank(low: float = -4.0, high: float = 1.0, tol: float = 1e-4, **more: object) -> Bank:
+    given = {"tol": tol, "energy": 1.0, "largest": 60, "dtype": np.float64} | more
+    return build_bank(SensorLight(PUPIL, lm.Wavefront, ((540e-9, 1.0),), PIXEL), (low, high), **given)
+
+
+def whole(made: Bank, defocus: float, half: int) -> np.ndarray:
+    """What a bank says of a point, on a window of this half."""
+    values = np.tensordot(made.remainder.factors(made.positions(defocus)), made.remainder.values(half), axes=1)
+    away = np.abs(np.arange(-half, half + 1))
+    kernel = values[away[:, None], away]
+    inside = slice(half - made.half, half + made.half + 1)
+    kernel[inside, inside] += made.window(defocus)
+    return kernel
+
+
+@pytest.mark.parametrize("tol", [1e-3, 1e-5])
+def test_windows_and_remainder_are_the_psf_wherever_the_two_meet(tol):
+    made = bank(tol=tol)
+    for defocus in np.random.default_rng(0).uniform(-4.0, 1.0, 6):
+        pupil = lm.Pupil(lm.Wavefront(defocus), wavelength=540e-9, f_number=8.0)
+        true = lm.psf(pupil, 161, PIXEL, integrate=True, method=lm.NijboerZernike(1e-9), dtype=np.float64).values
+        off = whole(made, defocus, 80) - true
+        position = made.positions(defocus)
+        assert np.abs(off).sum() <= made.remainder.error(position) <= made.remainder.error()
+        # Of a smaller image less counts, and that is what it says: within ten times.
+        for side in (9, 30, 81):
+            part = slice(80 - (side - 1), 80 + side)
+            bound = made.remainder.error(position, (side, side))
+            assert np.abs(off[part, part]).sum() <= bound <= 10.0 * np.abs(off[part, part]).sum()
+        assert np.abs(off).max() <= tol * true.max()
+
+
+def test_all_of_the_light_is_held():
+    made = bank()
+    for defocus in (-4.0, -1.3, 0.0, 0.9):
+        factors = made.remainder.factors(made.positions(defocus))
+        assert made.window(defocus).sum() + factors @ made.remainder.sums == pytest.approx(1.0, abs=1e-8)
+    # The sums are those of values on pixels for ever: beyond h they fall as 1 / h.
+    found = []
+    for half in (200, 400):
+        once = np.where(np.arange(half + 1) == 0, 1.0, 2.0)
+        found.append(np.einsum("rij,i,j->r", made.remainder.values(half), once, once))
+    # Richardson's extrapolation, of squares of 2 h + 1 pixels.
+    limit = (801 * found[1] - 401 * found[0]) / 400
+    np.testing.assert_allclose(limit, made.remainder.sums, rtol=1e-4)
+
+
+def test_far_away_there_is_what_a_round_aperture_diffracts():
+    """Beyond v in focus there are ``J_0(v)^2 + J_1(v)^2`` of the light, 2 / (pi v) in the mean."""
+    made = bank(0.0, 0.0)
+    factor = made.remainder.factors(made.positions(0.0)) @ made.remainder.smooth[:, 0]
+    # Light beyond r is 2 pi a / r for a / r^3 a pixel; v is pi r PIXEL / (lambda N).
+    assert 2.0 * math.pi * factor == pytest.approx(2.0 * 540e-9 * 8.0 / (math.pi**2 * PIXEL), rel=5e-3)
+
+
+def test_one_distance_takes_one_product_and_a_smaller_tolerance_more():
+    assert bank(2.0, 2.0).remainder.rank == 1
+    ranks = [bank(tol=tol).remainder.rank for tol in (1e-2, 1e-4, 1e-6)]
+    assert ranks == sorted(ranks)
+    assert ranks[0] < ranks[-1] <= 6
+
+
+def test_factors_go_through_the_windows_and_their_slopes_are_theirs():
+    made = bank(tol=1e-5)
+    remainder = made.remainder
+    np.testing.assert_allclose(remainder.factors(np.arange(made.count)).T, remainder.knots, atol=1e-14)
+    at = np.random.default_rng(1).uniform(1.0, made.count - 2.0, (4, 5))
+    assert remainder.factors(at, np.float32).shape == (remainder.rank, 4, 5)
+    assert remainder.factors(at, np.float32).dtype == np.float32
+    step = 1e-3
+    difference = (remainder.factors(at + step) - remainder.factors(at - step)) / (2.0 * step * made.spacing)
+    scale = np.abs(remainder.slopes(np.linspace(1.0, made.count - 2.0, 500))).max()
+    assert np.abs(remainder.slopes(at) - difference).max() <= 0.02 * scale
+    assert np.abs(difference).max() > 0.1 * scale
+    # A position beyond the windows is one at their end.
+    np.testing.assert_array_equal(remainder.factors(-1.0), remainder.factors(0.0))
+
+
+def test_smooth_parts_have_the_transforms_that_sums_over_pixels_have():
+    scale, away = 3.0, np.arange(-300, 301)
+    squared = away[:, None] ** 2 + away**2 + scale**2
+    for frequency in (0.07, 0.21):
+        wave = np.cos(2.0 * np.pi * frequency * away)
+        sums = [(wave @ (scale ** (2 * j) * squared ** (-1.5 - j))).sum() for j in range(3)]
+        np.testing.assert_allclose(smooth_transforms(np.array([frequency]), scale)[:, 0], sums, atol=2e-4, rtol=0)
+    assert smooth_transforms(np.zeros(1), scale)[0, 0] == pytest.approx(2.0 * math.pi / scale)
+
+
+def test_windows_end_where_the_tail_is_smooth_and_fine_pixels_are_known_farther_away():
+    energies = [inner_energy(step) for step in (1.0, 4.0, 10.0, 20.0, 100.0)]
+    assert energies == sorted(energies)
+    assert (energies[0], energies[-1]) == (0.98, 0.9975)
+    assert [reach_of(4, step) for step in (0.5, 4.4, 30.0, 200.0)] == [96, 71, 19, 12]
+    assert reach_of(200, 1.0) == 306
+
+
+def test_windows_hold_less_than_without_a_remainder_and_are_divided_by_nothing():
+    made = bank()
+    assert np.all(made.energies == 1.0)
+    assert made.lost == 0.0
+    assert 0.0 < made.window(0.5).sum() < 0.98
+    within = made.windows + made.filled
+    pupil = lm.Pupil(lm.Wavefront(made.start), wavelength=540e-9, f_number=8.0)
+    true = lm.psf(pupil, 2 * made.half + 1, PIXEL, integrate=True, dtype=np.float64).values
+    kept = shares_used(made.cuts, made.half)[0] * true[made.half :, made.half :]
+    np.testing.assert_allclose(within[0, : made.half + 1, : made.half + 1], kept, atol=2e-6 * true.max())
+
+
+@pytest.mark.parametrize("shape", [(80, 80), (45, 200), (20, 90), (1, 150), (130, 400)])
+def test_of_the_rings_an_image_has_what_falls_as_the_cube_within_its_sides(shape):
+    remainder = bank().remainder
+    reach = remainder.table.shape[1] - 1
+    assert max(shape) - 1 > reach
+    row, column = np.mgrid[: shape[0], : shape[1]]
+    many = np.where(row == 0, 1, 2) * np.where(column == 0, 1, 2) * (np.maximum(row, column) > reach)
+    inside = (many / np.maximum(np.hypot(row, column), 1.0) ** 3).sum()
+    everywhere = 4.0 * math.sqrt(2.0) / (reach + 0.5)  # the integral outside of the square that is known
+    near = replace(remainder, rings=0.0).error(shape=shape)
+    assert remainder.error(shape=shape) - near == pytest.approx(remainder.rings * inside / everywhere, rel=0.05)
+    known = (reach + 1, reach + 1)
+    assert remainder.error(shape=known) == replace(remainder, rings=1.0, held=1.0).error(shape=known)

@@ -1,0 +1,131 @@
+"""Beads: against sums over the points of a ball, and what their bound is made of."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.methods import Bead, DebyeWolf, method_from_dict
+from lommel.methods.layers.disc_means import ellipses
+from lommel.special.legendre import gauss_legendre
+from objectives import OIL
+from plane_waves import intensity
+
+
+def ball(pupil, v, diameter):
+    """The mean over a ball, its points by cylindrical coordinates about the axis of each."""
+    layers, radius = pupil.layers, 0.5 * diameter
+    u, share = gauss_legendre(11, -1.0, 1.0)
+    t, w = gauss_legendre(9)
+    theta = 2.0 * np.pi * (np.arange(30) + 0.5) / 30
+    light, power = 0.0, 0.0
+    for height, part in zip(u, share * (1.0 - u * u) * 0.75, strict=True):
+        s = layers.wavenumber * layers.NA * radius * np.sqrt((1.0 - height**2) * t)[:, None]
+        at = np.hypot(v[:, None, None] + s * np.cos(theta), s * np.sin(theta))
+        places, where = np.unique(at.ravel(), return_inverse=True)
+        deep = type(pupil)(
+            layers, pupil.magnification, pupil.depth + radius * height, pupil.focus, pupil.z, pupil.emitter
+        )
+        values = DebyeWolf(1e-11).profile(deep, places).values[:, where].reshape(-1, *at.shape)
+        light = light + part * deep.power[:, None] * (values.mean(axis=-1) @ w)
+        power = power + part * deep.power
+    return light / power[:, None]
+
+
+@pytest.mark.parametrize(("diameter", "depth"), [(50e-9, 25e-9), (200e-9, 0.1e-6), (300e-9, 2e-6)])
+@pytest.mark.parametrize("emitter", ["isotropic", "scalar"])
+def test_the_image_of_a_bead_is_the_mean_over_it_within_its_bound(diameter, depth, emitter):
+    pupil = OIL.pupil(depth=depth, z=np.array([-0.4e-6, 0.0]), wavelength=520e-9, emitter=emitter)
+    v = np.array([0.0, 1.1, 6.4])
+    known = ball(pupil, v, diameter)
+    for tol in (1e-3, 1e-6, 1e-9):
+        made = Bead(diameter, tol).profile(pupil, v)
+        assert np.all(np.abs(made.values - known) <= (made.error * made.peak)[:, None] + 1e-11)
+        assert np.all(made.error <= tol)
+
+
+@pytest.mark.parametrize("emitter", [lm.Dipole(0.7, 0.4), lm.Dipole(1.3, -2.0, wobble=0.4)], ids=repr)
+def test_a_bead_of_dipoles_is_the_sum_of_their_plane_waves(emitter):
+    pupil = OIL.pupil(depth=0.1e-6, z=np.array([-0.3e-6, 0.1e-6]), wavelength=520e-9, emitter=emitter)
+    radius, pixel = 0.1e-6, 7.1e-6
+    y, x = np.mgrid[-1:1, -1:2] * pixel
+    u, share = gauss_legendre(7, -1.0, 1.0)
+    t, w = gauss_legendre(6)
+    theta = 2.0 * np.pi * (np.arange(14) + 0.3) / 14
+    known, power = 0.0, 0.0
+    for height, part in zip(u, share * (1.0 - u * u) * 0.75, strict=True):
+        s = radius * OIL.magnification * np.sqrt((1.0 - height**2) * t)[:, None]
+        across = x[..., None, None] + s * np.cos(theta), y[..., None, None] + s * np.sin(theta)
+        deep = replace(pupil, depth=pupil.depth + radius * height)
+        values = intensity(OIL, deep, *(axis.ravel() for axis in across), 36, 60).reshape(2, *across[0].shape)
+        known = known + part * (values.mean(axis=-1) @ w)
+        power = power + part * deep.power
+    known = known / power[:, None, None]
+    for tol in (1e-3, 1e-6, 1e-8):
+        made = lm.microscopy.bead(pupil, 2.0 * radius, (2, 3), pixel, tol=tol, integrate=False)
+        off = np.abs(made.values / made.scale[:, None, None] - known).max(axis=(1, 2))
+        assert np.all(off <= made.error_bound * known.max(axis=(1, 2)) + 1e-9)
+        assert made.error_bound <= tol
+
+
+def test_a_small_bead_is_a_point_and_a_large_one_is_not():
+    pupil = OIL.pupil(depth=2e-6, wavelength=520e-9)
+    point = lm.psf(pupil, 15, 6.5e-6).values
+
+    def apart(diameter):
+        made = lm.microscopy.bead(pupil, diameter, 15, 6.5e-6).values
+        return np.abs(made / made.max() - point / point.max()).max()
+
+    assert apart(2e-9) < 1e-5
+    # Second moments add: the difference grows with the square.
+    assert apart(50e-9) / apart(25e-9) == pytest.approx(4.0, rel=0.05)
+    assert apart(200e-9) > 0.03
+
+
+def test_all_light_of_a_bead_is_in_its_image():
+    pupil = OIL.pupil(depth=0.3e-6, wavelength=520e-9)
+    image = lm.microscopy.bead(pupil, 200e-9, 21, 13e-6, tol=1e-4)
+    assert image.encircled_energy(5e-4) > 0.98
+    assert image.values.sum() == pytest.approx(float(image.energy), abs=1e-3)
+
+
+def test_a_bead_comes_back_from_what_files_say_of_it():
+    assert method_from_dict(Bead(1e-7, 1e-5).to_dict()) == Bead(1e-7, 1e-5)
+
+
+@pytest.mark.parametrize(
+    ("diameter", "said"),
+    [
+        (0.0, "diameter must be > 0 metres, got 0"),
+        (100.0, "diameter is in metres and must be at most 1e-05, got 100"),
+        (float("nan"), "diameter must be finite"),
+        ("100 nm", "diameter must be a real number"),
+    ],
+)
+def test_what_is_no_bead_is_refused(diameter, said):
+    with pytest.raises((TypeError, ValueError), match=said):
+        Bead(diameter)
+
+
+def test_a_bead_in_the_glass_is_refused():
+    pupil = OIL.pupil(depth=[40e-9, 1e-6], wavelength=520e-9)
+    with pytest.raises(ValueError, match="needs a depth of at least the radius of the bead, 5e-08 metres, got 4e-08"):
+        lm.microscopy.bead(pupil, 100e-9, 9, 6.5e-6)
+    lm.microscopy.bead(pupil, 80e-9, 9, 6.5e-6)
+
+
+@pytest.mark.parametrize("diameter", [50e-9, 400e-9])
+def test_light_that_fades_into_the_sample_grows_towards_the_glass_as_its_fastest_wave(diameter):
+    pupil = OIL.pupil(depth=1e-6, z=1e-6, wavelength=520e-9)
+    layers = pupil.layers
+    assert layers.sample < layers.NA
+    # From the middle to the top of a ball, for which ellipses shrink to its heights: of |exp(-kappa h)|^2.
+    kappa = layers.wavenumber * np.sqrt(layers.NA**2 - layers.sample**2)
+    growth = Bead(diameter)._growth(pupil)
+    eta = ellipses()
+    assert np.all(growth >= kappa * diameter * np.cosh(eta))
+    across = layers.wavenumber * 2.0 * layers.NA * 0.5 * diameter * np.sinh(eta)
+    assert np.all(growth <= kappa * diameter * np.cosh(eta) + 1.5 * across)

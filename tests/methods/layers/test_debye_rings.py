@@ -1,0 +1,263 @@
+"""Measured wavefronts on top of a microscope's light: against plain sums of plane waves over the pupil."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel import _core
+from lommel.methods.layers import debye_rings
+from lommel.methods.layers.debye_rings import DebyeRings
+from lommel.optics.layers import azimuths, debye, pupil_pieces
+from objectives import OIL
+from plane_waves import intensity
+
+WAVE, PIXEL = 520e-9, 6.5e-6
+WATER = lm.Objective(
+    NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38
+)
+FIVE = lm.Wavefront.zernike({5: 0.1, 6: -0.05, 7: 0.1, 9: 0.08, 11: 0.1}, unit="waves", order="noll")
+EMITTERS = [
+    "isotropic",
+    lm.Dipole(0.7, 0.4),
+    lm.Dipole(1.2, -2.0, wobble=0.3),
+    lm.Scalar("aplanatic"),
+    lm.Beam(),
+    lm.Beam((0.3, 0.8 - 0.2j)),
+    lm.Beam("radial"),
+    lm.Beam("azimuthal"),
+    lm.Beam("vortex"),
+]
+
+
+def worst(objective, pupil, made, size, center=(None, None)):
+    """The largest error of a PSF over the peak of each plane, from direct sums at its pixels."""
+    y, x = (np.arange(size) - (size // 2 if c is None else c) for c in center)
+    y, x = np.meshgrid(y * PIXEL, x * PIXEL, indexing="ij")
+    exact = intensity(objective, pupil, x.ravel(), y.ravel(), 70, 128) / pupil.power[:, None]
+    found = made.values.reshape(exact.shape) / np.asarray(made.scale).reshape(-1, 1)
+    return (np.abs(found - exact).max(axis=1) / exact.max(axis=1)).max()
+
+
+@pytest.mark.parametrize("emitter", EMITTERS, ids=repr)
+def test_the_light_is_the_sum_of_its_plane_waves(emitter):
+    given = {"depth": [0.05e-6, 0.3e-6], "z": [-0.3e-6, 0.2e-6], "emitter": emitter}
+    pupil = OIL.pupil(**given, wavelength=WAVE, aberrations=FIVE)
+    made = lm.psf(pupil, 7, PIXEL, method=DebyeRings(1e-9), integrate=False)
+    assert worst(OIL, pupil, made, 7) <= 2e-9
+    assert made.error_bound <= 1e-9
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_no_error_is_above_its_bound_nor_that_above_the_tolerance(seed):
+    rng = np.random.default_rng(seed)
+    terms = {(n, m): 0.3 * rng.normal() for n in range(1, 8) for m in range(-n, n + 1, 2) if rng.random() < 0.3}
+    objective = (OIL, WATER)[seed % 2]
+    emitter = rng.choice(np.array(EMITTERS, dtype=object))
+    tol = 10.0 ** rng.uniform(-10, -3)
+    given = {"depth": 10.0 ** rng.uniform(-8, -5), "z": rng.uniform(-1e-6, 1e-6, 2), "emitter": emitter}
+    pupil = objective.pupil(**given, wavelength=WAVE, aberrations=lm.Wavefront.zernike(terms))
+    center = tuple(rng.uniform(-1.0, 5.0, 2))
+    made = lm.psf(pupil, 5, PIXEL, tol=tol, center=center, integrate=False, dtype=np.float64)
+    assert worst(objective, pupil, made, 5, center) <= made.error_bound + 1e-11
+    assert made.error_bound <= tol
+
+
+@pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
+@pytest.mark.parametrize("tol", [1e-6, 1e-9])
+def test_wide_windows_are_within_the_bound_whatever_the_instructions(level, tol):
+    z = np.linspace(-2e-6, 2e-6, 11)
+    pupil = OIL.pupil(depth=2e-6, z=z, wavelength=WAVE, aberrations=FIVE)
+    _core.limit_instructions(level)
+    try:
+        made = lm.psf(pupil, (81, 97), PIXEL, tol=tol, integrate=False, threads=2)
+    finally:
+        _core.limit_instructions("avx512")
+    assert made.error_bound <= tol
+    rng = np.random.default_rng(5)
+    y, x = np.append([40, 39, 0, 80], rng.integers(0, 81, 12)), np.append([48, 48, 96, 0], rng.integers(0, 97, 12))
+    for k in (0, 4, 10):
+        exact = intensity(OIL, pupil[k], PIXEL * (x - 48.0), PIXEL * (y - 40.0), 140, 420)[0] / pupil[k].power
+        found = made.values[k][y, x] / np.asarray(made.scale).ravel()[k % np.asarray(made.scale).size]
+        assert np.abs(found - exact).max() <= made.error_bound * made.values[k].max() * 1.01 + 1e-13
+
+
+def test_a_stack_of_wavefronts_is_each_of_them():
+    wave = lm.Wavefront.zernike({(2, 2): [0.2, -0.4], (3, 1): 0.3, (1, 1): [0.5, 0.0]})
+    pupil = OIL.pupil(depth=1e-6, z=[[0.0], [0.2e-6]], wavelength=WAVE, aberrations=wave)
+    assert pupil.shape == (2, 2)
+    made = lm.psf(pupil, 7, PIXEL, tol=1e-9, integrate=False)
+    for k in np.ndindex(2, 2):
+        alone = lm.psf(pupil[k], 7, PIXEL, tol=1e-9, integrate=False)
+        assert alone.values == pytest.approx(made.values[k], abs=2e-9 * alone.values.max())
+    flat = pupil.broadcast((3, 2, 2))[0]
+    assert flat == pupil
+    assert type(pupil).from_dict(pupil.to_dict()) == pupil
+    assert "Wavefront" in repr(pupil)
+
+
+def test_each_plane_is_over_the_light_of_its_own_depth():
+    pupil = OIL.pupil(depth=[0.0, 1e-6], wavelength=WAVE, aberrations=FIVE)
+    assert pupil.collected[0] > 1.1 * pupil.collected[1]
+    made = lm.psf(pupil, 5, PIXEL, integrate=False, normalize="emitted")
+    for k in range(2):
+        alone = lm.psf(pupil[k], 5, PIXEL, integrate=False, normalize="emitted")
+        assert made.values[k] == pytest.approx(alone.values, abs=3e-6 * float(alone.values.max()))
+
+
+def test_a_stack_in_parts_is_the_stack(monkeypatch):
+    wave = lm.Wavefront.zernike({(2, 2): np.linspace(-0.4, 0.3, 19), (3, 1): 0.3})
+    pupil = OIL.pupil(depth=np.linspace(0.0, 1e-6, 19), wavelength=WAVE, aberrations=wave)
+    whole = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
+    monkeypatch.setattr(debye_rings, "_PARTS", 1)
+    made = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
+    assert made == pytest.approx(whole, abs=2e-9 * whole.max())
+
+
+def test_values_over_their_peak_are_the_same_ones():
+    pupil = OIL.pupil(depth=0.0, z=[-2e-7, 1e-7], wavelength=WAVE, aberrations=FIVE)
+    made = lm.psf(pupil, 9, PIXEL, integrate=False, normalize="peak")
+    plain = lm.psf(pupil, 9, PIXEL, integrate=False, tol=1e-9)
+    assert made.values.max(axis=(1, 2)) == pytest.approx(np.ones(2), abs=2e-7)
+    expected = plain.values / plain.values.max(axis=(1, 2), keepdims=True)
+    assert made.values == pytest.approx(expected, abs=made.error_bound + 1e-8)
+    assert made.error_bound <= 1e-6
+
+
+@pytest.mark.parametrize("integrate", [True, False])
+def test_each_plane_may_have_its_own_axis(integrate):
+    pupil = OIL.pupil(depth=0.0, z=[[-2e-7], [1e-7]], wavelength=WAVE, aberrations=FIVE)
+    rows, columns = np.array([2.0, 2.5, 1.0]), np.array([1.5, 2.0, 2.25])
+    asked = {"integrate": integrate, "tol": 1e-7, "dtype": np.float64}
+    made = lm.psf(pupil, 5, PIXEL, center=(rows, columns), **asked)
+    assert made.values.shape == (2, 3, 5, 5)
+    for k in np.ndindex(2, 3):
+        alone = lm.psf(pupil[k[0], 0], 5, PIXEL, center=(rows[k[1]], columns[k[1]]), **asked)
+        assert made.values[k] == pytest.approx(alone.values, abs=3e-7 * alone.values.max())
+
+
+def test_tilt_moves_the_image_and_a_turn_turns_it():
+    given = {"depth": 1e-6, "z": 0.2e-6, "wavelength": WAVE}
+    plain = OIL.pupil(**given)
+    step = np.pi * PIXEL / plain.scale
+    moved = OIL.pupil(**given, aberrations=lm.Wavefront(nonradial={(1, 1): 2.0 * step, (1, -1): -step}))
+    still = lm.psf(plain, 13, PIXEL, tol=1e-9, integrate=False).values
+    made = lm.psf(moved, 13, PIXEL, tol=1e-9, integrate=False).values
+    assert made[:-1, 2:] == pytest.approx(still[1:, :-2], abs=2e-9 * still.max())
+    coma = lm.Wavefront.zernike({(3, 1): 0.5})
+    one, other = (OIL.pupil(**given, aberrations=wave) for wave in (coma, coma.rotated(np.pi / 2)))
+    one, other = (lm.psf(pupil, 13, PIXEL, tol=1e-9, integrate=False).values for pupil in (one, other))
+    assert other == pytest.approx(np.rot90(one, -1), abs=2e-9 * one.max())
+
+
+def test_in_one_medium_with_a_small_aperture_it_is_the_scalar_lens():
+    air = lm.Objective(NA=0.05, magnification=10, immersion=1.0, working_distance=5e-3, coverslip=None, sample=1.0)
+    pupil = air.pupil(depth=0.0, z=0.0, wavelength=WAVE, aberrations=FIVE, origin="coverslip", emitter="scalar")
+    lens = lm.Pupil(FIVE, wavelength=WAVE, f_number=pupil.f_number)
+    for integrate in (True, False):
+        here, there = (lm.psf(one, 21, 20e-6, integrate=integrate, tol=1e-8) for one in (pupil, lens))
+        assert here.values == pytest.approx(there.values, abs=5e-8 * there.values.max())
+
+
+WAVEFRONTS = [{(2, 2): 3.0}, {(3, 1): 1.0, (4, -4): 2.0}, {(8, 2): 0.5, (6, 0): 4.0}]
+
+
+@pytest.mark.parametrize("terms", WAVEFRONTS)
+def test_orders_left_out_are_less_than_they_are_proven_to_be(terms):
+    wave = lm.Wavefront(nonradial={t: c for t, c in terms.items() if t[1]}, spherical=terms.get((6, 0), 0.0))
+    rho = np.linspace(0.0, 1.0, 9)
+    found = azimuths.samples(wave, rho, azimuths.Orders(60, 256, 0.0))[0]
+    for error in (1e-2, 1e-5, 1e-9):
+        kept = azimuths.orders(azimuths.sizes(wave), error)
+        few = azimuths.samples(wave, rho, kept)[0]
+        off = np.abs(found).sum(axis=0) - np.abs(found[60 - kept.most : 61 + kept.most]).sum(axis=0)
+        off += np.abs(few - found[60 - kept.most : 61 + kept.most]).sum(axis=0)
+        assert off.max() <= kept.error + 1e-13
+        assert kept.error <= error
+        assert kept.most < 58
+
+
+@pytest.mark.parametrize("terms", WAVEFRONTS)
+def test_as_few_orders_as_a_rule_needs_are_kept(terms):
+    waves = [lm.Wavefront.zernike({t: share * c for t, c in terms.items()}) for share in (1.0, 0.5)]
+    pupil = OIL.pupil(depth=0.1e-6, wavelength=WAVE)
+    at = pupil.depth.ravel(), pupil.focus.ravel()
+    rule = debye.rule(pupil.layers, pupil_pieces.Model(), *at, 20.0, 1e-9)
+    wave = lm.Wavefront.zernike({t: [c, 0.5 * c] for t, c in terms.items()})
+    sizes = azimuths.sizes(wave)
+    for error in (1e-2, 1e-5, 1e-9):
+        across, left = azimuths.components(wave, sizes, rule, error)
+        most = across.shape[1] // 2
+        assert left <= 1.02 * error
+        worst = 0.0
+        for each, made in zip(waves, across, strict=True):
+            found = azimuths.samples(each, rule.rho, azimuths.Orders(120, 512, 0.0))[0]
+            found[120 - most : 121 + most] -= made
+            off = np.abs(found).sum(axis=0)
+            worst = max(worst, *(float((np.abs(part) * off).sum()) for part in rule.parts))
+        assert worst <= left + 1e-13
+        # One order fewer would not do, and many fewer are kept than hold for all radii.
+        assert most < azimuths.orders(sizes, error).most
+        if most:
+            fewer, more = azimuths.components(wave, sizes, rule, 0.99 * left)
+            assert fewer.shape[1] // 2 > most or more <= left
+
+
+@pytest.mark.parametrize(
+    "terms", [{(8, 0): 0.4}, {(2, 2): 0.3, (2, -2): -0.4, (3, 1): 0.5, (5, -3): 0.3, (8, 0): 0.4, (12, 6): 0.2}]
+)
+def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
+    wave = lm.Wavefront.zernike(terms)
+    terms = azimuths.sizes(wave)
+    theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
+    for piece in pupil_pieces.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, pupil_pieces.Model()):
+        bound = azimuths.growth(piece, terms)
+        discs = piece.covered.at.x
+        for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):
+            x = discs.centre[row] + 0.999 * discs.radius[row] * np.exp(1j * turn)
+            rho = np.sqrt(piece.square(x)) / piece.layers.NA
+            phase = np.zeros((201, rho.size), complex)
+            for (n, m), c in wave.edge_terms().items():
+                powers = {
+                    (2, 2): rho**2,
+                    (2, -2): rho**2,
+                    (3, 1): 3 * rho**3 - 2 * rho,
+                    (5, -3): 5 * rho**5 - 4 * rho**3,
+                    (12, 6): 220 * rho**12 - 495 * rho**10 + 360 * rho**8 - 84 * rho**6,
+                    (8, 0): 70 * rho**8 - 140 * rho**6 + 90 * rho**4 - 20 * rho**2 + 1,
+                }
+                if np.any(c):
+                    phase += c * powers[n, m] * (np.cos(m * theta) if m >= 0 else np.sin(-m * theta))
+            largest = -phase.imag.min(axis=0)
+            assert (largest <= bound[row] + 1e-9).all()
+        assert np.all(azimuths.growth(piece, ()) == 0.0)
+
+
+def test_what_is_not_taken_is_said_in_a_sentence():
+    given = {"depth": 0.0, "wavelength": WAVE}
+    measured = OIL.pupil(**given, aberrations=FIVE)
+    with pytest.raises(
+        ValueError, match="DebyeWolf supports no aberrations on top of those of layers; use DebyeRings"
+    ):
+        lm.psf(measured, 5, PIXEL, method=lm.DebyeWolf())
+    with pytest.raises(ValueError, match="supports aberrations only; without these use Stratified or DebyeWolf"):
+        lm.psf(OIL.pupil(**given), 5, PIXEL, method=DebyeRings())
+    with pytest.raises(TypeError, match=r"aberrations must be of the type Wavefront, or None, got 0\.1"):
+        OIL.pupil(**given, aberrations=0.1)
+    with pytest.raises(ValueError, match=r"terms up to degree 30, got \(n, m\) = \(32, 0\)"):
+        OIL.pupil(**given, aberrations=lm.Wavefront.zernike({(32, 0): 0.1}))
+    with pytest.raises(ValueError, match=r"aberrations must be smaller.*\(n, m\) = \(2, 2\), has 48.7 waves"):
+        lm.psf(OIL.pupil(**given, aberrations=lm.Wavefront.zernike({(2, 2): 125.0})), 5, PIXEL)
+    with pytest.raises(ValueError, match=r"depth, z and aberrations must broadcast, got shapes"):
+        OIL.pupil(**given, z=[0.0, 1e-7], aberrations=lm.Wavefront(defocus=[1.0, 2.0, 3.0]))
+    assert OIL.pupil(**given, aberrations=lm.Wavefront()).aberrations is None
+
+
+def test_in_other_light_the_path_stays_and_colours_add_up():
+    pupil = OIL.pupil(depth=0.0, z=[0.0, 3e-7], wavelength=WAVE, aberrations=FIVE)
+    assert pupil.in_light(2 * WAVE).aberrations == 0.5 * FIVE
+    white = lm.psf(pupil, 7, PIXEL, method=lm.Polychromatic((500e-9, 540e-9), (0.5, 0.5), tol=1e-8), dtype=np.float64)
+    parts = [lm.psf(pupil.in_light(w), 7, PIXEL, tol=1e-9) for w in (500e-9, 540e-9)]
+    total = sum(0.5 * part.values for part in parts)
+    assert white.values == pytest.approx(total, abs=1e-7 * total.max())

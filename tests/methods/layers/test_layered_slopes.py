@@ -1,0 +1,254 @@
+"""Derivatives of microscopes' stacks: sums of their own, differences, and what is refused."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.methods.layers import slopes, stratified
+from lommel.optics.layers import debye
+from objectives import OIL
+
+WAVE, PIXEL = 520e-9, 6.5e-6
+Z, DEPTH, CENTER = np.array([1.0, 1.2, 3.0]) * 1e-6, np.array([0.05, 0.3, 2.0]) * 1e-6, (4.2, 3.7)
+
+
+def pupil(dz=0.0, dd=0.0, emitter="isotropic", of=OIL, dw=0.0):
+    return of.pupil(depth=DEPTH + dd, z=Z + dz, wavelength=WAVE + dw, origin="coverslip", emitter=emitter)
+
+
+def difference(at, h):
+    return (45.0 * (at(h) - at(-h)) - 9.0 * (at(2.0 * h) - at(-2.0 * h)) + at(3.0 * h) - at(-3.0 * h)) / (60.0 * h)
+
+
+def samples(name, of):
+    """I of samples around CENTER and its derivative, over the power of each plane, by scipy's Bessel functions."""
+    y, x = np.mgrid[0:9, 0:9]
+    v = of.pupil_step * np.hypot(y - CENTER[0], x - CENTER[1]).ravel()
+    p, model = of.pupil, of.pupil.light.model
+    rule = debye.rule(p.layers, model, p.depth, p.focus, float(v.max()), 1e-13)
+    turned = rule._replace(parts=tuple(part * 1j * rule.rates[{"depth": 1, "z": 2}[name]] for part in rule.parts))
+    F, G = (debye.fields(each, model, p.depth, p.focus, v) for each in (rule, turned))
+    shares = p.light.shares
+    value = sum(share * np.abs(f) ** 2 for share, f in zip(shares, F, strict=True))
+    slope = sum(2.0 * share * (g * f.conj()).real for share, f, g in zip(shares, F, G, strict=True))
+    return (each.reshape(-1, 9, 9) for each in (value, slope))
+
+
+class Asked:
+    def __init__(self, emitter):
+        self.pupil = pupil(emitter=emitter)
+        self.pupil_step = lm.Grid(9, PIXEL).step(self.pupil)
+
+
+def wrong(made, name, expected):
+    off = np.abs(made.derivatives[name] - expected).max(axis=(1, 2))
+    return float((off / made.values.max(axis=(1, 2))).max())
+
+
+@pytest.mark.parametrize("tol", [1e-4, 1e-6, 1e-9])
+@pytest.mark.parametrize("emitter", ["isotropic", "scalar"])
+@pytest.mark.parametrize("normalize", ["strehl", "emitted"])
+def test_derivatives_by_the_stage_and_the_depth_are_sums_over_the_same_angles(normalize, emitter, tol):
+    of = Asked(emitter)
+    made = lm.psf(
+        of.pupil,
+        9,
+        PIXEL,
+        tol=tol,
+        center=CENTER,
+        integrate=False,
+        dtype=np.float64,
+        normalize=normalize,
+        derivatives=("z", "depth"),
+    )
+    power = of.pupil.power[:, None, None]
+    scale = made.scale[:, None, None] / power
+    value, slope = samples("z", of)
+    assert made.values == pytest.approx(scale * value, abs=2 * tol * (scale * value).max())
+    assert wrong(made, "z", scale * slope) <= made.derivative_bounds["z"] <= 30.0 * tol * 1e8
+    value, slope = samples("depth", of)
+    rate = debye.power(of.pupil.layers, of.pupil.depth, of.pupil.light.model, by="depth")[0] @ of.pupil.light.shares
+    if normalize == "strehl":
+        slope = slope - value * rate[:, None, None] / power
+    assert wrong(made, "depth", scale * slope) <= made.derivative_bounds["depth"] <= 30.0 * tol * 1e8
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+def test_derivatives_are_what_differences_come_to(integrate):
+    options = {"integrate": integrate, "dtype": np.float64, "tol": 1e-9}
+    names = ("row", "z", "wavelength", "column", "depth", "row")
+    made = lm.psf(pupil(), 9, PIXEL, center=CENTER, derivatives=names, **options)
+    assert list(made.derivatives) == ["row", "z", "wavelength", "column", "depth"]
+
+    def moved(dy=0.0, dx=0.0):
+        return lm.psf(pupil(), 9, PIXEL, center=(CENTER[0] + dy, CENTER[1] + dx), **options).values
+
+    found = {
+        "row": difference(moved, 1e-2),
+        "column": difference(lambda h: moved(dx=h), 1e-2),
+        "z": difference(lambda h: lm.psf(pupil(dz=h), 9, PIXEL, center=CENTER, **options).values, 2e-9),
+        "depth": difference(lambda h: lm.psf(pupil(dd=h), 9, PIXEL, center=CENTER, **options).values, 2e-9),
+        "wavelength": difference(lambda h: lm.psf(pupil(dw=h), 9, PIXEL, center=CENTER, **options).values, 1e-9),
+    }
+    for name, expected in found.items():
+        size = float((np.abs(expected).max(axis=(1, 2)) / made.values.max(axis=(1, 2))).max())
+        assert wrong(made, name, expected) <= 3e-7 * size
+        assert made.derivative_bounds[name] <= 3e-7 * size
+
+
+def reference(of, wave, normalize, integrate):
+    """Values of `of` in light of a wavelength, by the quadrature of fields at places in metres, 7 x 7 a pixel."""
+    nodes, weights = np.polynomial.legendre.leggauss(7) if integrate else (np.zeros(1), np.array([2.0]))
+    rows, columns = (PIXEL * (np.arange(3) - c)[:, None] + 0.5 * PIXEL * nodes for c in (1.2, 0.7))
+    r = np.hypot(rows[:, None, :, None], columns[None, :, None, :]) / of.magnification
+    fields = of.fields(r, depth=DEPTH, focus=Z, wavelength=wave, tol=1e-13)
+    mean = np.einsum("nyxab,a,b->nyx", fields.intensity, 0.5 * weights, 0.5 * weights)
+    planes = of.pupil(depth=DEPTH, z=Z, wavelength=wave, origin="coverslip")
+    cell = (2.0 * np.pi * of.NA * PIXEL / (of.magnification * wave)) ** 2 / (4.0 * np.pi)
+    scale = {"energy": cell, "strehl": 1.0, "emitted": cell * planes.collected[:, None, None]}[normalize]
+    return scale * mean / planes.power[:, None, None]
+
+
+FILMS = replace(OIL, films=[lm.Layer(2.0, 50e-9), lm.Layer(1.46, 200e-9)])
+OTHER = replace(OIL, design=lm.Design(1.515, lm.Layer(1.52, 168e-6)))
+
+
+@pytest.mark.parametrize(
+    ("of", "normalize", "integrate"),
+    [
+        (OIL, "energy", False),
+        (OIL, "strehl", True),
+        (OIL, "emitted", False),
+        (FILMS, "energy", True),
+        (FILMS, "strehl", False),
+        (FILMS, "emitted", False),
+        (OTHER, "energy", False),
+    ],
+)
+def test_the_wavelength_changes_what_is_at_a_place_in_metres_as_quadrature_says(of, normalize, integrate):
+    options = {"integrate": integrate, "normalize": normalize, "tol": 1e-6, "dtype": np.float64}
+    made = lm.psf(pupil(of=of), 3, PIXEL, center=(1.2, 0.7), derivatives=("wavelength",), **options)
+    expected = difference(lambda h: reference(of, WAVE + h, normalize, integrate), 5e-10)
+    size = float((np.abs(expected).max(axis=(1, 2)) / made.values.max(axis=(1, 2))).max())
+    assert wrong(made, "wavelength", expected) <= made.derivative_bounds["wavelength"]
+    assert made.derivative_bounds["wavelength"] <= 3e-5 * size
+    assert wrong(made, "wavelength", expected) <= 1e-8 * size
+
+
+@pytest.mark.parametrize("emitter", ["scalar", lm.Beam("radial"), lm.Beam("azimuthal"), lm.Dipole(0.0, 0.0)], ids=str)
+def test_the_wavelength_is_one_of_all_light_that_is_radially_symmetric(emitter):
+    options = {"dtype": np.float64, "tol": 1e-9}
+    made = lm.psf(pupil(emitter=emitter), 7, PIXEL, derivatives=("wavelength",), **options)
+    expected = difference(lambda h: lm.psf(pupil(emitter=emitter, dw=h), 7, PIXEL, **options).values, 1e-9)
+    assert wrong(made, "wavelength", expected) <= made.derivative_bounds["wavelength"] + 1e-2
+
+
+BRIEF = os.environ.get("HYPOTHESIS_PROFILE") != "thorough"
+
+
+@pytest.mark.parametrize("seed", range(4 if BRIEF else 200))
+def test_random_systems_are_within_their_bounds(seed):
+    rng = np.random.default_rng(seed)
+    n_i = rng.choice([1.0, 1.333, 1.518])
+    of = lm.Objective(
+        NA=rng.uniform(0.3, 0.95 * n_i),
+        magnification=60,
+        immersion=n_i,
+        working_distance=0.4e-3,
+        coverslip=lm.Layer(1.5255, 170e-6 + rng.uniform(-5e-6, 5e-6)),
+        design=lm.Design(n_i, lm.Layer(1.5255, 170e-6)),
+        films=[lm.Layer(rng.uniform(1.4, 2.2), rng.uniform(20e-9, 300e-9)) for _ in range(rng.integers(0, 3))],
+        sample=rng.uniform(1.0, 1.52),
+    )
+    depth, z = rng.uniform(0.3e-6, 8e-6), rng.uniform(-2e-6, 2e-6, 2)
+    wave, center, integrate = rng.uniform(450e-9, 700e-9), rng.uniform(2.0, 4.0, 2), bool(seed % 2)
+    focus = of.pupil(depth=depth, z=z, wavelength=wave, origin="paraxial").focus
+
+    def at(tol, dz=0.0, dd=0.0, dw=0.0, dy=0.0, dx=0.0, **more):
+        planes = of.pupil(depth=depth + dd, z=focus + dz, wavelength=wave + dw, origin="coverslip")
+        axis = center[0] + dy, center[1] + dx
+        return lm.psf(planes, 7, 5e-6, center=axis, integrate=integrate, dtype=np.float64, tol=tol, **more)
+
+    steps = {"dz": ("z", 2e-9), "dd": ("depth", 2e-9), "dw": ("wavelength", 5e-10), "dy": ("row", 1e-2)}
+    steps["dx"] = "column", 1e-2
+    made = at(10.0 ** -rng.integers(4, 8), derivatives=tuple(name for name, _ in steps.values()))
+    for key, (name, h) in steps.items():
+        expected = difference(lambda t, key=key: at(1e-8, **{key: t}).values, h)
+        size = float((np.abs(expected).max(axis=(1, 2)) / made.values.max(axis=(1, 2))).max())
+        assert wrong(made, name, expected) <= made.derivative_bounds[name] + 1e-7 * size
+
+
+def test_wide_windows_around_their_middle_have_derivatives_of_averages():
+    options = {"dtype": np.float64, "tol": 1e-8, "normalize": "strehl"}
+    names = ("row", "z", "wavelength")
+    far, near = (lm.psf(pupil(), side, PIXEL, derivatives=names, **options) for side in (101, 21))
+    for name in names:
+        off = np.abs(far.derivatives[name][:, 40:61, 40:61] - near.derivatives[name]).max()
+        assert off <= (far.derivative_bounds[name] + near.derivative_bounds[name]) * near.values.max()
+    with pytest.raises(ValueError, match="samples in windows up to"):
+        lm.psf(pupil(), 101, PIXEL, integrate=False, derivatives=("z",))
+
+
+def test_what_rounding_denies_the_engine_has_images_by_the_reference_and_derivatives_all_the_same(monkeypatch):
+    fine = lm.psf(pupil(), 9, PIXEL, center=CENTER, tol=1e-7, dtype=np.float64, derivatives=("z",))
+    made_of = stratified.differentiated
+    monkeypatch.setattr(slopes, "differentiated", lambda *asked: made_of(*asked) if asked[3] >= 1e-6 else None)
+    made = lm.psf(pupil(), 9, PIXEL, center=CENTER, tol=1e-7, dtype=np.float64, derivatives=("z",))
+    assert made.error_bound <= 1e-7
+    assert made.derivative_bounds["z"] > fine.derivative_bounds["z"]
+    off = np.abs(made.derivatives["z"] - fine.derivatives["z"]).max()
+    assert off <= 2.0 * made.derivative_bounds["z"] * made.values.max()
+
+
+def test_each_plane_moves_about_its_own_axis_and_single_precision_stores_what_it_says():
+    rows, columns = np.array([3.1, 4.4, 5.0]), np.array([4.0, 3.3, 4.9])
+    names = ("z", "row", "column")
+    made = lm.psf(pupil(), 9, PIXEL, center=(rows, columns), derivatives=names)
+    for k in range(3):
+        one = lm.psf(
+            pupil()[k], 9, PIXEL, center=(rows[k], columns[k]), derivatives=names, tol=1e-9, dtype=np.float64
+        )
+        for name in names:
+            assert made.derivatives[name].dtype == np.float32
+            off = np.abs(made.derivatives[name][k] - one.derivatives[name]).max() / one.values.max()
+            assert off <= made.derivative_bounds[name] + one.derivative_bounds[name]
+
+
+@pytest.mark.parametrize(("emitter", "name"), [("isotropic", "z"), (lm.Dipole(0.7, 0.4), "row")])
+def test_what_single_precision_stores_is_in_the_bound(emitter, name):
+    of = pupil(emitter=emitter)[:1]
+    made, exact = (
+        lm.psf(of, 9, PIXEL, derivatives=[name], tol=1e-6, dtype=kind) for kind in (np.float32, np.float64)
+    )
+    stored = 2.0**-24 * np.abs(exact.derivatives[name]).max() / exact.values.max()
+    added = made.derivative_bounds[name] - exact.derivative_bounds[name]
+    assert added == pytest.approx(stored, rel=1e-2, abs=0.0)
+
+
+def test_what_has_no_derivatives_says_so():
+    with pytest.raises(ValueError, match="'z', 'depth', 'wavelength', 'row' and 'column', got 'defocus'"):
+        lm.psf(pupil(), 9, PIXEL, derivatives=("defocus",))
+    with pytest.raises(ValueError, match="use Stratified"):
+        lm.psf(pupil(), 9, PIXEL, method=lm.DebyeWolf(), derivatives=("z",))
+    with pytest.raises(ValueError, match="'z' are of the pupils of an Objective"):
+        lm.psf(lm.Pupil(), 9, 0.3, derivatives=("z",))
+    with pytest.raises(ValueError, match="in windows up to"):
+        lm.psf(pupil(), 3, PIXEL, center=(400.0, 2.0), derivatives=("depth",))
+    measured = OIL.pupil(depth=DEPTH, z=Z, wavelength=WAVE, aberrations=lm.Wavefront.zernike({(2, 2): 0.1}))
+    with pytest.raises(ValueError, match=r"'wavelength' are not available .* with aberrations; take differences"):
+        lm.psf(measured, 9, PIXEL, derivatives=("z", "wavelength"))
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 3), (2, 5), (5, 5)])
+def test_bounds_of_derivatives_grow_by_what_storing_them_rounds(shape):
+    bounds, asked = {}, pupil()[1]
+    for dtype in (np.float32, np.float64):
+        made = lm.psf(asked, shape, PIXEL, integrate=False, dtype=dtype, derivatives=("z",))
+        bounds[dtype] = made.derivative_bounds["z"]
+    most = np.abs(made.derivatives["z"]).max() / made.values.max()
+    assert 0.99 * 2.0**-24 * most <= bounds[np.float32] - bounds[np.float64] <= 1.1 * 2.0**-24 * most

@@ -1,0 +1,192 @@
+"""Spherical wavelets with exact distances: against a brute-force sum, and tending to Fresnel's approximation."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import lommel as lm
+from lommel import Hankel, HuygensFresnel, Lens, Pupil, Wavefront
+from lommel.methods.paper.huygens import _nodes
+
+WAVELENGTH = 550e-9
+
+
+def _lens(f_number: float, *, obscuration: float = 0.0, aberrations: Wavefront | None = None) -> Lens:
+    """Return a lens whose Fresnel number is the same at every f-number, so that only the angles change."""
+    focal_length = 1e-3 * (f_number / 4) ** 2
+    return Lens(
+        focal_length=focal_length,
+        f_number=f_number,
+        sensor_distance=1.25 * focal_length,
+        wavelength=WAVELENGTH,
+        obscuration=obscuration,
+        aberrations=aberrations,
+    )
+
+
+def _pupil(lens: Lens, defocus: float) -> Pupil:
+    """Return the pupil for the object distance at which C_d is `defocus`."""
+    vergence = 2 * WAVELENGTH * defocus / (math.pi * (lens.aperture_diameter / 2) ** 2)
+    return lens.pupil(1 / (vergence + 1 / lens.focal_length - 1 / lens.sensor_distance))
+
+
+def _difference(pupil: Pupil, pixel: float = 0.35) -> float:
+    answer = lm.psf(pupil, 15, pixel * pupil.scale, method=HuygensFresnel(), normalize="strehl", dtype=np.float64)
+    exact = lm.psf(pupil, 15, pixel * pupil.scale, method=Hankel(), normalize="strehl").values
+    return float(np.abs(answer.values - exact).max() / exact.max())
+
+
+def _brute_force(lens: Lens, distance: float, x: float, y: float) -> complex:
+    """Add up the paths from the object through every point of the aperture to (x, y), in extended precision."""
+    k, d = 2 * np.pi / np.longdouble(lens.wavelength), np.longdouble(lens.sensor_distance)
+    radius = np.longdouble(lens.aperture_diameter) / 2
+    nodes, weights = np.polynomial.legendre.leggauss(80)
+    inner = lens.obscuration
+    rho = inner + 0.5 * (1 - inner) * (1 + nodes)[:, None]
+    angle = np.arange(200) * (2 * math.pi / 200)
+    px, py = radius * rho * np.cos(angle), radius * rho * np.sin(angle)
+    square = px**2 + py**2
+    focus = 1 / (1 / np.longdouble(lens.focal_length) - 1 / d)
+    path = np.sqrt((px - x) ** 2 + (py - y) ** 2 + d**2)
+    phase = k * (path - np.sqrt(square + d**2))
+    # The lens takes away the spherical wave from the point in focus; the object sends its own.
+    phase = phase - k * (np.sqrt(focus**2 + square) - focus)
+    if math.isfinite(distance):
+        phase = phase + k * (np.sqrt(np.longdouble(distance) ** 2 + square) - np.longdouble(distance))
+    phase = phase + lens.aberrations.spherical * rho**4
+    wave = np.exp(1j * phase.astype(np.float64)) * (d / path).astype(np.float64) ** 2
+    area = weights[:, None] * 0.5 * (1 - inner) * rho * (2 * math.pi / 200)
+    return complex(np.sum(area * wave) / math.pi)
+
+
+@pytest.mark.parametrize(("obscuration", "spherical"), [(0.0, 0.0), (0.4, 0.0), (0.0, 3.0), (0.33, -4.0)])
+@pytest.mark.parametrize("distance", [0.004, 0.005, 0.0061, math.inf])
+def test_it_is_the_sum_of_the_paths_through_the_aperture(
+    distance: float, obscuration: float, spherical: float
+) -> None:
+    lens = _lens(4.0, obscuration=obscuration, aberrations=Wavefront(0.0, spherical))
+    pupil = lens.pupil(distance)
+    points = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, -2.3], [3.0, 4.0]]) * pupil.scale
+    exact = [_brute_force(lens, distance, x, y) for x, y in points]
+    field = HuygensFresnel().field(pupil, pupil.v(np.hypot(*points.T)))
+    assert np.abs(field - exact).max() <= 1e-11
+
+
+@pytest.mark.parametrize("defocus", [0.0, 5.0, -5.0])
+@pytest.mark.parametrize(("obscuration", "spherical"), [(0.0, 0.0), (0.3, 4.0)])
+def test_with_growing_f_number_it_tends_to_fresnel_as_the_square(
+    defocus: float, obscuration: float, spherical: float
+) -> None:
+    differences = []
+    for f_number in (4.0, 8.0, 16.0, 32.0):
+        pupil = _pupil(_lens(f_number, obscuration=obscuration, aberrations=Wavefront(0.0, spherical)), defocus)
+        assert float(pupil.wavefront.defocus) == pytest.approx(defocus, abs=1e-9)
+        differences.append(_difference(pupil))
+    ratios = np.divide(differences[:-1], differences[1:])
+    assert np.all((ratios >= 3.9) & (ratios <= 4.1))
+    assert 1e-3 < differences[0] < 0.03
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.4])
+def test_in_focus_a_slow_lens_shows_the_airy_pattern_to_its_fresnel_error(obscuration: float) -> None:
+    """At f/16 light from the rim leans by 1/32 rad, and its amplitude falls with the square of that."""
+    lens = Lens(focal_length=0.05, f_number=16.0, wavelength=WAVELENGTH, obscuration=obscuration)
+    assert 1e-6 < _difference(lens.pupil()) <= 2 * (1 / 32) ** 2
+
+
+@pytest.mark.parametrize("nodes", [None, (40, 66), (40, 67)])
+@pytest.mark.parametrize("defocus", [0.0, 5.0, -4.0])
+def test_one_sum_for_each_radius_is_one_sum_for_every_pixel(defocus: float, nodes: tuple[int, int] | None) -> None:
+    pupil = _pupil(_lens(8.0, obscuration=0.2, aberrations=Wavefront(0.0, 1.5)), defocus)
+    images = [
+        lm.psf(
+            pupil,
+            (6, 9),
+            0.4 * pupil.scale,
+            method=HuygensFresnel(symmetry=symmetry, nodes=nodes),
+            normalize="strehl",
+            dtype=np.float64,
+            integrate=integrate,
+        ).values
+        for integrate in (False, True)
+        for symmetry in (True, False)
+    ]
+    assert np.abs(images[0] - images[1]).max() <= 1e-11
+    assert np.abs(images[2] - images[3]).max() <= 2e-6
+
+
+@given(
+    st.floats(2.0, 20.0),
+    st.floats(-8.5, 12.0),  # an object at infinity has -8.9
+    st.floats(-12.0, 12.0),
+    st.sampled_from([0.0, 0.3, 0.8]),
+    st.lists(st.floats(0, 40), min_size=1, max_size=4),
+)
+def test_more_nodes_change_nothing(
+    f_number: float, defocus: float, spherical: float, obscuration: float, v: list[float]
+) -> None:
+    pupil = _pupil(_lens(f_number, obscuration=obscuration, aberrations=Wavefront(0.0, spherical)), defocus)
+    assert pupil.geometry is not None
+    radial, azimuthal = _nodes(pupil, pupil.geometry, max(v))
+    more = HuygensFresnel(nodes=(2 * radial + 5, 2 * azimuthal + 6))
+    assert np.abs(HuygensFresnel().field(pupil, v) - more.field(pupil, v)).max() <= 1e-10
+
+
+def test_too_few_nodes_are_visible() -> None:
+    pupil = _pupil(_lens(8.0), 5.0)
+    few = HuygensFresnel(nodes=(4, 8)).field(pupil, np.array([0.0, 20.0]))
+    assert np.abs(few - HuygensFresnel().field(pupil, np.array([0.0, 20.0]))).max() > 1e-3
+
+
+def test_a_stack_of_object_distances_is_summed_one_by_one() -> None:
+    lens = _lens(8.0)
+    distances = np.array([0.018, 0.02, math.inf])
+    stack = HuygensFresnel().field(lens.pupil(distances), np.linspace(0, 9, 7))
+    alone = np.stack([HuygensFresnel().field(lens.pupil(s), np.linspace(0, 9, 7)) for s in distances])
+    assert np.abs(stack - alone).max() <= 1e-10
+
+
+@pytest.mark.parametrize("pupil", [Pupil(Wavefront(3.0)), Pupil(wavelength=WAVELENGTH, f_number=8.0)])
+def test_without_a_lens_it_is_refused(pupil: Pupil) -> None:
+    with pytest.raises(ValueError, match="HuygensFresnel needs the physical distances of a lens"):
+        lm.psf(pupil, 5, 1e-6, method=HuygensFresnel())
+
+
+@pytest.mark.parametrize("symmetry", [True, False])
+def test_work_without_end_is_refused_before_it_begins(symmetry: bool) -> None:
+    pupil = Lens(focal_length=0.05, f_number=1.8, wavelength=WAVELENGTH).pupil(1.0)
+    with pytest.raises(ValueError, match=r"HuygensFresnel would sum \S+ wavelets, more than the limit of 1e\+11"):
+        lm.psf(pupil, 1024, 2e-6, method=HuygensFresnel(symmetry=symmetry), integrate=False)
+
+
+def test_the_limit_counts_the_whole_stack() -> None:
+    lens, method = _lens(8.0), HuygensFresnel(nodes=(10**4, 5 * 10**3))
+    values: NDArray[np.float64] = np.full(6000, math.inf)
+    with pytest.raises(ValueError, match=r"would sum 1\.5e\+11 wavelets"):
+        method.field(lens.pupil(values), 0.0)
+
+
+def test_more_sources_than_memory_holds_are_refused_however_few_the_pixels() -> None:
+    with pytest.raises(ValueError, match=r"1e\+05 x 1e\+05 sources in the aperture, more than the limits"):
+        HuygensFresnel(nodes=(10**5, 10**5)).field(_lens(8.0).pupil(math.inf), 0.0)
+
+
+@pytest.mark.parametrize(
+    ("options", "error"),
+    [
+        ({"symmetry": 1}, TypeError),
+        ({"nodes": (10,)}, ValueError),
+        ({"nodes": 10}, ValueError),
+        ({"nodes": (10, 1)}, ValueError),
+        ({"nodes": (10.5, 20)}, TypeError),
+    ],
+)
+def test_options_that_make_no_sense_are_refused(options: dict[str, object], error: type[Exception]) -> None:
+    with pytest.raises(error, match=r"(symmetry|nodes) must"):
+        HuygensFresnel(**options)  # type: ignore[arg-type]

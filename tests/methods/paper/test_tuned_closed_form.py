@@ -1,0 +1,80 @@
+"""The closed form, finished: within its bound, and its bound within the tolerance."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+from lommel import _core
+from lommel.special.erf import fresnel_auxiliary
+
+CASES = [(0.0, 0.0), (1.0, 0.0), (10.0, 0.0), (50.0, 0.0), (-50.0, 0.0), (20.0, 10.0), (-50.0, 50.0), (0.0, 200.0)]
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.33])
+@pytest.mark.parametrize(("defocus", "spherical"), CASES)
+def test_it_reaches_1e_4_of_the_peak_and_proves_it(defocus, spherical, obscuration):
+    pupil = lm.Pupil(lm.Wavefront(defocus, spherical), obscuration=obscuration)
+    for shape in (97, 5):
+        answer = lm.psf(pupil, shape, 0.5, method=lm.TunedClosedForm(), dtype=np.float64)
+        exact = lm.psf(pupil, shape, 0.5, method=lm.Hankel())
+        assert lm.peak_error(answer, exact) <= answer.error_bound <= 1.0001e-4
+
+
+@given(st.floats(-60, 60), st.floats(-60, 60), st.floats(2, 4.5), st.floats(0.1, 3))
+def test_the_contract_holds_for_any_pupil_and_tolerance(defocus, spherical, digits, pixel):
+    tol, pupil = 10.0**-digits, lm.Pupil(lm.Wavefront(defocus, spherical))
+    answer = lm.psf(pupil, (3, 17), pixel, method=lm.TunedClosedForm(tol), dtype=np.float64)
+    exact = lm.psf(pupil, (3, 17), pixel, method=lm.Hankel())
+    assert lm.peak_error(answer, exact) <= answer.error_bound <= tol * (1 + 1e-9)
+
+
+def test_a_stack_is_its_members():
+    stack = lm.Pupil(lm.Wavefront([2.0, 30.0], [0.0, 5.0]))
+    answer = lm.psf(stack, 15, 0.7, method=lm.TunedClosedForm(1e-3), dtype=np.float64)
+    for i in range(2):
+        single = lm.psf(stack[i], 15, 0.7, method=lm.TunedClosedForm(1e-3), dtype=np.float64)
+        assert lm.peak_error(answer.values[i], single) <= 2e-3
+
+
+def test_what_it_cannot_prove_it_says():
+    with pytest.raises(lm.ToleranceError, match="tol=1e-06 cannot be met"):
+        lm.psf(lm.Pupil(lm.Wavefront(200.0)), 65, 0.5, method=lm.TunedClosedForm(1e-6))
+    with pytest.raises(ValueError, match="quadratic phases, more than the limit of 4096"):
+        lm.psf(lm.Pupil(lm.Wavefront(0.0, 3000.0)), 9, 0.5, method=lm.TunedClosedForm(1e-6))
+
+
+@pytest.mark.parametrize("tol", [0.0, 1e-7, 0.1, np.nan])
+def test_a_tolerance_out_of_range_is_refused(tol):
+    with pytest.raises(ValueError, match="tol must be"):
+        lm.TunedClosedForm(tol)
+
+
+def test_the_kernel_is_the_fresnel_integral_to_1e_10():
+    s = np.concatenate([np.linspace(0.0, 12.0, 3001), np.geomspace(12.0, 1e8, 500)])
+    assert np.abs(_core.fresnel_auxiliary(s) - fresnel_auxiliary(s)).max() <= 1e-10
+
+
+def test_the_core_refuses_what_it_cannot_carry():
+    one, two, v = np.ones(1), np.array([0.0, 1.0]), np.linspace(0.0, 5.0, 3)
+    assert _core.closed_form_field(two, one, one, one, 10.0, 1.1, 10, v).shape == (3,)
+    for arguments, message in (
+        ((one, one, one, one, 10.0, 1.1, 10, v), "one value a piece"),
+        ((two, one, two, one, 10.0, 1.1, 10, v), "one value a piece"),
+        ((two, one, one, one, 0.0, 1.1, 10, v), "transition"),
+        ((two, one, one, one, 10.0, 1.0, 10, v), "ratio"),
+        ((two, one, one, one, 10.0, 1.1, 0, v), "terms"),
+        ((two, one, one, one, 10.0, 1.1, 10, -v), "v must be"),
+        ((two, one, one, one, 10.0, 1.1, 10, np.array([np.nan])), "v must be"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            _core.closed_form_field(*arguments)
+    with pytest.raises(ValueError, match="s must be"):
+        _core.fresnel_auxiliary(-one)
+    with pytest.raises(ValueError, match="pieces"):
+        _core.chebyshev_intensity(np.ones((1, 3), complex), 1.0, v)
+    with pytest.raises(ValueError, match="width"):
+        _core.chebyshev_intensity(np.ones((1, 16), complex), 0.0, v)

@@ -1,0 +1,250 @@
+"""Averages over pixels of any pupil: the filter, its bound, and what the best placed pixel holds."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import lommel as lm
+from disk_quadrature import exact_lattice
+from lommel._core import average_samples, limit_instructions
+from lommel.core.answers import Wanted
+from lommel.methods.pixels import averaging
+from lommel.methods.pixels.averaging import filtered_by, least_average, paired
+
+
+@given(st.floats(-2.0, 2.3), st.floats(-12.0, -2.0))
+def test_the_response_of_a_filter_agrees_with_the_pixel_over_the_whole_band(pitch, digits):
+    step, error = 10.0**pitch, 10.0**digits
+    taps = filtered_by(step, error)
+    k = np.arange(taps.weights.size) - taps.weights.size // 2
+    w = np.linspace(0.0, 2.0, 4001)
+    response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights
+    assert np.abs(response - np.sinc(0.5 * step * w / math.pi)).max() <= taps.error <= error
+    assert np.abs(taps.weights).sum() == pytest.approx(taps.gain)
+    assert 1.0 - 2.0 * error <= taps.gain <= 1.5
+
+
+@pytest.mark.parametrize("step", [0.1, 0.785, 1.6, 3.0, 11.0])
+def test_the_bound_on_a_response_is_nearly_reached(step):
+    taps = filtered_by(step, 1e-7)
+    k = np.arange(taps.weights.size) - taps.weights.size // 2
+    w = np.linspace(0.0, 2.0, 20001)
+    response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights
+    assert np.abs(response - np.sinc(0.5 * step * w / math.pi)).max() > 0.5 * taps.error
+
+
+@pytest.mark.parametrize("wave", [0.0, 0.3, 1.1, 2.0])
+def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
+    grid, step = lm.Grid((5, 4), 1.0, center=(1.3, 2.2)), 3.7
+    taps = filtered_by(step, 1e-9)
+    sizes = []
+
+    def samples(fine: lm.Grid) -> list[np.ndarray]:
+        sizes.append(fine.shape)
+        return [1.0 + np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]]
+
+    found = averaging.filtered(samples, np.empty((1, 1, *grid.shape)), grid, taps)[0, 0]
+    across = np.sinc(0.5 * wave * step / math.pi) * np.cos(wave * step * grid.x + 0.4)
+    down = np.sinc(0.35 * wave * step / math.pi) * np.cos(0.7 * wave * step * grid.y)
+    assert found == pytest.approx(1.0 + down[:, None] * across, abs=6e-9)
+    assert len(sizes) == 1
+
+
+@pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize(
+    ("pixels", "stride", "taps", "shape"),
+    [
+        (1, 1, 1, (3, 2)),
+        (1, 1, 13, (5, 40)),
+        (1, 3, 7, (4, 129)),
+        (1, 3, 29, (7, 70)),
+        (1, 3, 29, (8, 3)),
+        (1, 5, 31, (2, 64)),
+        (2, 3, 36, (7, 141)),
+        (2, 5, 63, (9, 1)),
+        (2, 5, 9, (5, 70)),
+    ],
+)
+def test_the_core_filters_as_numpy_does(level, kind, pixels, stride, taps, shape):
+    random = np.random.default_rng(5)
+    weights = random.normal(size=(pixels, taps))
+    samples = random.normal(size=(2, *((n - 1) // pixels * stride + taps for n in shape))).astype(kind)
+    seen = np.lib.stride_tricks.sliding_window_view(samples.astype(float), (taps, taps), axis=(1, 2))
+    each = np.einsum("nyxab,pa,qb->nypxq", seen[:, ::stride, ::stride], weights, weights)
+    _, down, _, across, _ = each.shape
+    expected = each.reshape(2, down * pixels, across * pixels)[:, : shape[0], : shape[1]]
+    images = np.full((2, shape[0] + 1, shape[1]), np.nan)
+    limit_instructions(level)
+    try:
+        average_samples(samples, weights, stride, 1, images[:, :-1])
+        assert np.isnan(images[:, -1]).all()
+        exact = images[:, :-1].copy()
+        # As large as the largest sample, or nothing is dark.
+        for dark, rounding in ((float(samples.max()), 2.0**-24), (0.99 * float(samples.max()), 2.0**-24)):
+            average_samples(samples, weights, stride, 1, images[:, :-1], dark=dark)
+            gain = np.abs(weights).sum(axis=1).max() ** 2
+            assert np.abs(images[:, :-1] - exact).max() <= 2 * (taps + 4) * rounding * gain * np.abs(samples).max()
+    finally:
+        limit_instructions("avx512")
+    assert exact == pytest.approx(np.maximum(expected, 0.0), abs=1e-13 * taps**2)
+
+
+def test_dark_samples_alone_are_summed_in_single_precision():
+    random, weights = np.random.default_rng(1), np.full((1, 19), 1.0 / 19.0)
+    dark = random.uniform(0.0, 0.1, (1, 200, 200)).astype(np.float32)
+    bright = np.concatenate([dark, dark + np.float32(1.0)], axis=1)
+
+    def averages(samples, limit):
+        out = np.empty((1, samples.shape[1] - 18, 182))
+        average_samples(samples, weights, 1, 1, out, dark=limit)
+        return out
+
+    for samples, clear, seen in (
+        (bright, slice(0, 176), slice(188, None)),
+        (bright[:, ::-1], slice(206, None), slice(0, 196)),
+    ):
+        exact, found = (averages(np.ascontiguousarray(samples), limit) for limit in (0.0, 0.1))
+        assert np.abs(found - exact)[:, clear].max() > 0.0
+        assert np.array_equal(found[:, seen], exact[:, seen])
+    assert np.array_equal(averages(bright.astype(float), 2.0), averages(bright.astype(float), 0.0))
+
+
+def test_sums_in_single_precision_cost_what_is_set_aside_for_them(monkeypatch):
+    limits, filtering = [], averaging.average_samples
+
+    def recorded(samples, weights, stride, threads, out, dark=0.0):
+        limits.append((dark, weights))
+        filtering(samples, weights, stride, threads, out, dark=dark)
+
+    monkeypatch.setattr(averaging, "average_samples", recorded)
+    pupil, grid = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), lm.Grid((64, 8), 0.8, integrate=True)
+    for tol, dtype in ((1e-5, np.float32), (1e-8, np.float64)):
+        limits.clear()
+        found = lm.NijboerZernike(tol).images(pupil, grid, Wanted(dtype=dtype))
+        dark, weights = limits[-1]
+        cost = 2.0 * (weights.shape[1] + 4) * 2.0**-24 * np.abs(weights).sum(axis=1).max() ** 2
+        # The tolerance without what storing takes, and a peak that is about that of the intensity.
+        aside = 0.1 * tol * least_average(grid.step(pupil)) if dtype == np.float32 else 0.0
+        assert dark * cost == pytest.approx(aside * _peak(pupil), rel=0.05)
+        assert found.error[0] <= tol
+
+
+def _peak(pupil: lm.Pupil) -> float:
+    """Return the largest intensity of a window that holds it."""
+    return float(lm.psf(pupil, 65, 0.1, normalize="strehl").values.max())
+
+
+@given(st.floats(0.02, 2.3), st.floats(-12.0, -2.0), st.integers(0, 3))
+def test_the_responses_of_two_pixels_that_share_samples_agree_with_the_pixel(pitch, digits, more):
+    step, error = 10.0**pitch, 10.0**digits
+    s = math.ceil(2.0 * step / 1.27) // 2 * 2 + 1 + 2 * more
+    weights, claimed, gain = paired(lambda w: np.sinc(0.5 * step / math.pi * w), step, error, s)
+    middle = (weights.shape[1] - s // 2 - 1) // 2
+    w = np.linspace(0.0, 2.0, 4001)
+    for k, of in enumerate(weights):
+        x = (np.arange(of.size) - middle - 0.5 * s * k) * 2.0 * step / s
+        missed = np.abs(np.exp(1j * np.outer(w, x)) @ of - np.sinc(0.5 * step * w / math.pi)).max()
+        assert missed <= claimed + 1e-14 * gain
+        assert np.abs(of).sum() <= gain * (1.0 + 1e-12)
+    assert claimed <= error
+    assert gain <= 1.5
+
+
+@pytest.mark.parametrize("pixel", [0.5, 0.75, 1.0, 1.5, 4.0])
+def test_windows_take_few_samples(pixel):
+    step, error = math.pi * pixel, 1e-9
+
+    def side(n):
+        taps = averaging._shared_by(step, error, (n, n))
+        return averaging.finer(lm.Grid(n, pixel), taps).height
+
+    whole = filtered_by(step, error)
+    for n in (5, 40, 300):
+        fewest = (n - 1) * whole.stride + whole.weights.size
+        assert side(n) <= 1.05 * fewest
+    assert side(300) < 0.93 * fewest
+
+
+@given(
+    st.sampled_from([3, 5, 7]),
+    st.floats(0.35, 1.27),
+    st.lists(st.floats(-1.5, 1.5), min_size=4, max_size=4),
+    st.tuples(st.floats(1.0, 3.0), st.floats(1.0, 4.0)),
+    st.sampled_from([(1e-4, np.float32), (1e-6, np.float32), (1e-6, np.float64), (1e-9, np.float64)]),
+)
+@settings(max_examples=12)
+def test_averages_of_pixels_that_share_samples_agree_with_quadrature(s, h, sizes, center, asked):
+    step, (tol, dtype) = 0.5 * s * h, asked
+    pupil = lm.Pupil(lm.Wavefront(sizes[0], nonradial=dict(zip([(3, 1), (2, -2), (3, 3)], sizes[1:], strict=True))))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(averaging, "shared", lambda *_: s)
+        found = lm.psf(
+            pupil, (5, 6), step / math.pi, center=center, integrate=True, tol=tol, dtype=dtype, normalize="strehl"
+        )
+    x, w = np.polynomial.legendre.leggauss(7 + int(0.8 * step))
+    vy, vx = (step * (np.arange(n)[:, None] + 0.5 * x - at).ravel() for n, at in zip((5, 6), center, strict=True))
+    values = np.abs(exact_lattice(pupil, vx, vy, 40 + int(0.6 * step * 9), 160 + int(2.5 * step * 9))) ** 2
+    exact = 0.25 * np.einsum("yaxb,a,b->yx", values.reshape(5, x.size, 6, x.size), w, w)
+    assert found.error_bound <= tol
+    # Which is over the largest average anywhere: of so little aberration hardly more than the largest of these.
+    assert np.abs(found.values - exact).max() <= 1.1 * found.error_bound * exact.max()
+
+
+@pytest.mark.parametrize(
+    "method", [None, lm.Fraunhofer(), lm.Hankel(), lm.NonuniformFFT(), lm.ChordalGauss(), lm.NijboerZernike(1e-3)]
+)
+def test_no_average_is_negative(method):
+    # Rings darker than what each method is off by.
+    for wavefront in (lm.Wavefront(), lm.Wavefront(nonradial={(3, 1): 0.0, (2, 2): 1e-3})):
+        if method is None or method.nonradial or wavefront.radial:
+            answer = lm.psf(lm.Pupil(wavefront), 33, 0.15, integrate=True, method=method, center=(5.0, 110.0))
+            assert answer.values.min() >= 0.0
+
+
+@pytest.mark.parametrize("s", [8, 9])
+def test_tiles_change_nothing(monkeypatch, s):
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
+    monkeypatch.setattr(averaging, "shared", lambda *_: s)
+    whole = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
+    monkeypatch.setattr(averaging, "_VALUES", 1)
+    tiled = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
+    assert tiled.values == pytest.approx(whole.values, abs=2e-6 * whole.values.max())
+    assert tiled.error_bound <= 1e-6
+
+
+@given(st.floats(0.01, 40.0), st.floats(0.0, 12.0), st.floats(-8.0, 8.0))
+def test_a_pixel_around_the_peak_averages_as_much_as_is_promised(step, defocus, spherical):
+    pupil = lm.Pupil(lm.Wavefront(defocus, spherical))
+    v = np.linspace(0.0, 60.0, 3001)
+    peak = (np.abs(lm.NijboerZernike().field(pupil, v)) ** 2).max()
+    at = v[int(np.argmax(np.abs(lm.NijboerZernike().field(pupil, v))))]
+    pixel = step / math.pi
+    around = lm.psf(pupil, 1, pixel, center=(0.0, at / step), integrate=True, normalize="strehl", dtype=np.float64)
+    assert around.values[0, 0] >= (1.0 - 1e-4) * least_average(step) * peak
+
+
+def test_half_of_what_is_promised_of_the_best_placed_pixel_would_be_too_little_to_ask():
+    # A wave of the largest frequency is the worst case, and meets the promise for a disc-shaped pixel.
+    step = 1.0
+    x = (np.arange(400) + 0.5) / 400 - 0.5
+    s = np.hypot(x, x[:, None]) * step
+    disc = np.where(s <= 0.5 * step, np.cos(s) ** 2, 0.0).mean()
+    assert disc == pytest.approx(least_average(step), rel=1e-3)
+
+
+def test_pixels_too_wide_for_a_filter_are_refused_with_a_way_out():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
+    with pytest.raises(ValueError, match=r"pixel must be at most 171 lambda\*N .* got 200 lambda\*N; take smaller"):
+        lm.psf(pupil, 3, 200.0, integrate=True)
+
+
+def test_a_tolerance_that_samples_cannot_meet_is_told_as_it_was_given():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
+    with pytest.raises(lm.ToleranceError, match=r"tol=1e-11 cannot be met by averages over pixels of 20 lambda\*N"):
+        lm.psf(pupil, 3, 20.0, integrate=True, method=lm.NijboerZernike(1e-11))

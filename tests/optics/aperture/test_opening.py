@@ -1,0 +1,201 @@
+"""Quadrature over clear apertures: exact areas and moments, convergence, and the degree that is enough."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from scipy.special import j1, jv
+
+import lommel as lm
+from lommel.optics.aperture.obstructions import CatEye, Ellipse, Spider
+from lommel.optics.aperture.opening import MAX_DEGREE, Opening, degree_needed
+from lommel.special import zernike
+
+
+def lens_area(d: float, r: float) -> float:
+    """Area of the unit disc within a circle of radius r at the distance d, over pi (elementary geometry)."""
+    if d <= abs(1.0 - r):
+        return min(1.0, r) ** 2
+    root = math.sqrt((-d + 1 + r) * (d + 1 - r) * (d - 1 + r) * (d + 1 + r))
+    first = math.acos((d * d + 1 - r * r) / (2 * d))
+    return (first + r * r * math.acos((d * d + r * r - 1) / (2 * d * r)) - 0.5 * root) / math.pi
+
+
+def segment(width: float, radius: float) -> float:
+    """Area of one half of a bar of a width across a disc, over pi."""
+    h = 0.5 * width / radius
+    return radius**2 * (math.asin(h) + h * math.sqrt(1.0 - h * h)) / math.pi
+
+
+@pytest.mark.parametrize("degree", [0, 1, 2, 5, 8, 13])
+@pytest.mark.parametrize("eps", [0.0, 0.37])
+def test_on_discs_and_annuli_all_moments_up_to_the_degree_are_exact(degree, eps):
+    x, y, w = Opening(eps).rule(degree)
+    for i in range(degree + 1):
+        for j in range(degree + 1 - i):
+            n = i + j
+            even = i % 2 == 0 == j % 2
+            gamma = math.gamma
+            ring = 2 * gamma((i + 1) / 2) * gamma((j + 1) / 2) / gamma(n / 2 + 1) if even else 0.0
+            exact = ring * (1 - eps ** (n + 2)) / (n + 2) / math.pi
+            assert w @ (x**i * y**j) == pytest.approx(exact, abs=2e-16 + 2e-15 * exact)
+
+
+@given(st.floats(0.1, 1), st.floats(0.1, 1), st.floats(-4, 4))
+def test_an_ellipse_has_its_area_and_its_moments_of_inertia(a, b, angle):
+    x, y, w = Opening(0.0, None, Ellipse(a, b, angle)).rule(4)
+    s, t = x * math.cos(angle) + y * math.sin(angle), y * math.cos(angle) - x * math.sin(angle)
+    assert w.sum() == pytest.approx(a * b, rel=1e-13)
+    assert w @ s**2 == pytest.approx(a**3 * b / 4, rel=1e-12)
+    assert w @ t**2 == pytest.approx(a * b**3 / 4, rel=1e-12)
+    assert w @ (s * t) == pytest.approx(0.0, abs=1e-15)
+
+
+@given(st.floats(0, 2.5), st.floats(-4, 4), st.floats(0.05, 3))
+def test_a_cat_eye_has_the_area_of_two_circles_that_overlap(distance, direction, radius):
+    assume(distance < 1 + radius - 1e-6)
+    eye = CatEye((distance * math.cos(direction), distance * math.sin(direction)), radius)
+    x, y, w = Opening(0.0, None, eye).rule(12)
+    assert w.sum() == pytest.approx(lens_area(math.hypot(*eye.shift), radius), rel=1e-9, abs=1e-13)
+    # By symmetry its centre of gravity lies towards the second circle.
+    assert w @ (x * math.sin(direction) - y * math.cos(direction)) == pytest.approx(0.0, abs=1e-13)
+
+
+@pytest.mark.parametrize("direction", [0.0, 1.0, 2.609375])
+@pytest.mark.parametrize("radius", [0.4, 1.0, 2.0])
+@pytest.mark.parametrize("off", [-1e-7, -1e-15, 0.0, 1e-15, 1e-12, 1e-7])
+def test_the_rim_of_the_second_circle_may_pass_by_or_through_the_axis(off, radius, direction):
+    shift = (radius + off) * math.cos(direction), (radius + off) * math.sin(direction)
+    rule = Opening(0.0, None, CatEye(shift, radius)).rule(40)
+    assert rule.weight.sum() == pytest.approx(lens_area(radius + off, radius), rel=1e-12)
+
+
+@given(st.floats(1e-4, 0.2), st.floats(0.3, 0.9), st.floats(-4, 4), st.integers(1, 6))
+def test_vanes_on_an_annulus_take_away_their_area(width, eps, first, count):
+    rule = Opening(eps, Spider.equal(count, width, first)).rule(6)
+    vane = segment(width, 1.0) - segment(width, eps)
+    assert rule.weight.sum() == pytest.approx(1 - eps**2 - count * vane, rel=1e-13)
+
+
+@given(st.floats(1e-3, 0.3), st.floats(-4, 4))
+def test_where_vanes_overlap_light_is_stopped_once(width, first):
+    # A cross of two bars shares a square; the same vane twice is one vane.
+    cross = Opening(0.0, Spider.equal(4, width, first)).rule(4).weight.sum()
+    assert cross == pytest.approx(1 - 4 * segment(width, 1.0) + width**2 / math.pi, rel=1e-12)
+    twice, once = (Opening(0.0, Spider(width, [first] * k)).rule(4).weight.sum() for k in (2, 1))
+    assert twice == once == pytest.approx(1 - segment(width, 1.0), rel=1e-12)
+
+
+spiders = st.none() | st.builds(
+    Spider.equal, st.integers(1, 5), st.floats(1e-3, 0.6), st.floats(-3, 3)
+) | st.builds(Spider, st.floats(1e-3, 0.4), st.lists(st.floats(-3, 3), min_size=1, max_size=4))  # fmt: skip
+edges = (
+    st.none()
+    | st.builds(Ellipse, st.floats(0.2, 1), st.floats(0.2, 1), st.floats(-3, 3))
+    | st.builds(CatEye, st.tuples(st.floats(-0.8, 0.8), st.floats(-0.8, 0.8)), st.floats(0.2, 2))
+)
+openings = st.builds(Opening, st.just(0.0) | st.floats(0.02, 0.8), spiders, edges)
+
+
+@given(openings, st.floats(0, 6.3), st.integers(20, 90))
+def test_every_rule_is_positive_lies_where_light_passes_and_integrates_what_it_promises(opening, direction, degree):
+    x, y, w = opening.rule(degree)
+    fine = opening.rule(2 * degree + 30)
+    assert np.all(w >= 0)
+    if w.size:
+        assert opening.margin(x, y).min() >= -1e-9
+    # A plane wave that polynomials of the degree reach, by the bound for discs.
+    v = 2.0
+    while degree_needed([], 1.1 * v, lm.Apodization(), 1e-11) <= degree:
+        v *= 1.1
+
+    def field(x, y, w):
+        return w @ np.exp(1j * v * (x * math.cos(direction) + y * math.sin(direction)))
+
+    assert abs(field(x, y, w) - field(*fine)) <= 1e-11
+
+
+@given(openings, st.integers(4, 24))
+def test_coverage_is_the_part_of_each_cell_that_is_clear(opening, side):
+    at = lm.optics.aperture.obstructions.cell_centers(side)
+    part = opening.coverage(at[None, :], at[:, None], 1.0 / side)
+    assert np.all((part >= -1e-10) & (part <= 1 + 1e-10))
+    # Vanes and slivers may fall between the points, of which a cell has 16 x 16.
+    spacing = 2 / (16 * side)
+    vanes = 0 if opening.spider is None else len(opening.spider.angles)
+    exact = math.pi * opening.rule(8).weight.sum()
+    assert part.sum() * 4 / side**2 == pytest.approx(exact, abs=spacing * (1.6 + 0.5 * vanes))
+
+
+@pytest.mark.parametrize(
+    "opening",
+    [
+        Opening(0.33, Spider.equal(4, 0.03, math.pi / 4)),
+        Opening(0.0, Spider.equal(3, 0.02)),
+        Opening(0.2, None, Ellipse(0.9, 0.6, 0.5)),
+        Opening(0.2, None, CatEye((0.6, 0.5))),
+    ],
+    ids=repr,
+)
+def test_the_area_of_grey_cells_is_right_to_a_few_thousandths_of_a_cell_along_the_edges(opening):
+    for side in (64, 150, 256):
+        at = lm.optics.aperture.obstructions.cell_centers(side)
+        area = opening.coverage(at[None, :], at[:, None], 1.0 / side).sum() * 4 / side**2
+        assert area == pytest.approx(math.pi * opening.rule(8).weight.sum(), abs=2.5e-2 / side)
+
+
+@given(openings, st.tuples(st.floats(-1, 1), st.floats(-1, 1)), st.tuples(st.floats(-1, 1), st.floats(-1, 1)))
+def test_the_margin_changes_by_no_more_than_the_distance(opening, here, there):
+    a, b = (opening.margin(np.array(p[0]), np.array(p[1])) for p in (here, there))
+    assert abs(a - b) <= math.hypot(here[0] - there[0], here[1] - there[1]) + 1e-12
+
+
+@given(st.floats(0.1, 400), st.floats(2, 13))
+def test_the_degree_for_a_plane_wave_is_enough_and_not_much_too_high(v, digits):
+    degree = degree_needed([], v, lm.Apodization(), 10.0**-digits)
+    x, y, w = Opening().rule(degree)
+    assert abs(w @ np.exp(1j * v * (0.6 * x + 0.8 * y)) - 2 * j1(v) / v) <= 10.0**-digits + 1e-15
+    # Below v the Bessel functions that are left out are not small.
+    assert v <= degree + 8 <= v + 6 * v ** (1 / 3) * digits ** (2 / 3) + 3 * digits + 24
+
+
+@given(
+    st.sampled_from([(2, 0), (2, 2), (3, 1), (4, 0), (5, -3), (8, 2)]),
+    st.floats(0, 30),
+    st.floats(0, 40),
+    st.floats(0, 3),
+)
+def test_the_degree_for_an_aberration_is_enough(term, amplitude, v, gaussian):
+    n, m = term
+    degree = degree_needed([(n, amplitude)], v, lm.Apodization.gaussian(gaussian), 1e-9)
+    found = []
+    for rule in (Opening().rule(degree), Opening().rule(2 * degree + 40)):
+        rho, theta = np.hypot(rule.x, rule.y), np.arctan2(rule.y, rule.x)
+        phase = amplitude * zernike.polynomial(n, m, rho, theta) - v * rule.x
+        found.append(rule.weight @ np.exp(1j * phase - gaussian * rho**2))
+    assert abs(found[0] - found[1]) <= 1e-9
+
+
+def test_astigmatism_in_the_middle_is_a_bessel_function():
+    # (1/pi) int exp(i a rho^2 cos 2 theta) = int_0^1 J0(a t) dt.
+    a = 25.0
+    x, y, w = Opening().rule(degree_needed([(2, a)], 0.0, lm.Apodization(), 1e-13))
+    t, u = np.polynomial.legendre.leggauss(60)
+    exact = 0.5 * u @ jv(0, 0.5 * a * (t + 1))
+    assert w @ np.exp(1j * a * (x * x - y * y)) == pytest.approx(exact, abs=1e-13)
+
+
+def test_a_degree_beyond_the_limit_is_refused():
+    with pytest.raises(ValueError, match=f"polynomials of a degree over {MAX_DEGREE}"):
+        degree_needed([(4, 1e9)], 1.0, lm.Apodization(), 1e-6)
+
+
+@pytest.mark.parametrize("shift", [5e-324, 1e-200, 1e-16])
+def test_a_cats_eye_that_is_hardly_shifted_is_a_disc(shift):
+    eye = Opening(0.25, None, CatEye((0.0, shift), 1.0)).rule(20)
+    disc = Opening(0.25, None, None).rule(20)
+    assert eye.weight.sum() == pytest.approx(disc.weight.sum(), abs=1e-14)

@@ -1,0 +1,128 @@
+"""Channels: weights over wavelengths, and few wavelengths in place of measured spectra."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.optics.colour.channels import few
+
+WAVES = np.arange(400, 701, 10) * 1e-9
+
+
+def bell(center: float, width: float) -> np.ndarray:
+    return np.exp(-0.5 * ((WAVES * 1e9 - center) / width) ** 2)
+
+
+CURVES = np.stack([bell(600, 30) + 0.05 * bell(450, 40), 2.0 * bell(535, 38), bell(460, 28)])
+
+
+def test_weights_of_each_channel_sum_to_one_and_its_light_is_kept():
+    made = lm.Channels([450e-9, 600e-9], [[0.0, 3.0], [1.0, 5.0]], ["r", "g"])
+    assert made.weights == (pytest.approx((0.0, 1.0)), pytest.approx((1 / 6, 5 / 6)))
+    assert made.light == (0.5, 1.0)
+    assert dict(made)["r"] == ((600e-9, 1.0),)
+    assert lm.Channels.from_dict(made.to_dict()) == made
+
+
+def test_red_green_and_blue_are_those_of_photographs():
+    assert lm.Channels.rgb().wavelengths == lm.imaging.RED_GREEN_BLUE
+    assert lm.Channels.rgb().names == ("red", "green", "blue")
+
+
+def test_a_band_has_the_moments_of_an_even_one():
+    for name, pairs in lm.Channels.rgb(80e-9, count=4):
+        waves, weights = np.array(pairs).T
+        middle = dict(zip(lm.Channels.rgb().names, lm.imaging.RED_GREEN_BLUE, strict=True))[name]
+        for k, expected in enumerate((1.0, 0.0, 1 / 3, 0.0, 1 / 5, 0.0, 1 / 7)):
+            assert weights @ ((waves - middle) / 40e-9) ** k == pytest.approx(expected, abs=1e-9)
+
+
+def test_wavelengths_are_named_so_that_they_differ():
+    assert lm.Channels.of_wavelengths([450e-9, 550e-9]).names == ("450 nm", "550 nm")
+    close = lm.Channels.of_wavelengths([550.001e-9, 550.002e-9])
+    assert close.names == ("550.001 nm", "550.002 nm")
+
+
+@pytest.mark.parametrize("paths", [1e-6, 5e-6, 12e-6])
+@pytest.mark.parametrize("tol", [1e-2, 1e-4])
+def test_few_wavelengths_are_off_by_no_more_than_they_say(paths, tol):
+    nodes, weights, error = few(WAVES, CURVES, paths, tol)
+    assert error <= tol
+    assert weights.min() >= 0.0
+    assert weights.sum(axis=1) == pytest.approx(1.0, abs=1e-12)
+    # By the trapezoidal rule over a hundred times as many wavelengths as there are in the table.
+    dense = np.linspace(WAVES[0], WAVES[-1], 20001)
+    light = np.stack([np.interp(dense, WAVES, curve) for curve in CURVES])
+    light[:, [0, -1]] *= 0.5
+    light /= light.sum(axis=1, keepdims=True)
+    found = 0.0
+    for path in np.linspace(0.0, paths, 301):
+        exact = light @ (np.exp(2j * math.pi * path / dense) / dense**2)
+        sums = weights @ (np.exp(2j * math.pi * path / nodes) / nodes**2)
+        found = max(found, np.abs((sums - exact) / (light @ dense**-2.0)).max())
+    assert found <= error + 1e-7
+    assert found > 0.01 * error  # no more wavelengths than it takes
+
+
+def test_a_psf_by_few_wavelengths_is_that_of_the_whole_spectrum():
+    lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    pupil, dense = lens.pupil(1.95), np.linspace(400e-9, 700e-9, 301)
+    channels = lm.Channels.from_curves(WAVES, CURVES)
+    found = lm.colour_psf(pupil, 15, 2e-6, channels, normalize="strehl", dtype=np.float64)
+    for curve, answer in zip(CURVES, found, strict=True):
+        light = lm.Polychromatic(dense, np.interp(dense, WAVES, curve))
+        exact = lm.psf(pupil, 15, 2e-6, method=light, normalize="strehl", dtype=np.float64)
+        assert np.abs(answer.values - exact.values).max() <= channels.error <= 1e-3
+
+
+def test_channels_of_curves_keep_what_each_counts():
+    made, light = lm.Channels.from_curves(WAVES, CURVES), np.trapezoid(CURVES, WAVES, axis=1)
+    assert made.light == pytest.approx(tuple(light / light[1]), rel=1e-12)
+    assert made.error > 0.0
+    assert made.paths == 5e-6
+    assert lm.Channels.from_dict(made.to_dict()) == made
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (([550e-9, 550e-9], np.eye(2)), "wavelengths must all be different"),
+        (([550e-9, 450e-9], [[1.0]]), r"weights must be of shape \(channels, 2\)"),
+        (([550e-9, 450e-9], [[1.0, 0.0], [0.0, 0.0]]), "with light in every channel"),
+        (([550e-9, 450e-9], [[1.0, -1.0]]), "weights must be finite and >= 0"),
+        (([550e-9], [[1.0]], ["a", "b"]), "names must be 1 that differ"),
+        (([550], [[1.0]]), "550e-9"),
+    ],
+)
+def test_what_are_no_channels_is_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        lm.Channels(*arguments)
+
+
+def test_what_no_few_wavelengths_can_do_is_told():
+    with pytest.raises(ValueError, match=r"takes more than 256 wavelengths where paths differ by up to 0\.005 m"):
+        lm.Channels.from_curves(WAVES, CURVES, paths=5e-3)
+    with pytest.raises(ValueError, match="curves must be of shape"):
+        lm.Channels.from_curves(WAVES, CURVES[:, 1:])
+    with pytest.raises(ValueError, match="wavelengths must be two or more that rise"):
+        lm.Channels.from_curves(WAVES[::-1], CURVES)
+
+
+def test_photographs_take_channels():
+    image, depth = np.zeros((24, 24, 3)), np.full((24, 24), 1.8)
+    image[12, 12] = 1.0
+    lens = lm.Lens(focal_length=8e-3, f_number=2.0, focus_distance=2.0, wavelength=550e-9)
+    options = {"encoding": "linear", "largest": 8, "energy": 0.9}
+    found = lm.imaging.depth_of_field(image, depth, lens, 3e-6, wavelengths=lm.Channels.rgb(), **options)
+    assert np.array_equal(found.values, lm.imaging.depth_of_field(image, depth, lens, 3e-6, **options).values)
+
+
+def test_no_wavelengths_are_refused_by_name():
+    with pytest.raises(ValueError, match="wavelengths must not be empty"):
+        lm.Channels((), [[1.0, 2.0]])
+    with pytest.raises((TypeError, ValueError), match="tol"):
+        lm.Polychromatic([5e-7], [1.0], tol=np.array([1.0, -1.0]))

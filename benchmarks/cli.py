@@ -54,7 +54,7 @@ def main() -> int:
     console.print(f"{time.monotonic() - start:.0f} s")
     if options.write:
         _write(done)
-        written = "benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png, the table in README.md"
+        written = "benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png"
         console.print(f"Written: {written}", highlight=False)
     missed = [row for table in done if table.key == "targets" for row in verdicts.missed(table)]
     for row in missed:
@@ -93,7 +93,4 @@ def _write(done: list[Table]) -> None:
     docs.mkdir(exist_ok=True)
     (ROOT / "benchmarks" / "results.json").write_text(text, encoding="utf-8")
     (docs / "benchmarks.md").write_text(page.write(results, "benchmarks.png"), encoding="utf-8")
-    readme = ROOT / "README.md"
-    screen = page.first_screen(readme.read_text(encoding="utf-8"), results, "docs/benchmarks.png")
-    readme.write_text(screen, encoding="utf-8")
     figure.draw(next(t for t in results["tables"] if t["key"] == "sizes"), docs / "benchmarks.png")

@@ -47,6 +47,11 @@ class Target:
         """Write a limit."""
         return None if value is None else f"{'≥' if self.more else '≤'} {value:g}{self.unit}"
 
+    @property
+    def counted_in(self) -> str:
+        """Return what a measured value counts."""
+        return {"x": "times as fast", "": "times as long"}.get(self.unit, self.unit.strip())
+
     def verdict(self, value: float) -> str:
         """Return "aim", "must" or "MISSED"; "no target" where there is none."""
         if self.must is None or self.aim is None:

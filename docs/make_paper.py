@@ -20,11 +20,11 @@ INTRODUCTION = """\
 # The paper, regenerated
 
 *Bridging ray tracing and wave optics: a computationally efficient model for defocus and spherical aberration* gives a
-closed-form integral solution (CFIS) for the PSF of a defocused lens. This page sets its figures and numbers beside
-what this package computes.
+closed-form integral solution (CFIS) for the PSF of a defocused lens. This page reproduces its figures and numbers and
+compares them with the exact PSF.
 
-`lommel paper OUTDIR` writes all of it, with the data behind each figure, in about half a minute; this page and its
-pictures are written by `.venv/bin/python docs/make_paper.py`.
+`lommel paper OUTDIR` writes all figures and their data in about half a minute; this page and its pictures are
+written by `.venv/bin/python docs/make_paper.py`.
 
 **Settings.** 512 x 512 pixels, C_d = 10, tangent-line centre TLC = 100, N = 30 terms of Eq. (14), unless a figure
 varies them. Lengths on the sensor are `v = pi r / (lambda N)` with the working f-number N; this is `2 pi k R_max` of
@@ -37,12 +37,12 @@ beside it is what the paper most likely compares with: one transform as large as
 which samples the pupil with a radius of 145 / pi = 46 samples.
 
 **Variants.** "Printed" is Eq. (12) as printed, without the factor sqrt(2/pi) of Eq. (7); the paper's figures and
-numbers come from it. "Corrected" has the factor. Everything else that is misprinted is corrected in both, see
+numbers come from it. "Corrected" has the factor. All other misprints are corrected in both; see
 [Errata](#errata).
 
 ## Numbers
 
-"Closest found" is what comes closest to the paper where the parameters that it leaves out are searched.
+"Closest found" is the closest value to the paper over the parameters that it does not state.
 
 """
 
@@ -74,6 +74,27 @@ NOTES = {
     "with the exact error function, and of the form tuned to 1e-4, whose errors stay far below its bound. Dashed: "
     "the edge of the geometric shadow. Eq. (14) fails beyond the v that its 30 terms carry.",
 }
+
+
+IMPLEMENTATION = """\
+## Implementation
+
+| equation | contents | file under `src/lommel` |
+|---|---|---|
+| 1-3 | lens, defocus coefficient C_d, finite object distances | `optics/lens.py` |
+| 2, 15, 16 | phase across the pupil, C_d and C_s | `optics/wavefront/wavefront.py` |
+| 4 | Fourier transform of the pupil, by FFT | `methods/paper/fraunhofer.py` |
+| 5 | Hankel transform, by quadrature and by series | `methods/hankel.py`, `methods/nijboer_zernike.py` |
+| section 1, Fig. 1 | Huygens' superposition ("ray tracing") | `methods/paper/huygens.py` |
+| 6, 7 | the two approximations of J0 | `special/bessel.py` |
+| 8, 12 | their piecewise combination, the six integrals | `methods/paper/closed_form.py` |
+| 9-11 | tangent line to 1/sqrt(a) | `special/bessel.py` (`tangent_line`) |
+| 13, 21-23 | integrals 4 to 6, by the moments of a chirp | `special/erf.py` (`chirp_moments`) |
+| 14 | error function of a complex argument, lookup table, Fresnel integrals | `special/erf.py` |
+| 17 | piecewise quadratic phases | `special/piecewise.py` |
+| 18-20 | integrals 1 to 3 | `special/erf.py` (`disk_moments`, `unit_moments`) |
+| section 5 | "further optimizing parameters" | `methods/paper/tuned_closed_form.py` |
+"""
 
 
 def small(picture: bytes, number: int) -> bytes:
@@ -121,7 +142,7 @@ def main() -> None:
         parts.append(f"\n## {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[number], 118)}\n")
     parts.append(
         "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
-        "equations\n(18) to (20) are correct as printed.\n\n" + errata()
+        "equations\n(18) to (20) are correct as printed.\n\n" + errata() + "\n" + IMPLEMENTATION
     )
     atomic.write(HERE / "paper.md", "".join(parts).encode())
 

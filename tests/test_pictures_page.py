@@ -31,6 +31,12 @@ def test_each_picture_of_the_page_is_drawn_and_says_what_it_shows(tmp_path):
     assert not plt.get_fignums()
 
 
+def test_the_code_of_readme_draws_its_picture():
+    assert not empty_axes(drawn.first_psf())
+    assert "(docs/first-psf.png)" in (drawn.PAGE.parents[1] / "README.md").read_text(encoding="utf-8")
+    assert (drawn.PAGE.parent / "first-psf.png").exists()
+
+
 def test_pictures_are_written_as_files(tmp_path, monkeypatch):
     page = tmp_path / "page.md"
     page.write_text(

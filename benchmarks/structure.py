@@ -52,11 +52,11 @@ def lines_of(path: Path) -> Counter[str]:
 
 def imports() -> dict[str, set[str]]:
     """Return the modules that each module is imported by."""
-    import rooms
+    import organisation
 
-    importers: dict[str, set[str]] = {name: set() for name in rooms.modules()}
-    for name, tree in rooms.modules().items():
-        for _, other in rooms.imported(tree):
+    importers: dict[str, set[str]] = {name: set() for name in organisation.modules()}
+    for name, tree in organisation.modules().items():
+        for _, other in organisation.imported(tree):
             if other != name and other in importers:
                 importers[other].add(name)
     return importers

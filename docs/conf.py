@@ -1,4 +1,4 @@
-"""How Sphinx makes these pages; see `make docs`."""
+"""Sphinx configuration; see `make docs`."""
 
 from __future__ import annotations
 
@@ -17,11 +17,10 @@ sys.path.insert(0, str(HERE))
 
 import command_options  # noqa: E402
 import drawn  # noqa: E402
-import rooms  # noqa: E402
+import organisation  # noqa: E402
 
-# How the code is organised, in pictures, and those of a page; the options of every command; and the live page, which
-# `make page` made.
-rooms.write(HERE / "_generated")
+# What pages include is written from the code: diagrams, figures, command options, and the live page of `make page`.
+organisation.write(HERE / "_generated")
 drawn.write(HERE / "_generated" / "pictures")
 command_options.write(HERE / "_generated")
 (HERE / "_generated" / "live").mkdir(exist_ok=True)

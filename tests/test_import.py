@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import pickle
+import re
 import subprocess
 import sys
 from graphlib import TopologicalSorter
@@ -14,9 +15,9 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import lommel as lm
-import rooms
+import organisation
 
-HEADERS = rooms.headers()
+HEADERS = organisation.headers()
 
 
 def python(code: str) -> str:
@@ -108,45 +109,52 @@ def test_the_version_is_that_of_the_metadata():
 
 
 def upward(here: str, tree: ast.AST) -> list[str]:
-    return rooms.upward(rooms.ORDER, here, [other for _, other in rooms.imported(tree)])
+    return organisation.upward(organisation.ORDER, here, [other for _, other in organisation.imported(tree)])
 
 
 def test_the_files_that_are_read_are_those_that_are_imported():
-    assert Path(lm.__file__).parent == rooms.PACKAGE
+    assert Path(lm.__file__).parent == organisation.PACKAGE
 
 
 def test_every_file_has_a_place_in_the_order():
-    assert {rooms.room(name) for name in rooms.modules()} == set().union(*rooms.ORDER)
-    assert {rooms.room(name) for name in HEADERS} == set().union(*rooms.CORE_ORDER)
+    assert {organisation.package_of(name) for name in organisation.modules()} == set().union(*organisation.ORDER)
+    assert {organisation.package_of(name) for name in HEADERS} == set().union(*organisation.CORE_ORDER)
 
 
 def test_data_flows_one_way():
-    found = {name: upward(name, tree) for name, tree in rooms.modules().items()}
+    found = {name: upward(name, tree) for name, tree in organisation.modules().items()}
     assert {name: others for name, others in found.items() if others} == {}
 
 
 def test_headers_include_one_way():
-    found = {name: rooms.upward(rooms.CORE_ORDER, name, others) for name, others in HEADERS.items()}
+    found = {name: organisation.upward(organisation.CORE_ORDER, name, others) for name, others in HEADERS.items()}
     assert {name: others for name, others in found.items() if others} == {}
 
 
 def test_no_file_needs_itself_by_way_of_others():
-    needs = {name: {other for _, other in rooms.imported(tree)} for name, tree in rooms.modules().items()}
+    needs = {
+        name: {other for _, other in organisation.imported(tree)} for name, tree in organisation.modules().items()
+    }
     assert set(TopologicalSorter(needs).static_order()) == {*needs, "_core"}
     assert set(TopologicalSorter(HEADERS).static_order()) == set(HEADERS)
 
 
-@pytest.mark.parametrize("make", [rooms.package, rooms.core])
-def test_the_picture_of_the_rooms_shows_every_room_every_file_and_every_arrow(make):
-    house = make()
-    drawn = ET.fromstring(rooms.picture(house, "title"))
+@pytest.mark.parametrize("make", [organisation.package, organisation.core])
+def test_the_diagram_of_the_packages_shows_every_package_every_file_and_every_import(make):
+    layout = make()
+    drawn = ET.fromstring(organisation.picture(layout, "title"))
     svg = "{http://www.w3.org/2000/svg}"
     found = {group.find(f"{svg}text").text: group for group in drawn.iter(f"{svg}g")}
-    assert list(found) == house.rooms[::-1]
-    assert sum(len(group.findall(f"{svg}path")) for group in found.values()) == len(house.needs)
+    assert list(found) == layout.packages[::-1]
+    assert sum(len(group.findall(f"{svg}path")) for group in found.values()) == len(layout.needs)
     for name, group in found.items():
         said = " ".join(text.text for text in group.findall(f"{svg}text"))
-        assert all(file in said for file in house.files[name])
+        assert all(file in said for file in layout.files[name])
+
+
+def test_the_list_of_files_describes_every_module_and_header():
+    listed = set(re.findall(r"^\| `([\w/.]+)` \| .+ \|$", organisation.listing(), flags=re.MULTILINE))
+    assert listed == {f"{name}.py" for name in organisation.modules()} | {f"{name}.hpp" for name in HEADERS}
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import sys
 import pytest
 
 import hostile_files
-import rooms
+import organisation
 
 COMPRESSED = (".png", ".jpg", ".tif", ".npz", ".fits.gz", ".datx")
 FILES = hostile_files.files()
@@ -88,7 +88,7 @@ def opened(tree: ast.AST) -> set[str]:
 
 
 def test_files_are_opened_where_their_cost_is_limited():
-    trees = {f"{name}.py": tree for name, tree in rooms.modules().items() if name != "base/reading"}
+    trees = {f"{name}.py": tree for name, tree in organisation.modules().items() if name != "base/reading"}
     assert {(name, call) for name, tree in trees.items() for call in opened(tree)} == ARGUED.keys()
 
 

@@ -7,7 +7,7 @@ import ast
 import numpy as np
 import pytest
 
-import rooms
+import organisation
 from lommel.core import engine
 from lommel.core.answers import ToleranceError, Wanted
 
@@ -75,7 +75,7 @@ def test_derivatives_come_by_the_power_of_each_and_none_where_none_was_asked_for
 
 def test_nothing_else_imports_the_compiled_core():
     importers = set()
-    for name, tree in rooms.modules().items():
+    for name, tree in organisation.modules().items():
         for node in ast.walk(tree):
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import | ast.ImportFrom) else []
             module = node.module or "" if isinstance(node, ast.ImportFrom) else ""

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-import rooms
+import organisation
 from lommel.methods import METHODS, choice
 
 COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 2.0}))
@@ -113,13 +113,13 @@ def test_a_tolerance_below_that_of_the_only_method_is_refused():
     assert lm.psf(COMA, 9, 0.5, tol=1e-11).error_bound <= 1e-11
 
 
-def test_no_room_above_the_methods_makes_one_by_itself():
+def test_no_package_above_the_methods_makes_one_by_itself():
     """All take what lommel.methods.choice gives, or what the user names; the paper compares them all."""
     names = {kind.__name__ for kind in METHODS.values()}
     makers = []
-    for name, tree in rooms.modules().items():
+    for name, tree in organisation.modules().items():
         for node in ast.walk(tree):
             called = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names
-            if called and rooms.room(name) not in ("methods", "paper"):
+            if called and organisation.package_of(name) not in ("methods", "paper"):
                 makers.append(f"{name}:{node.lineno}")
     assert makers == []

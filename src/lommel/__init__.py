@@ -8,7 +8,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from lommel.base import forks, views
+from lommel.base import display, forks
 
 forks.guard()
 
@@ -42,17 +42,13 @@ def __dir__() -> list[str]:
     return sorted({*_homes(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
 
 
-# What files, notebooks and pictures make of things that stand below those who write and draw them.
-views.offer(
-    {
-        "BasePupil.plot": "lommel.show.pupils:pupil",
-        "BasePupil._repr_html_": "lommel.show.notebook:pupil",
-        "Descriptions.save": "lommel.io.zernike_tables:save_wavefront",
-        "Descriptions.plot": "lommel.show.pupils:wavefront",
-        "Descriptions._repr_html_": "lommel.show.notebook:wavefront",
-        "Lens._repr_html_": "lommel.show.notebook:lens",
-    }
-)
+def _register_displays() -> None:
+    """Import the modules that draw, tabulate and write pupils, lenses and wavefronts."""
+    from lommel.io import zernike_tables  # noqa: F401
+    from lommel.show import notebook, pupils  # noqa: F401
+
+
+display.load = _register_displays
 
 # Imported at once, because the function must win over the module of the same name.
 from lommel.psf import psf as psf  # noqa: E402

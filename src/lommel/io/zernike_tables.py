@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
-from lommel.base import atomic, validation
+from lommel.base import atomic, display, validation
 from lommel.base.units import LENGTHS
 from lommel.optics.wavefront.descriptions import NORMALIZATIONS
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
@@ -173,6 +173,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
     atomic.write(validation.path("path", path), text.encode())
 
 
+@display.save.register(Wavefront)
 def save_wavefront(
     wavefront: Wavefront,
     path: str | PathLike[str],

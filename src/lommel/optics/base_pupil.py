@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation, views
+from lommel.base import display, validation
 
 if TYPE_CHECKING:
     from abc import ABC
@@ -19,7 +19,7 @@ else:
     ABC = object  # to tell what is an instance of an ABC takes a tenth of the time of a small PSF
 
 
-class BasePupil(views.Shown, ABC):
+class BasePupil(display.Shown, ABC):
     """A pupil, of a lens or of a microscope's objective, or a stack of them."""
 
     layered: ClassVar[bool] = False
@@ -102,7 +102,7 @@ class BasePupil(views.Shown, ABC):
 
         See :func:`lommel.show.pupils.pupil`.
         """
-        return views.view(type(self), "plot")(self, ax, what=what, unit=unit)
+        return display.plot(self, ax, what=what, unit=unit)
 
     @property
     def aberrated(self) -> bool:

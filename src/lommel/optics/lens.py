@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation, views
+from lommel.base import display, validation
 from lommel.base.cached import cached_property, changed
 from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination, lens_apodization
@@ -141,7 +141,7 @@ _Numbers = float | NDArray[np.float64]
 
 
 @dataclass(frozen=True, init=False, repr=False)
-class Lens(views.Shown):
+class Lens(display.Shown):
     """A thin lens with its stop at the lens; metres everywhere, distances from the lens.
 
     Parameters

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from lommel.base import display
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.base.validation import brief
@@ -21,6 +22,7 @@ from lommel.measures.answer_channels import AnswerChannels
 from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.aperture_means import rms
 from lommel.measures.energy import energy_per_pixel
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -100,12 +102,14 @@ def grid(thing: AnswerGrid) -> str:
     return _html(f"PSFGrid, {rows} × {columns}", told, picture, "square root, each over its largest value")
 
 
+@display.html.register(Wavefront)
 def wavefront(thing: Wavefront) -> str:
     """Return the phase of a wavefront over the full disc, and its terms."""
     rows: list[Row] = [*_rms(Pupil(thing)), *_terms(thing)]
     return _html(_count("Wavefront", thing.shape), rows, lambda: _phase(Pupil(thing)), _PHASE)
 
 
+@display.html.register(BasePupil)
 def pupil(thing: Any) -> str:
     """Return the phase across a pupil, and what there is to say about its light."""
     rows: list[Row] = [("light", _light(thing))]
@@ -121,6 +125,7 @@ def pupil(thing: Any) -> str:
     return _html(_count(type(thing).__name__, thing.shape), rows, lambda: _phase(thing), _PHASE)
 
 
+@display.html.register(Lens)
 def lens(thing: Lens) -> str:
     """Return the phase across the pupil of a lens for an object in focus, and its distances."""
     rows: list[Row] = [

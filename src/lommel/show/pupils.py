@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from lommel.base import validation
+from lommel.base import display, validation
 from lommel.base.arrays import Array
 from lommel.measures.aperture_means import rms
 from lommel.optics.base_pupil import BasePupil, imaged
@@ -38,6 +38,7 @@ class Across(NamedTuple):
     amplitude: Array
 
 
+@display.plot.register(Wavefront)
 def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> Any:
     """Draw the phase of a wavefront over the full disc, less its mean; a stack side by side on one scale.
 
@@ -66,6 +67,7 @@ def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") 
     return _phase(Pupil(thing), ax, unit, of_wavefronts(thing))
 
 
+@display.plot.register(BasePupil)
 def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
     """Draw the phase across a pupil, less its mean, or its amplitude; a stack side by side on one scale.
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lommel.base import validation, views
+from lommel.base import display, validation
 from lommel.base.arrays import Array
 from lommel.optics.wavefront.terms import Terms, coefficients
 from lommel.special import zernike
@@ -22,7 +22,7 @@ UNITS = ("radians", "waves", "metres")
 NORMALIZATIONS = ("rms", "edge")
 
 
-class Descriptions(views.Shown, Terms):
+class Descriptions(display.Shown, Terms):
     """What :class:`lommel.Wavefront` is made from, and what it can be told in."""
 
     if TYPE_CHECKING:
@@ -133,14 +133,14 @@ class Descriptions(views.Shown, Terms):
         :func:`lommel.load_zernike` reads them. `how` may name the order ("noll" by default), the unit ("waves"), the
         normalization ("rms") and the wavelength; see :func:`lommel.save_zernike`.
         """
-        views.view(type(self), "save")(self, path, **how)
+        display.save(self, path, **how)
 
     def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Any:
         """Draw the phase across the full disc on axes of matplotlib; a stack on one scale.
 
         See :func:`lommel.show.pupils.wavefront`.
         """
-        return views.view(type(self), "plot")(self, ax, unit=unit)
+        return display.plot(self, ax, unit=unit)
 
     @classmethod
     def from_seidel(

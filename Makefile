@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env uv build psf photo test test-torch test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint types format lock wheel sdist clean FORCE
+.PHONY: help env uv build psf photo test test-torch test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -317,8 +317,25 @@ lint: env ## check the style and the format
 	@.venv/bin/ruff check
 	.venv/bin/ruff format --check
 	.venv/bin/clang-format --dry-run -Werror $(cpp_formatted)
-	# Where there is one; what it checks is in .clang-tidy.
-	if command -v clang-tidy >/dev/null; then clang-tidy --quiet cpp/tests/*.cpp -- -std=c++17 -Icpp/include; fi
+
+# Beside .venv: 50 MB that no test needs.
+.tools/maintain.stamp: .ci/requirements.lock
+	@$(find_uv)
+	$(find_python)
+	rm -rf .tools/maintain
+	"$$uv" venv --quiet --python "$$py" .tools/maintain
+	"$$uv" pip install --quiet --python .tools/maintain/bin/python --require-hashes --requirement .ci/requirements.lock
+	touch $@
+
+# The core's own programs and compiled parts include every header between them; .clang-tidy has the checks.
+tidy: .tools/maintain.stamp ## check the core by clang-tidy: half a minute
+	@for unit in cpp/tests/*.cpp cpp/compiled/*.cpp; do
+		.tools/maintain/bin/clang-tidy --quiet "$$unit" -- -std=c++17 -Icpp/include
+	done
+
+# FLAGS=--draft shows what it would write; see changes/README.md.
+changelog: .tools/maintain.stamp ## gather the fragments in changes/ into CHANGELOG.md, for a release
+	@.tools/maintain/bin/towncrier build --yes --version "$$(sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)" $(FLAGS)
 
 types: env ## check the types
 	@.venv/bin/mypy
@@ -362,6 +379,7 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 	} >.ci/build-constraints.txt
 	compile docs/requirements.lock --extra all --group docs --constraints requirements.lock pyproject.toml
 	compile web/requirements.lock --extra all --group page --constraints requirements.lock pyproject.toml
+	compile .ci/requirements.lock --group maintain --constraints requirements.lock
 
 wheel: page ## build a wheel in dist
 	@$(find_uv)

@@ -1,0 +1,117 @@
+"""What contributors meet is true: workflows, hooks, templates and fragments of the changelog name what is there."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parent.parent
+GITHUB = ROOT / ".github"
+MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+TARGETS = set(re.findall(r"^([a-z-]+):", MAKEFILE, re.MULTILINE))
+GROUPS, EXTRAS = PROJECT["dependency-groups"], PROJECT["project"]["optional-dependencies"]
+WORKFLOWS = {path.name: yaml.safe_load(path.read_text(encoding="utf-8")) for path in GITHUB.glob("workflows/*.yml")}
+STEPS = [
+    (f"{name}: {job}", step)
+    for name, workflow in WORKFLOWS.items()
+    for job, described in workflow["jobs"].items()
+    for step in described["steps"]
+]
+
+
+def faults(command: str) -> list[str]:
+    """What a line of a workflow names that is not there: targets, scripts, files, groups and extras."""
+    first, *words = shlex.split(command)
+    if first == "make":
+        return [f"no target {word}" for word in words if "=" not in word and word not in TARGETS]
+    if first not in ("python", "pip", "uv", "pipx"):
+        return [] if os.access(ROOT / first, os.X_OK) else [f"{first} cannot be run"]
+    pairs = [*itertools.pairwise(words)]
+    found = [f"no group {name}" for option, name in pairs if option == "--group" and name not in GROUPS]
+    found += [f"no extra {name}" for option, name in pairs if option == "--extra" and name not in EXTRAS]
+    files = [name for option, name in pairs if option in ("--constraint", "--requirement")]
+    return found + [f"no file {name}" for name in files if not (ROOT / name).is_file()]
+
+
+def test_workflows_run_what_is_there():
+    lines = [(where, line) for where, step in STEPS for line in step.get("run", "").splitlines()]
+    assert {line for _, line in lines} >= {".ci/run", "make lowest PYTHON=python3.11", "make tidy sanitize"}
+    assert {f"{where}: {line}": found for where, line in lines if (found := faults(line))} == {}
+    assert faults("make nothing") == ["no target nothing"]
+    assert faults("uv pip install --constraint x.txt --extra x --group y") == [
+        "no group y",
+        "no extra x",
+        "no file x.txt",
+    ]
+
+
+def test_the_tests_run_on_three_systems_with_the_oldest_and_the_newest_python():
+    tests = WORKFLOWS["tests.yml"]
+    # YAML 1.1 reads the key `on` as true.
+    assert set(tests[True]) == {"push", "pull_request"}
+    classifiers = " ".join(PROJECT["project"]["classifiers"])
+    pythons = sorted(re.findall(r"Python :: (3\.\d+)", classifiers), key=lambda version: int(version[2:]))
+    others = tests["jobs"]["others"]["strategy"]["matrix"]
+    assert others["os"] == ["macos-latest", "windows-latest"]
+    for job in ("linux", "others"):
+        assert tests["jobs"][job]["strategy"]["matrix"]["python"] == [pythons[0], pythons[-1]]
+    (pytest_line,) = re.findall(r"\.venv/bin/(pytest .*?) \|\|", MAKEFILE)
+    assert f"python -m {pytest_line}" in [step.get("run") for step in tests["jobs"]["others"]["steps"]]
+
+
+def test_workflows_may_only_read_and_pin_what_they_use():
+    for name, workflow in WORKFLOWS.items():
+        assert workflow["permissions"] == {"contents": "read"}, name
+    used = [step["uses"] for _, step in STEPS if "uses" in step]
+    assert used
+    assert [use for use in used if not re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40}", use)] == []
+
+
+def test_hooks_are_those_of_the_environment_and_see_every_file_that_make_formats():
+    (local,) = yaml.safe_load((ROOT / ".pre-commit-config.yaml").read_text(encoding="utf-8"))["repos"]
+    hooks = {hook["id"]: hook for hook in local["hooks"]}
+    assert set(hooks) == {"ruff", "ruff-format", "clang-format", "mypy"}
+    for hook in hooks.values():
+        program = hook["entry"].split()[0]
+        assert hook["language"] == "system"
+        assert f"\t{program}" in MAKEFILE or f"@{program}" in MAKEFILE, program
+    (patterns,) = re.findall(r"^cpp_formatted := \$\(wildcard (.*)\)$", MAKEFILE, re.MULTILINE)
+    formatted = {path.relative_to(ROOT).as_posix() for pattern in patterns.split() for path in ROOT.glob(pattern)}
+    there = {path.relative_to(ROOT).as_posix() for top in ("cpp", "tests") for path in (ROOT / top).rglob("*.*pp")}
+    assert {name for name in there if re.search(hooks["clang-format"]["files"], name)} == formatted
+
+
+def test_forms_ask_for_something():
+    for path in GITHUB.glob("ISSUE_TEMPLATE/*.yml"):
+        form = yaml.safe_load(path.read_text(encoding="utf-8"))
+        assert form["name"], path
+        assert form["description"], path
+        assert any(field.get("validations", {}).get("required") for field in form["body"]), path
+
+
+def test_every_fragment_of_the_changelog_has_a_known_type():
+    kinds = [kind["directory"] for kind in PROJECT["tool"]["towncrier"]["type"]]
+    pattern = re.compile(rf"(\d+|\+[\w-]+)\.({'|'.join(kinds)})(\.\d+)?\.md")
+    names = [path.name for path in (ROOT / "changes").iterdir() if path.name != "README.md"]
+    assert [name for name in names if not pattern.fullmatch(name)] == []
+    about = (ROOT / "changes" / "README.md").read_text(encoding="utf-8")
+    assert re.findall(r"^- `(\w+)`:", about, re.MULTILINE) == kinds
+
+
+@pytest.mark.skipif(shutil.which("make") is None, reason="no make")
+def test_help_lists_every_target_that_has_a_text():
+    shown = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    described = re.findall(r"^([a-z-]+):.*## (.*)$", MAKEFILE, re.MULTILINE)
+    assert [re.match(r"make (\S+) +(.*)", line).groups() for line in shown.splitlines()] == described
+    (phony,) = re.findall(r"^\.PHONY: (.*)$", MAKEFILE, re.MULTILINE)
+    assert {name for name, _ in described} <= set(phony.split())

@@ -108,26 +108,33 @@ def main() -> None:
         for name in single:
             print("  ", name, "<-", *importers[name])
     if "--calls" in sys.argv:
-        import numpy as np
+        print_calls()
 
-        import lommel as lm
 
-        pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-        plan = lm.Plan(33, 0.5)
-        calls, where = path_of(lambda: plan(pupil))
-        print(
-            f"a Zernike pupil by a plan: {calls} calls in {where} files, {cpu_of(lambda: plan(pupil)):.1f} us of CPU"
-        )
-        radial = lm.Pupil(lm.Wavefront(defocus=3.0))
-        calls, where = path_of(lambda: plan(radial))
-        print(
-            f"a radial pupil by a plan: {calls} calls in {where} files, {cpu_of(lambda: plan(radial)):.1f} us of CPU"
-        )
-        truth = lm.Wavefront(nonradial={(2, 2): 0.4, (3, 1): 0.3, (3, -1): -0.2})
-        images = [lm.psf(lm.Pupil(truth + lm.Wavefront(defocus=at)), 33, 0.5).intensity for at in (-3.0, 0.0, 3.0)]
-        names = [(n, m) for n in range(2, 6) for m in range(-n, n + 1, 2)]
-        stack = np.array(images)
-        del stack, names
+def print_calls() -> None:
+    """Print the Python calls, the files and the CPU time of a radial plan, a Zernike plan and a phase retrieval."""
+    import numpy as np
+
+    import lommel as lm
+
+    plan, radial_plan = lm.Plan(33, 0.5), lm.Plan(33, 0.5)
+    coma, defocused = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), lm.Pupil(lm.Wavefront(defocus=3.0))
+    truth = lm.Wavefront(nonradial={(2, 2): 0.4, (3, 1): 0.3, (3, -1): -0.2})
+    defocus, noise = (-3.0, 0.0, 3.0), lm.Noise(read=1.0)
+    stars = [lm.psf(lm.Pupil(truth + lm.Wavefront(defocus=at)), 33, 0.5).values for at in defocus]
+    counts = np.array([noise.record(1e5 * image.astype(np.float64), seed) for seed, image in enumerate(stars)])
+
+    def retrieve() -> object:
+        return lm.retrieve(counts, lm.Pupil(), pixel=0.5, noise=noise, terms=15, defocus=defocus)
+
+    calls: list[tuple[str, Callable[[], object], int]] = [
+        ("a radial pupil by a plan", lambda: radial_plan(defocused), 2000),
+        ("a Zernike pupil by a plan", lambda: plan(coma), 2000),
+        ("a retrieval of three 33^2 images, 15 terms", retrieve, 1),
+    ]
+    for name, call, count in calls:
+        number, where = path_of(call)
+        print(f"{name}: {number} calls in {where} files, {cpu_of(call, count):.1f} us of CPU")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/fork.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/question.hpp"
 
 #include "python.hpp"
 
@@ -77,6 +78,8 @@ NB_MODULE(_core, m) {
         } catch (const lommel::Stopped&) {
         }
     });
+    // A ValueError of its own: who chooses a method tries the next one after it, but not after a fault of the code.
+    nb::exception<lommel::PhaseTooLarge>(m, "Declined", PyExc_ValueError);
     m.doc() = "Compiled core of lommel: the spectral engine, Bessel sequences, rendering, Huygens' sum.";
     define_special(m);
     define_pixels(m);

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import measures
 from lommel.base import validation
 from lommel.base.arrays import Numbers, largest
+from lommel.core.answers import Declined, ToleranceError
 from lommel.measured import Measured
 from lommel.methods import question
 from lommel.methods.method import Method
@@ -219,7 +220,12 @@ class Plan(Traceable):
         found = None
         if shortcut is not None and not names and (out is None or isinstance(out, np.ndarray)):
             values = np.empty(shape, self.dtype) if out is None else out
-            found = shortcut(pupil, values)
+            try:
+                found = shortcut(pupil, values)
+            except (Declined, ToleranceError):
+                if len(ways) == 1:
+                    raise
+                asked = asked._replace(ways=ways[1:])  # which the next method answers
         slopes: dict[Name, NDArray[Any]] = {}
         slope_bounds: dict[Name, float] = {}
         error: float | None

@@ -10,6 +10,7 @@ import pytest
 
 import lommel as lm
 import organisation
+from lommel.core.answers import Declined
 from lommel.methods import METHODS, choice
 
 COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 2.0}))
@@ -123,3 +124,26 @@ def test_no_package_above_the_methods_makes_one_by_itself():
             if called and organisation.package_of(name) not in ("methods", "paper"):
                 makers.append(f"{name}:{node.lineno}")
     assert makers == []
+
+
+@pytest.mark.parametrize(("part", "options"), [("plan", {}), ("images", {"integrate": True})])
+def test_a_fault_of_the_code_is_not_hidden_by_the_next_method(monkeypatch, part, options):
+    def broken(*_):
+        raise ValueError("a bug")
+
+    monkeypatch.setattr(lm.ChordalGauss, part, broken)
+    with pytest.raises(ValueError, match="a bug"):
+        lm.psf(COMA, 9, 0.5, **options)
+
+
+def test_the_next_method_answers_a_plan_whose_first_one_declines_or_misses_the_tolerance():
+    plan = lm.Plan(17, 0.5)
+    strong = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 900.0}))
+    with pytest.raises(Declined):
+        lm.psf(strong, 17, 0.5, method=lm.ChordalGauss())
+    with pytest.raises(lm.ToleranceError):
+        lm.psf(TILTED, 17, 0.5, method=lm.ChordalGauss())
+    for pupil in (COMA, strong, COMA, TILTED):
+        answer = plan(pupil)
+        assert answer.method == (lm.ChordalGauss() if pupil is COMA else lm.NijboerZernike())
+        assert answer.values.tobytes() == lm.psf(pupil, 17, 0.5).values.tobytes()

@@ -201,6 +201,27 @@ def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted)
     return made._replace(slopes=slopes)
 
 
+def chordal_plan(
+    obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted
+) -> Callable[[NDArray[np.int32], Array, NDArray[Any]], tuple[Array, float]]:
+    """Return what writes images of a stack as :func:`chordal_images`, and returns their scales and largest bound.
+
+    Called with the terms, their coefficients and the array for the values, of any axes before those of the window.
+    """
+    (row, column), scale, threads, step = window.center, _one_scale(wanted), wanted.threads, window.step
+
+    def ask(terms: NDArray[np.int32], edge: Array, values: NDArray[Any]) -> tuple[Array, float]:
+        stack, count = values.shape[:-2], edge.size // len(terms)
+        numbers = np.empty((3, count))
+        flat, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
+        place = row, column, step, tol, threads, scale
+        if unmet := _core.chordal_images(terms, flat, obscuration, amplitude, *place, images, numbers):
+            raise not_met(tol, unmet, "the largest value in the window")
+        return numbers[0].reshape(stack), float(numbers[1].max())
+
+    return ask
+
+
 def chordal_gradient(
     stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
 ) -> Array:

@@ -4,10 +4,11 @@
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeVar
 
-from lommel.core.answers import ToleranceError
+from lommel.core.answers import Declined, ToleranceError
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.base_pupil import BasePupil, imaged
@@ -156,33 +157,12 @@ def _made(rule: Rule, tol: float) -> tuple[Method, ...]:
 
 
 def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
-    """Return the first of some methods that proves its tolerance, and what it answers.
-
-    The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light
-    misses is for the series.
-
-    Parameters
-    ----------
-    ways : tuple of Method
-    ask : callable
-        What is asked of a method; raises where it does not prove its tolerance.
-
-    Returns
-    -------
-    method : Method
-    answer : object
-        What `ask` returned for it.
-
-    Raises
-    ------
-    ToleranceError, ValueError
-        What the last one raises.
-    """
+    """Return the first of some methods that neither declines nor misses its tolerance, and its answer."""
+    # The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light
+    # misses is for the series. Other errors are faults, and are not hidden.
     for way in ways[:-1]:
-        try:
+        with suppress(ToleranceError, Declined):
             return way, ask(way)
-        except (ToleranceError, ValueError):
-            continue
     return ways[-1], ask(ways[-1])
 
 

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
-from lommel.core.engine import chordal_gradient, chordal_images
-from lommel.methods.method import Method
+from lommel.core.engine import chordal_gradient, chordal_images, chordal_plan
+from lommel.methods.method import Method, Shortcut
 from lommel.methods.terms import disk_images, disk_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -72,6 +73,23 @@ class ChordalGauss(Method):
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
         made = self.images(pupil, grid, Wanted(threads=threads))
         return Intensities(made.values, made.error, made.peak)
+
+    def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
+        """Return a shorter way to samples of further pupils around one axis; see :meth:`Method.plan`."""
+        if grid.stack or grid.integrate or pupil.illumination.error:
+            return None
+        shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
+        light, window = pupil.illumination.exponent, window_of(pupil, grid)
+        ask = chordal_plan(pupil.obscuration, light, window, self.tol, wanted)
+
+        def answer(further: Pupil, values: NDArray[Any]) -> tuple[Array, float] | None:
+            wavefront, flags = further.wavefront, values.flags
+            fits = values.shape == shape and values.dtype == dtype and flags.c_contiguous and flags.writeable
+            if wavefront.left_out or not fits:
+                return None
+            return ask(wavefront.indices, wavefront.edge, values)
+
+        return answer
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""

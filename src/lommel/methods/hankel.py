@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.core.answers import FieldValues
+from lommel.core.answers import Declined, FieldValues
 from lommel.methods.bounds import growth, quadrature_error, quadrature_nodes, rounding_error
 from lommel.methods.method import FieldMethod
 from lommel.optics.pupil import Pupil
@@ -60,7 +60,7 @@ class Hankel(FieldMethod):
         g = growth(terms, low, reach, pupil.illumination)
         n = quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
-            raise ValueError(
+            raise Declined(
                 f"phases of {np.abs(terms).max():.3g} rad and v up to {reach:.3g} take {n:.3g} quadrature "
                 f"nodes, more than the limit of {_MAX_NODES}"
             )

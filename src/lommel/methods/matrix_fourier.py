@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.core.answers import Intensities
+from lommel.core.answers import Declined, Intensities
 from lommel.methods.method import Method
 from lommel.methods.pixels.subpixel import gauss_pixel
 from lommel.methods.sampling import MAX_SAMPLES, pupil_functions, require_samples
@@ -77,7 +77,7 @@ class MatrixFourier(Method):
         step = grid.step(pupil)
         offset, weight = gauss_pixel(step, 1e-8) if grid.integrate else (np.zeros(1), np.ones(1))
         if grid.height * grid.width * offset.size**2 > _MAX_FIELD:
-            raise ValueError(
+            raise Declined(
                 f"pixels of v = {step:.3g} take {offset.size} x {offset.size} points each, {grid.height} x "
                 f"{grid.width} of them more than the limit of {_MAX_FIELD}"
             )

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, FieldValues, Images, Intensities, ToleranceError, Wanted, not_met
 from lommel.optics.base_pupil import imaged
 from lommel.optics.grid import Grid
 from lommel.special.bessel import _radii
@@ -200,7 +200,7 @@ class Method(ABC):
                 if self.layered
                 else "supports no pupils of an Objective, behind layers; use Stratified or DebyeWolf"
             )
-            raise ValueError(f"{type(self).__name__} {fault}")
+            raise Declined(f"{type(self).__name__} {fault}")
         reason = self.unsupported(pupil)
         if reason is None and not (pupil.circular or self.any_aperture):
             reason = (
@@ -212,7 +212,7 @@ class Method(ABC):
         if reason is None and not (self.apodized or pupil.illumination.uniform):
             reason = "supports uniform illumination only; this pupil is apodized"
         if reason is not None:
-            raise ValueError(f"{type(self).__name__} {reason}")
+            raise Declined(f"{type(self).__name__} {reason}")
 
     def to_dict(self) -> dict[str, Any]:
         """Return the method's name and options in plain types."""

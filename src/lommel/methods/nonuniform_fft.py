@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import optional, validation
-from lommel.core.answers import Intensities, ToleranceError
+from lommel.core.answers import Declined, Intensities, ToleranceError
 from lommel.methods.method import Method
 from lommel.methods.pixels.averaging import filtered, filtered_by, least_average
 from lommel.methods.sampling import samples_needed
@@ -86,7 +86,7 @@ class NonuniformFFT(Method):
         if pupil.mask is not None:
             needed, why = samples_needed(pupil, grid)
             if needed > pupil.mask.side:
-                raise ValueError(
+                raise Declined(
                     f"the mask of side {pupil.mask.side} is too coarse: {why} need a side of at least {needed:.5g}"
                 )
         pupils = [pupil] if pupil.shape == () else [pupil[index] for index in np.ndindex(pupil.shape)]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, Images, Intensities, ToleranceError, Wanted, not_met
 from lommel.methods.choice import candidates, first_proven, of_profiles
 from lommel.methods.method import Method, RadialMethod, painted, storing
 from lommel.optics.colour.spectrum import Component, Spectrum
@@ -203,7 +203,7 @@ class Polychromatic(Spectrum, RadialMethod):
             return None
         try:
             self.method.require(pupil)
-        except ValueError as fault:
+        except Declined as fault:
             name, reason = str(fault).split(" ", 1)
             return f"sums {name}, which {reason}"
         return None

@@ -110,7 +110,7 @@ def asked_about(
     ways = candidates(pupil, grid, tol) if method is None else (method,)
     wanted = wanted_on(grid, pupil, ways[0], normalize, dtype, threads)
     stack = pupil.shape
-    shortcut = ways[0].plan(pupil, grid, wanted) if len(ways) == 1 else None
+    shortcut = ways[0].plan(pupil, grid, wanted)
     named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
     return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
 

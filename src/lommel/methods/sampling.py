@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.core.answers import Declined
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -36,7 +37,7 @@ def require_samples(method: Method, samples: int, pupil: Pupil, grid: Grid) -> N
         advice = (
             f"at least samples={needed}" if needed <= MAX_SAMPLES else f"{needed:.3g} samples, over {MAX_SAMPLES}"
         )
-        raise ValueError(f"{type(method).__name__}(samples={samples}) would alias: {why} need {advice}")
+        raise Declined(f"{type(method).__name__}(samples={samples}) would alias: {why} need {advice}")
 
 
 def pupil_functions(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -> Iterator[NDArray[np.complex128]]:

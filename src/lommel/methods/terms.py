@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import Declined, Images, Wanted
 from lommel.core.engine import DiskStack, RadialStack, Window
 from lommel.optics.grid import Grid
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def radial_stack(pupil: Pupil) -> RadialStack:
     """Return the flattened stack of a radially symmetric pupil."""
     if not pupil.radial:
-        raise ValueError(
+        raise Declined(
             "a pupil that is not radially symmetric has no radial profile; ask for its image with lommel.psf"
         )
     return RadialStack(pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent)

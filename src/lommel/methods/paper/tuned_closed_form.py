@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core import engine
-from lommel.core.answers import FieldValues, Intensities, ToleranceError
+from lommel.core.answers import Declined, FieldValues, Intensities, ToleranceError
 from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error
 from lommel.optics.pupil import Pupil
 from lommel.special.piecewise import fit_quadratics
@@ -134,7 +134,7 @@ def _field(
         segments = max(1, math.ceil(0.38 * (strength / (0.4 * error)) ** (1.0 / 3.0)))
         while True:
             if segments > _MAX_SEGMENTS:
-                raise ValueError(
+                raise Declined(
                     f"aberrations of {strength:.3g} rad take {segments} quadratic phases, more than the limit of "
                     f"{_MAX_SEGMENTS}"
                 )

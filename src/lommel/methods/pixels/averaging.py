@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.core.answers import Images, Slopes, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, Images, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.base_pupil import BasePupil
@@ -294,7 +294,7 @@ class Taps(NamedTuple):
 def samples_across(step: float, widest: float = _WIDEST) -> int:
     """Return how many samples a pixel of pitch `step` in v takes along an axis, `widest` apart at most."""
     if step > _MOST * _WIDEST:
-        raise ValueError(
+        raise Declined(
             f"pixel must be at most {_MOST * _WIDEST / math.pi:.0f} lambda*N to average a pupil that is not radially "
             f"symmetric over it, got {step / math.pi:.4g} lambda*N; take smaller pixels, and average blocks of them"
         )

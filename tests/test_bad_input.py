@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
-import re
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import lommel as lm
+from cases import each
 from lommel.imaging.blur import Points
 from lommel.lensfiles import field_tables
 from lommel.methods import METHODS
 from lommel.optics.geometry import Geometry
 
 BAD = (ValueError, TypeError)
-METHOD = pytest.mark.parametrize("method", [kind() for kind in METHODS.values()], ids=list(METHODS))
+METHOD = each("method", [kind() for kind in METHODS.values()])
 PUPIL = lm.Lens(focal_length=50e-3, f_number=2.0, focus_distance=2.0, wavelength=500e-9).pupil(1.9)
 SPHERICAL = lm.Pupil(lm.Wavefront(spherical=1.0))
 
@@ -26,11 +27,9 @@ NOT_REAL = [("1", "'1'"), (None, "None"), (True, "True"), (1j, "1j"), ({}, "{}")
 NOT_POSITIVE = [(0, "0"), (-1.0, "-1")]
 
 
-def table(*rows: tuple[str, list[tuple[object, str]]]) -> pytest.MarkDecorator:
+def table(*rows: tuple[str, list[tuple[object, str]]]) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Rows of an argument and its bad values, flattened."""
-    cases = [(name, value, shown) for name, values in rows for value, shown in values]
-    ids = [f"{name}={re.sub(r'[^ -~]', '', repr(value))[:30]}" for name, value, _ in cases]
-    return pytest.mark.parametrize(("name", "value", "shown"), cases, ids=ids)
+    return each("name, value, shown", [(name, value, shown) for name, values in rows for value, shown in values])
 
 
 def refuses(call, name: str, shown: str) -> None:
@@ -66,8 +65,8 @@ def test_what_is_no_method_is_refused(name, value, shown):
     refuses(lambda: lm.psf(PUPIL, 5, 1e-6, method=value), name, shown)
 
 
-@pytest.mark.parametrize("kind", [name for name in METHODS if name != "huygens-fresnel"])
-@pytest.mark.parametrize("pixel", [1e200, 1e300])
+@each("kind", [name for name in METHODS if name != "huygens-fresnel"])
+@each("pixel", [1e200, 1e300])
 def test_a_pixel_beyond_all_numbers_is_refused_in_lambda_N_too(kind, pixel):
     refuses(lambda: lm.psf(lm.Pupil(), 5, pixel, method=METHODS[kind]()), "pixel", "1e+")
 
@@ -85,7 +84,7 @@ def test_a_bad_wavefront_is_refused(name, value, shown):
     refuses(lambda: lm.Wavefront(**{name.partition("[")[0]: value}), name, shown)
 
 
-@pytest.mark.parametrize(
+@each(
     ("coefficients", "shapes"),
     [(([0.0, 1.0], [0.0, 1.0, 2.0]), ["(2,)", "(3,)"]), ((np.ones((2, 3)), 0.0, [np.ones(2)]), ["(2, 3)", "(2,)"])],
 )
@@ -95,7 +94,7 @@ def test_coefficients_that_do_not_broadcast_are_refused_with_their_shapes(coeffi
     assert all(shape in str(caught.value) for shape in shapes)
 
 
-@pytest.mark.parametrize(
+@each(
     "make",
     [lambda: lm.Wavefront([]), lambda: lm.Wavefront(0.0, np.ones((2, 0))), lambda: lm.Wavefront([1.0, 2.0])[2:]],
 )
@@ -129,9 +128,7 @@ def test_a_bad_pupil_is_refused(name, value, shown):
     refuses(lambda: lm.Pupil(**{"wavelength": 500e-9, "f_number": 2.0} | {name: value}), name, shown)
 
 
-@pytest.mark.parametrize(
-    ("options", "missing"), [({"wavelength": 5e-7}, "f_number"), ({"f_number": 2}, "wavelength")]
-)
+@each(("options", "missing"), [({"wavelength": 5e-7}, "f_number"), ({"f_number": 2}, "wavelength")])
 def test_a_wavelength_needs_an_f_number_and_the_other_way_round(options, missing):
     with pytest.raises(ValueError, match=f"given together .*{missing}=None"):
         lm.Pupil(**options)
@@ -167,10 +164,8 @@ def test_a_bad_object_distance_is_refused(camera, name, value, shown):
     refuses(lambda: camera.pupil(value), name, shown)
 
 
-@pytest.mark.parametrize("kind", ["lommel-series"])
-@pytest.mark.parametrize(
-    "wavefront", [{"spherical": 1.0}, {"higher": (0.0, 1.0)}, {"spherical": [0.0, 1.0]}], ids=str
-)
+@each("kind", ["lommel-series"])
+@each("wavefront", [{"spherical": 1.0}, {"higher": (0.0, 1.0)}, {"spherical": [0.0, 1.0]}])
 def test_a_method_for_defocus_refuses_spherical_aberration(kind, wavefront):
     with pytest.raises(ValueError, match=f"{METHODS[kind].__name__} supports defocus only"):
         lm.psf(lm.Pupil(lm.Wavefront(**wavefront)), 5, 0.5, method=METHODS[kind]())
@@ -182,7 +177,7 @@ def test_a_method_for_lenses_refuses_a_pupil_without_distances():
     assert isinstance(PUPIL.geometry, Geometry)
 
 
-@pytest.mark.parametrize("method", [lm.NijboerZernike(tol=1e-9), lm.Hankel()], ids=repr)
+@each("method", [lm.NijboerZernike(tol=1e-9), lm.Hankel()])
 def test_float32_is_refused_where_it_cannot_hold_the_tolerance(method):
     with pytest.raises(ValueError, match=f"dtype float32 cannot hold tol={method.tol:g}; use float64"):
         lm.psf(PUPIL, 5, 1e-6, method=method, dtype="float32")
@@ -195,7 +190,7 @@ def test_a_stack_too_large_for_memory_is_refused_before_anything_is_computed():
 
 
 @METHOD
-@pytest.mark.parametrize("defocus", [1e12, 1e300])
+@each("defocus", [1e12, 1e300])
 def test_a_phase_that_a_method_cannot_carry_is_refused_in_one_short_line(method, defocus):
     pupil = lm.Pupil(lm.Wavefront(defocus), wavelength=5e-7, f_number=2.0, geometry=PUPIL.geometry)
     message = ""
@@ -248,7 +243,7 @@ def test_a_method_has_no_options_but_its_own(method):
 
 
 @table(("radius", [*NOT_FINITE, (-1.0, "-1"), ("1", "'1'"), (True, "True"), (1j, "1j"), ([0.0, -1.0], "-1")]))
-@pytest.mark.parametrize(
+@each(
     "ask",
     [
         lambda radius: lm.psf(PUPIL, 5, 1e-6).encircled_energy(radius),
@@ -256,18 +251,17 @@ def test_a_method_has_no_options_but_its_own(method):
         lambda radius: lm.psf(PUPIL, 5, 1e-6).profile(radius),
         lambda radius: lm.best_focus(PUPIL, radius),
     ],
-    ids=["encircled energy", "geometric encircled energy", "profile", "best focus"],
 )
 def test_a_bad_radius_is_refused(ask, name, value, shown):
     refuses(lambda: ask(value), name, shown)
 
 
-@pytest.mark.parametrize("rho", [-0.1, math.nan, "1", True])
+@each("rho", [-0.1, math.nan, "1", True])
 def test_a_bad_pupil_radius_is_refused(rho):
     refuses(lambda: lm.Wavefront(1.0).phase(rho), "rho", str(rho))
 
 
-@pytest.mark.parametrize("value", ["x", 550, math.nan, [5e-7], True])
+@each("value", ["x", 550, math.nan, [5e-7], True])
 def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
     calls = [
         lambda: lm.Wavefront.zernike({4: 1.0}, order="noll", unit="waves", wavelength=value),
@@ -280,7 +274,7 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         refuses(call, "wavelength", "got ")
 
 
-@pytest.mark.parametrize(
+@each(
     ("call", "name"),
     [
         (lambda: lm.measures.spot.axis_strehl(1), "answer must be a PSF, got 1"),
@@ -318,7 +312,7 @@ HUGE = np.full((3, 3), 1.7e308)
 NOISE = lm.Noise(white=1e4, read=3.0)
 
 
-@pytest.mark.parametrize(
+@each(
     ("call", "told"),
     [
         (lambda: PUPIL.in_light(10**400), "wavelength must be finite"),
@@ -382,9 +376,7 @@ def test_no_radii_give_no_energies():
     assert lm.measures.energy.encircled(SPHERICAL, []).fraction.shape == (0,)
 
 
-@pytest.mark.parametrize(
-    "value", [np.ones((50, 50)), [1.0] * 5000, "x" * 5000, "a\nb", {str(k): k for k in range(999)}, 10**400]
-)
+@each("value", [np.ones((50, 50)), [1.0] * 5000, "x" * 5000, "a\nb", {str(k): k for k in range(999)}, 10**400])
 def test_a_message_is_one_line_and_short_whatever_is_given(value):
     for call in (lambda: lm.psf(value, 5, 0.5), lambda: lm.Pupil(obscuration=value), lambda: lm.Spider(0.1, value)):
         with pytest.raises(BAD) as caught:

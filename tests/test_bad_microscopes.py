@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from cases import each
 
 GLASS = lm.Layer(1.5255, 170e-6)
 OBJECTIVE = {
@@ -78,7 +79,7 @@ TABLE = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "value", "said"), TABLE, ids=[f"{n}={str(v)[:24]}" for n, v, _ in TABLE])
+@each("name, value, said", TABLE)
 def test_a_bad_argument_is_told_in_one_sentence(name, value, said):
     with pytest.raises((TypeError, ValueError), match=re.escape(said)) as caught:
         psf(**{name: value})
@@ -90,7 +91,7 @@ def test_without_a_fault_there_is_a_psf():
     assert len(TABLE) >= 25
 
 
-@pytest.mark.parametrize(
+@each(
     ("make", "said"),
     [
         (lambda: lm.Dipole(math.nan, 0.0), "polar must be finite, got nan"),
@@ -133,7 +134,7 @@ def test_depths_and_planes_that_do_not_go_together_are_told():
         psf(z=np.ma.masked_array([0.0, 1e-7], [True, False]))
 
 
-@pytest.mark.parametrize(
+@each(
     ("take", "said"),
     [
         (

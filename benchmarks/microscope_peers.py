@@ -197,7 +197,7 @@ def tables() -> str:
             continue
         rows = "\n".join(f"| {row.asked} | {row.told} |" for row in answer[1])
         head = f"### {name} {answer[0]}\n\n{told[0].upper()}{told[1:]}\n"
-        parts.append(f"{head}\n| asked | differs by, or found |\n|---|---|\n{rows}\n")
+        parts.append(f"{head}\n| configuration | difference or value |\n|---|---|\n{rows}\n")
     return "\n".join(parts)
 
 

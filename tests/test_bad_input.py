@@ -14,7 +14,7 @@ from cases import each
 from lommel.imaging.blur import Points
 from lommel.lensfiles import field_tables
 from lommel.methods import METHODS
-from lommel.optics.geometry import Geometry
+from lommel.optics.base_pupil import Geometry
 
 BAD = (ValueError, TypeError)
 METHOD = each("method", [kind() for kind in METHODS.values()])

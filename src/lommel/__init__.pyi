@@ -66,20 +66,20 @@ from lommel.methods.layers.stratified import Stratified as Stratified
 from lommel.methods.paper.tuned_closed_form import TunedClosedForm as TunedClosedForm
 from lommel.optics.aperture.obstructions import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
 from lommel.optics.aperture.apodization import Apodization as Apodization
-from lommel.optics.colour.channels import Channels as Channels
+from lommel.optics.colour.spectrum import Channels as Channels
 from lommel.optics.colour.dispersion import Colour as Colour
 from lommel.optics.layers.emitter import Beam as Beam, Dipole as Dipole, Scalar as Scalar
-from lommel.optics.wavefront.fitting import (
+from lommel.optics.wavefront.opd_fit import (
     WavefrontFit as WavefrontFit,
     fit_opd as fit_opd,
     fit_radial as fit_radial,
     opd_map as opd_map,
 )
 from lommel.optics.grid import Grid as Grid
-from lommel.optics.layers.layer import Design as Design, Layer as Layer
+from lommel.optics.layers.stratified import Design as Design, Layer as Layer
 from lommel.optics.lens import Lens as Lens
 from lommel.optics.layers.objective import Objective as Objective
-from lommel.optics.wavefront.opd import OPDMap as OPDMap
+from lommel.optics.wavefront.opd_fit import OPDMap as OPDMap
 from lommel.optics.pupil import Pupil as Pupil
 from lommel.optics.wavefront.wavefront import Wavefront as Wavefront
 from lommel.page.widget import live as live

@@ -24,7 +24,7 @@ from lommel.methods.method import Method, painted, storing, widened
 from lommel.methods.polychromatic import Polychromatic, together
 from lommel.methods.question import asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
-from lommel.optics.colour.channels import Channels, checked
+from lommel.optics.colour.spectrum import Channels, checked
 from lommel.optics.grid import Grid
 from lommel.psf import PSF, Plan
 from lommel.show import colours

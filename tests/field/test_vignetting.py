@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.optics.field_pupil import FieldPupil
+from lommel.optics.pupil import FieldPupil
 
 EDGES = lm.Vignetting([0.0, 10e-3, 20e-3], shift=[0.0, 0.2, 0.8], radius=[1.0, 1.0, 1.1])
 PLAIN = lm.FieldMap.from_seidel(20e-3, W131=1.0, W222=0.5, wavelength=550e-9, f_number=2.8)

@@ -5,7 +5,7 @@ What is converted, and how:
 - ``Wavefront.data.opd`` is in waves and positive where a ray's path is *shorter* than the chief ray's; the phase is
   ``-2 pi opd``. Their FFT PSF takes the same sign.
 - Points of the pupil are fractions (Px, Py) of the entrance pupil, y upwards, which is mirrored; see
-  :mod:`lommel.adapters.traced`. Positions are where the chief ray meets the image surface, millimetres to metres.
+  :mod:`lommel.adapters.ray_tracing`. Positions are those of the chief ray on the image surface, in metres.
 - Wavelengths are micrometres there, metres here.
 - The amplitude is taken as uniform: optiland's absorption and coatings are not carried over.
 
@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from lommel.adapters import traced
+from lommel.adapters import ray_tracing
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.optional import library
@@ -65,7 +65,7 @@ def pupil(
         `tol`.
     """
     trace, metres = _tracer(optic, wavelength)
-    return traced.single_pupil(trace, field, metres, degree, tol)
+    return ray_tracing.single_pupil(trace, field, metres, degree, tol)
 
 
 def field_map(
@@ -101,10 +101,10 @@ def field_map(
         As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given.
     """
     trace, metres = _tracer(optic, wavelength)
-    return traced.field_map(trace, heights, fields, metres, degree, tol)
+    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol)
 
 
-def _tracer(optic: Any, wavelength: float | None) -> tuple[traced.Trace, float]:
+def _tracer(optic: Any, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
     library("optiland", "this needs", "")
     from optiland.optic import Optic
@@ -115,7 +115,7 @@ def _tracer(optic: Any, wavelength: float | None) -> tuple[traced.Trace, float]:
     micrometres = optic.primary_wavelength if wavelength is None else 1e6 * validation.wavelength(wavelength)
     index = float(np.ravel(optic.surfaces.n(micrometres))[-1])
 
-    def trace(hx: float, hy: float, x: Array, y: Array) -> traced.TracedField:
+    def trace(hx: float, hy: float, x: Array, y: Array) -> ray_tracing.TracedField:
         if any(abs(float(part)) > 0.0 for part in optic.fields.get_vig_factor(hx, hy)):
             raise ValueError(f"the field ({hx:g}, {hy:g}) has vignetting factors, which are not supported")
         points = SimpleNamespace(x=x, y=y)
@@ -123,7 +123,7 @@ def _tracer(optic: Any, wavelength: float | None) -> tuple[traced.Trace, float]:
         opd, light = (np.array(part, dtype=np.float64) for part in (made.opd, made.intensity))
         rays = optic.trace(hx, hy, micrometres, None, points)
         chief = optic.trace_generic(hx, hy, 0.0, 0.0, micrometres)
-        return traced.TracedField(
+        return ray_tracing.TracedField(
             x,
             y,
             # Rays that are blocked come with the path 0 and no light.

@@ -6,8 +6,8 @@ What is converted, and how:
   chief ray's; the phase is ``-2 pi opd / lambda``. (ray-optics' own ``calc_psf`` takes the other sign, which turns
   its PSF by half a turn.)
 - Points of the pupil are fractions of the entrance pupil without vignetting, y upwards, which is mirrored; see
-  :mod:`lommel.adapters.traced`. Positions are where the chief ray meets the image surface, at the focus shift of the
-  lens, in the units of the lens to metres.
+  :mod:`lommel.adapters.ray_tracing`. Positions are those of the chief ray on the image surface, at the focus shift of
+  the lens, in metres.
 - Wavelengths are nanometres there, metres here.
 - The amplitude is taken as uniform.
 
@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from lommel.adapters import traced
+from lommel.adapters import ray_tracing
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.optional import library
@@ -70,7 +70,7 @@ def pupil(
         If an argument is out of range, if rays are blocked, or if `degree` does not reach `tol`.
     """
     trace, metres = _tracer(model, wavelength, apertures)
-    return traced.single_pupil(trace, field, metres, degree, tol)
+    return ray_tracing.single_pupil(trace, field, metres, degree, tol)
 
 
 def field_map(
@@ -107,10 +107,10 @@ def field_map(
         As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given.
     """
     trace, metres = _tracer(model, wavelength, apertures)
-    return traced.field_map(trace, heights, fields, metres, degree, tol)
+    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol)
 
 
-def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[traced.Trace, float]:
+def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
     library("rayoptics", "this needs", "")
     from rayoptics.optical.opticalmodel import OpticalModel
@@ -127,7 +127,7 @@ def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[trac
     unit = model.nm_to_sys_units(1e9)  # one metre in the units of the lens
     shift = spec["focus"].focus_shift
 
-    def trace(hx: float, hy: float, x: Array, y: Array) -> traced.TracedField:
+    def trace(hx: float, hy: float, x: Array, y: Array) -> ray_tracing.TracedField:
         field = Field(fov=spec["fov"])
         field.xf, field.yf = hx, hy
         sphere, chief = rays.setup_pupil_coords(model, field, nanometres, shift)
@@ -144,6 +144,6 @@ def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[trac
             phase[k] = -2.0 * math.pi * opd / (unit * 1e-9 * nanometres)
             towards[k] = abs(first.n_img) * (found[0][-1][1] - chief_direction)[:2]
         place = np.asarray(sphere[0], dtype=np.float64) / unit
-        return traced.TracedField(x, y, phase, towards[:, 0], towards[:, 1], (float(place[0]), float(place[1])))
+        return ray_tracing.TracedField(x, y, phase, towards[:, 0], towards[:, 1], (float(place[0]), float(place[1])))
 
     return trace, 1e-9 * float(nanometres)

@@ -15,7 +15,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur, Seeing
-from lommel.special.equal_steps import steps
+from lommel.special.interpolation import steps
 from lommel.special.legendre import gauss_legendre
 
 _BAND = 1.2  # radians from one entry of a table to the next

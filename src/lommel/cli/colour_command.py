@@ -16,7 +16,7 @@ from lommel.cli.parts import figure_format, print_json, save_figure
 from lommel.cli.progress import progress
 from lommel.cli.tables import console_of, list_of, print_mtf, table_of
 from lommel.io import colour_files, field_files
-from lommel.optics.colour.channels import Channels
+from lommel.optics.colour.spectrum import Channels
 from lommel.show.drawing import HOW, MEANING
 
 if TYPE_CHECKING:

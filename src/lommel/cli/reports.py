@@ -22,9 +22,9 @@ from lommel.measures.energy import MAX_RADIUS, encircled, optics
 from lommel.methods import HuygensFresnel, Method, Polychromatic
 from lommel.methods.choice import of_profiles, reference
 from lommel.optics.aperture.apodization import Apodization
-from lommel.optics.colour.channels import Channels
+from lommel.optics.colour.spectrum import Channels
 from lommel.optics.layers.emitter import Dipole, Scalar
-from lommel.optics.layers.layer import Layer
+from lommel.optics.layers.stratified import Layer
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as lens_pupil

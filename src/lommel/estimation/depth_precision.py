@@ -25,7 +25,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.estimation.noise import Noise
 from lommel.estimation.pixel_transfer import WindowError, half_window, multiplicity, pixel_transfer, squared_frequency
-from lommel.optics.geometry import object_distances
+from lommel.optics.base_pupil import object_distances
 from lommel.optics.lens import Lens
 
 _MOST_PHOTONS = 1e12

@@ -18,7 +18,7 @@ from lommel.imaging.tiles import depth_of_field_by_tiles
 from lommel.imaging.traced_blur import traced_blur
 from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
-from lommel.optics.colour.channels import RED_GREEN_BLUE
+from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
 __all__ = [
     "RED_GREEN_BLUE",

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import DTypeLike
 
 from lommel.base import options, validation
-from lommel.optics.colour.channels import RED_GREEN_BLUE, Channels
+from lommel.optics.colour.spectrum import RED_GREEN_BLUE, Channels
 
 BORDERS = ("reflect", "extend", "zero")
 MISSING = ("raise", "nearest", "infinity")

@@ -16,7 +16,7 @@ from lommel.io import psf_files, psf_numpy, psf_png, psf_tiff, registry
 from lommel.io.psf_files import Made
 from lommel.io.registry import Format
 from lommel.measures.answer_channels import AnswerChannels, colours
-from lommel.optics.colour.channels import Channels
+from lommel.optics.colour.spectrum import Channels
 
 _EACH = ("pupil", "method", "error_bound", "scale")  # what channels differ in
 

@@ -20,7 +20,7 @@ from lommel.base.units import LENGTHS, parse_length
 from lommel.io import cells, code_v, fits_images, registry
 from lommel.io.registry import Format
 from lommel.io.zernike_tables import UNITS
-from lommel.optics.wavefront.opd import OPDMap
+from lommel.optics.wavefront.opd_fit import OPDMap
 
 _MAGIC = (0x881B036F, 0x881B0370, 0x881B0371)
 _HEADERS = (834, 4096)  # bytes

@@ -20,10 +20,9 @@ from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_t
 from lommel.io.registry import Format
 from lommel.measures.answer import Answer
 from lommel.methods import method_from_dict
-from lommel.optics.field_pupil import FieldPupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import FieldPupil, Pupil
 
 Made = TypeVar("Made", bound=Answer)
 NORMALIZE = ("energy", "emitted", "strehl", "peak")

@@ -18,8 +18,8 @@ from lommel.base.units import LENGTHS
 from lommel.io import cells
 from lommel.lensfiles.messages import TOLD
 from lommel.lensfiles.sections import Length, Number, Section, SignedLength, read_beside
-from lommel.optics.colour.channels import Channels, checked_paths
 from lommel.optics.colour.dispersion import Colour
+from lommel.optics.colour.spectrum import Channels, checked_paths
 
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)

@@ -8,7 +8,7 @@ from typing import Any
 
 from lommel.base import validation
 from lommel.field.maps import FieldMap
-from lommel.optics.colour.channels import Channels
+from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront

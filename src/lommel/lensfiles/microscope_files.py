@@ -18,9 +18,9 @@ from lommel.lensfiles import toml_files
 from lommel.lensfiles.sections import Angle, Length, Number, Section, Sensor, SignedLength
 from lommel.lensfiles.toml_files import LensFileError
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, emitter_of
-from lommel.optics.layers.layer import DEPTH_MOST, Design, Layer, length, refractive_index
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.stratified import DEPTH_MOST, Design, Layer, length, refractive_index
 
 PLANES_MOST = 4096
 _LEAST_SIDE, _MOST_SIDE = 33, 513

@@ -12,7 +12,7 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base import validation
 from lommel.measures.answer import Answer
 from lommel.optics.base_pupil import BasePupil
-from lommel.optics.colour.channels import Channels
+from lommel.optics.colour.spectrum import Channels
 from lommel.optics.grid import Grid
 
 One = TypeVar("One", bound=Answer)

@@ -12,7 +12,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.measures.answer import Answer, checked
 from lommel.measures.answer_channels import AnswerChannels
-from lommel.optics.geometry import object_distances
+from lommel.optics.base_pupil import object_distances
 
 
 @dataclass(frozen=True, eq=False)

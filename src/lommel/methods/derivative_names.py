@@ -21,7 +21,7 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
 if TYPE_CHECKING:
-    from lommel.optics.geometry import Geometry
+    from lommel.optics.base_pupil import Geometry
 
 Term = tuple[int, int]
 Name = str | Term

@@ -15,8 +15,8 @@ from lommel.base.cached import cached_property, changed
 from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination, lens_apodization
 from lommel.optics.aperture.obstructions import CatEye, Ellipse, Mask, Spider
+from lommel.optics.base_pupil import Geometry, object_distances
 from lommel.optics.colour.dispersion import Colour, PupilColour
-from lommel.optics.geometry import Geometry, object_distances
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import aplanatic
 from lommel.optics.wavefront.wavefront import Wavefront, same_path

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.cached import cached_property, changed
 from lommel.optics.aperture.apodization import Apodization, illumination
-from lommel.optics.base_pupil import BasePupil, is_no_pupil
+from lommel.optics.base_pupil import BasePupil, Geometry, is_no_pupil
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
@@ -21,7 +21,6 @@ if TYPE_CHECKING:  # most pupils are round, and need none of these
     from lommel.optics.aperture.obstructions import CatEye, Ellipse, Mask, Spider
     from lommel.optics.aperture.opening import Opening, Rule
     from lommel.optics.colour.dispersion import PupilColour
-    from lommel.optics.geometry import Geometry
 
 
 @dataclass(frozen=True)
@@ -90,13 +89,7 @@ class Pupil(BasePupil):
 
     def __post_init__(self) -> None:
         validation.instance("wavefront", self.wavefront, Wavefront)
-        if self.geometry is not None:
-            from lommel.optics.geometry import Geometry
-
-            if not isinstance(self.geometry, Geometry):
-                raise TypeError(
-                    f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"
-                )
+        validation.optional("geometry", self.geometry, Geometry)
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         light = illumination(self.apodization)
         kept = light if isinstance(self.apodization, Apodization) else light.slope
@@ -340,7 +333,6 @@ class Pupil(BasePupil):
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
         from lommel.optics.aperture.obstructions import Mask, Spider, vignetting_from_dict
         from lommel.optics.colour.dispersion import PupilColour
-        from lommel.optics.geometry import Geometry
 
         parts = dict(description)
         geometry = parts.pop("geometry")
@@ -399,3 +391,111 @@ def checked(pupil: Any) -> Pupil:
     if isinstance(pupil, Pupil):
         return pupil
     raise is_no_pupil(pupil)
+
+
+@dataclass(frozen=True)
+class FieldPupil(BasePupil):
+    """A stack of pupils that share their scale, but not what narrows them; made by :meth:`lommel.FieldMap.psf`.
+
+    Parameters
+    ----------
+    pupils : tuple of Pupil
+        Single ones, in reading order.
+    places : tuple of int
+        The shape of the stack.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If they are no single pupils of one scale, or not as many as the shape has places.
+    """
+
+    pupils: tuple[Pupil, ...]
+    places: tuple[int, ...]
+
+    def __post_init__(self) -> None:
+        for pupil in self.pupils:
+            validation.instance("pupils", pupil, Pupil)
+        scales = {(pupil.shape, pupil.wavelength, pupil.f_number) for pupil in self.pupils}
+        if len(self.pupils) != math.prod(self.places) or len(scales) != 1 or scales.pop()[0] != ():
+            raise ValueError(f"pupils must be single ones of one scale for each place of {self.places}")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the stack."""
+        return self.places
+
+    @property
+    def wavelength(self) -> float | None:
+        """Metres."""
+        return self.pupils[0].wavelength
+
+    @property
+    def f_number(self) -> float | None:
+        """On the sensor, of the whole aperture."""
+        return self.pupils[0].f_number
+
+    @property
+    def radial(self) -> bool:
+        """Never: what places see differs."""
+        return False
+
+    @property
+    def circular(self) -> bool:
+        """Whether nothing narrows any of them."""
+        return all(pupil.circular for pupil in self.pupils)
+
+    @property
+    def illumination(self) -> Apodization:
+        """The amplitude, which they share."""
+        return self.pupils[0].illumination
+
+    @property
+    def aperture(self) -> tuple[Any, ...]:
+        """None: ValueError."""
+        raise ValueError("pupil must have one aperture, got one for each place; index the stack, or ask FieldMap.psf")
+
+    @property
+    def amplitude(self) -> float:
+        """None: ValueError."""
+        raise ValueError("each place has an aperture of its own: index the stack, and measure one after the other")
+
+    @property
+    def transmission(self) -> Any:
+        """Light that passes, an array of the shape of the stack."""
+        return np.reshape([pupil.transmission for pupil in self.pupils], self.shape)
+
+    @property
+    def likely_peak(self) -> float:
+        """The least of theirs."""
+        return min(pupil.likely_peak for pupil in self.pupils)
+
+    def geometric_radius(self) -> NDArray[np.float64]:
+        """Return how far from the axis rays meet the sensor at most, of the shape of the stack."""
+        return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
+
+    def __getitem__(self, index: Any) -> Any:
+        """Return a pupil, or part of the stack, as NumPy indexes arrays of its shape."""
+        which = np.arange(len(self.pupils)).reshape(self.shape)[index]
+        if which.ndim == 0:
+            return self.pupils[int(which)]
+        return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), which.shape)
+
+    def broadcast(self, shape: tuple[int, ...]) -> FieldPupil:
+        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
+        shape = validation.stack_shape(shape, self.shape)
+        which = np.broadcast_to(np.arange(len(self.pupils)).reshape(self.shape), shape)
+        return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), shape)
+
+    def in_light(self, wavelength: float) -> FieldPupil:
+        """Return them in light of another `wavelength`, metres."""
+        return FieldPupil(tuple(pupil.in_light(wavelength) for pupil in self.pupils), self.shape)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types; :meth:`from_dict` is the inverse."""
+        return {"shape": list(self.shape), "pupils": [pupil.to_dict() for pupil in self.pupils]}
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> FieldPupil:
+        """Rebuild what a `description` by :meth:`to_dict` says."""
+        return cls(tuple(Pupil.from_dict(part) for part in description["pupils"]), tuple(description["shape"]))

@@ -10,8 +10,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.base_pupil import BasePupil
-from lommel.optics.geometry import Geometry
+from lommel.optics.base_pupil import BasePupil, Geometry
 from lommel.optics.layers.objective_pupil import PLANES, ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.optics.colour.channels import few
+from lommel.optics.colour.spectrum import few
 
 WAVES = np.arange(400, 701, 10) * 1e-9
 

@@ -10,8 +10,8 @@ import pytest
 
 import lommel as lm
 from lommel.optics.layers import debye
-from lommel.optics.layers.pupil_pieces import At, Model, pieces
-from lommel.special.discs import Disc
+from lommel.optics.layers.quadrature_bounds import At, Model, pieces
+from lommel.special.disc_arithmetic import Disc
 from objectives import oil
 
 FILMS = [lm.Layer(2.0, 60e-9), lm.Layer(1.46, 300e-9)]

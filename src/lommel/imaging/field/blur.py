@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import shares
-from lommel.field.depths import require_light
-from lommel.field.maps import FieldMap
+from lommel.field.maps import FieldMap, require_light
 from lommel.imaging.blur import require_depth, require_lens
 from lommel.imaging.field.bank import FieldBank, build_field_bank
 from lommel.imaging.field.light import PointLight

@@ -18,11 +18,11 @@ from lommel.methods.layers.refinement import LEAST, LayeredMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
-from lommel.optics.layers import azimuths, debye
+from lommel.optics.layers import azimuthal_orders, debye
 from lommel.optics.layers.emitter import Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.pupil_pieces import Piece
-from lommel.special import equal_steps
+from lommel.optics.layers.quadrature_bounds import Piece
+from lommel.special import interpolation
 from lommel.special.bessel import bessel_sequence
 
 _BANDS = (
@@ -160,12 +160,12 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
     assert pupil.aberrations is not None
     wavefront = pupil.aberrations.flattened()
-    terms = azimuths.sizes(wavefront)
+    terms = azimuthal_orders.sizes(wavefront)
     asked = pupil.layers, light.model, depth, focus, 0.5 * band * (circles - 1), accuracy.field
     if turn is None:
-        rule = debye.rule(*asked, lambda piece: azimuths.growth(piece, terms))
+        rule = debye.rule(*asked, lambda piece: azimuthal_orders.growth(piece, terms))
     else:
-        rule = debye.rule(*asked, lambda piece: azimuths.growth(piece, terms) + turn.growth(piece))
+        rule = debye.rule(*asked, lambda piece: azimuthal_orders.growth(piece, terms) + turn.growth(piece))
     turned: Any = 1.0 if turn is None else turn.of(rule.rates)
     rows = _mixed(light.waves.form)
     values = np.empty((depth.size, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
@@ -175,12 +175,14 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     many = wavefront.shape[0] > 1
     each = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else depth.size
     for part in (slice(k, min(k + each, depth.size)) for k in range(0, depth.size, each)):
-        across, left = azimuths.components(wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field)
+        across, left = azimuthal_orders.components(
+            wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field
+        )
         shift = max(map(abs, light.waves.orders))
         most = across.shape[1] // 2 + shift
         # The orders of the intensity are twice those of a field, and so many angles tell each from all others.
         angles = fft_length(4 * most + 1)
-        around = equal_steps.orders(2 * most, 2 * angles, max(accuracy.around, _AROUND))
+        around = interpolation.orders(2 * most, 2 * angles, max(accuracy.around, _AROUND))
         sums = Rings(
             _bessel(rule.rho.tobytes(), 0.5 * band, circles, most + 1),
             _parts(light.waves, rows, rule.parts, across, shift),
@@ -221,9 +223,9 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
 
 
 @lru_cache(maxsize=64)
-def _along(error: float) -> tuple[float, equal_steps.Steps]:
+def _along(error: float) -> tuple[float, interpolation.Steps]:
     band, least = next((way for way in _BANDS if error >= way[1]), _BANDS[-1])
-    return band, equal_steps.steps(band, max(error, least))
+    return band, interpolation.steps(band, max(error, least))
 
 
 def _mixed(form: NDArray[np.complex128]) -> Array:

@@ -26,7 +26,7 @@ from lommel.optics.layers import debye
 from lommel.optics.layers.debye import Rule, Turning
 from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.pupil_pieces import Complex, Model
+from lommel.optics.layers.quadrature_bounds import Complex, Model
 from lommel.optics.layers.stratified import Layers
 
 # Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.

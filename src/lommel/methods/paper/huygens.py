@@ -15,7 +15,7 @@ from lommel.core.answers import FieldValues, Intensities
 from lommel.core.engine import huygens_sum
 from lommel.methods.method import FieldMethod
 from lommel.methods.pixels.averaging import filtered, filtered_by
-from lommel.optics.geometry import Geometry
+from lommel.optics.base_pupil import Geometry
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.aplanatic import expansion, path

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.base_pupil import BasePupil
+from lommel.optics.base_pupil import BasePupil, Geometry
 from lommel.optics.wavefront import aplanatic
 from lommel.optics.wavefront.wavefront import Wavefront
-
-if TYPE_CHECKING:
-    from lommel.optics.geometry import Geometry
 
 
 @dataclass(frozen=True, init=False)

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.units import format_length
 from lommel.optics.base_pupil import BasePupil
+from lommel.special.legendre import gauss_legendre
 
 
 class Component(NamedTuple):
@@ -97,3 +102,409 @@ def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
     if not waves:
         raise ValueError("wavelengths must not be empty")
     return waves
+
+
+# The intensity at a point of the sensor is a sum over pairs of points of the pupil, whose optical paths to it differ
+# by L: of ``exp(2 pi i L / lambda) / lambda^2``, times what depends on no wavelength. So a sum over wavelengths in
+# place of the integral over a spectrum q is off, over the peak without aberration, by no more than the largest of
+#
+# ``E(L) = | sum_k u_k exp(2 pi i L s_k) - int q(s) exp(2 pi i L s) ds |``,  s = 1 / lambda,
+#
+# over all paths that occur, where u and q hold the factor 1 / lambda^2 and q has the integral 1. The s_k are Gauss
+# nodes all over the spectrum; the u_k >= 0 are those of least squares over L.
+
+_MOST = 256  # wavelengths
+_AT_ONCE = 2**20  # waves
+_SLACK = 0.1  # of the tolerance: what |E| may be more between the paths that it is looked at
+
+
+def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Array, Array, float]:
+    """Return few wavelengths and weights that stand for spectra.
+
+    Parameters
+    ----------
+    wavelengths : ndarray, shape (n,)
+        Metres, rising, at least two.
+    curves : ndarray, shape (channels, n)
+        Light at each, >= 0, linear in between; none is all 0.
+    paths : float
+        Largest difference of optical paths in the pupil, metres.
+    tol : float
+        Bound on the error over the peak without aberration.
+
+    Returns
+    -------
+    wavelengths : ndarray, shape (k,)
+        Rising.
+    weights : ndarray, shape (channels, k)
+        Each row sums to 1.
+    error : float
+        What the largest error is at most.
+
+    Raises
+    ------
+    ValueError
+        If it takes more than 256 wavelengths.
+    """
+    lit = np.flatnonzero(curves.any(axis=0))
+    first, last = max(lit[0] - 1, 0), min(lit[-1] + 1, wavelengths.size - 1)
+    low, high = 1.0 / wavelengths[last], 1.0 / wavelengths[first]
+    phase = math.pi * (high - low) * paths  # half of what it differs by over the spectrum
+    count = max(1, int(0.5 * phase / math.pi))
+    if 0.5 * count > _MOST:
+        raise _too_many(paths, tol)
+    at, light = _dense(wavelengths, curves, paths)
+    path = np.linspace(0.0, paths, math.ceil(phase / (2.0 * math.sqrt(_SLACK * tol))) + 2)
+    slack = (0.5 * phase / (path.size - 1)) ** 2
+    middle = 0.5 * (low + high)
+    bright = light / at**2
+    bright /= bright.sum(axis=1, keepdims=True)
+    blocks = np.array_split(path, math.ceil(path.size * at.size / _AT_ONCE))
+    exact = np.concatenate([bright @ _waves(at, block, middle).T for block in blocks], axis=1)
+    while count <= _MOST:
+        nodes = 1.0 / (low + (high - low) * gauss_legendre(count, 0.0, 1.0)[0][::-1])
+        waves = _waves(nodes, path, middle)
+        weights = np.stack([_fitted(waves, one, nodes, row @ at**2) for one, row in zip(exact, bright, strict=True)])
+        bright_nodes = weights / nodes**2 * (bright @ at**2)[:, None]
+        error = float(np.abs(bright_nodes @ waves.T - exact).max()) + slack
+        if error <= tol:
+            used = np.flatnonzero(weights.any(axis=0))
+            return nodes[used], weights[:, used], error
+        count += max(1, count // 8)
+    raise _too_many(paths, tol)
+
+
+def _too_many(paths: float, tol: float) -> ValueError:
+    return ValueError(
+        f"tol={tol:g} takes more than {_MOST} wavelengths where paths differ by up to {paths:g} m; ask for a larger "
+        "tol, or for less of the paths"
+    )
+
+
+def _dense(wavelengths: Array, curves: Array, paths: float) -> tuple[Array, Array]:
+    """Return nodes of a quadrature over the curves, and the light at each times its weight, to about 1e-10."""
+    nodes, weights = gauss_legendre(4, 0.0, 1.0)
+    ends = [wavelengths[:1]]
+    for a, b in pairwise(wavelengths):
+        pieces = max(4, math.ceil(2.0 * math.pi * paths * (1.0 / a - 1.0 / b)))
+        ends.append(a + (b - a) * np.arange(1, pieces + 1) / pieces)
+    edges = np.concatenate(ends)
+    step = np.diff(edges)
+    at = (edges[:-1, None] + step[:, None] * nodes).ravel()
+    light = np.stack([np.interp(at, wavelengths, curve) for curve in curves])
+    return at, light * (step[:, None] * weights).ravel()
+
+
+def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
+    """Return ``exp(2 pi i L (1 / lambda - middle))``, shape (paths, wavelengths)."""
+    return np.asarray(np.exp(2j * math.pi * np.outer(path, 1.0 / wavelengths - middle)))
+
+
+def _fitted(waves: Array, exact: Array, nodes: Array, mean: float) -> Array:
+    """Return weights >= 0 that sum to 1, of the least squares of E.
+
+    Those of light, of which ``u = weight / lambda^2 * mean`` is made; that they sum to 1 weighs as much as E(0) = 0.
+    """
+    from scipy.optimize import nnls
+
+    thin = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
+    goal = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
+    scale = mean / nodes**2
+    rows = np.concatenate([thin.real * scale, thin.imag * scale, math.sqrt(len(thin)) * np.ones((1, nodes.size))])
+    try:
+        found = np.asarray(nnls(rows, np.concatenate([goal.real, goal.imag, [math.sqrt(len(thin))]]))[0])
+    except RuntimeError as error:  # of iterations without end
+        raise ValueError(f"the weights of {nodes.size} wavelengths are not found: {error}") from None
+    return np.asarray(found / found.sum())
+
+
+def checked_paths(paths: float, tol: float) -> tuple[float, float]:
+    """Return both, if they are what :func:`few` takes; TypeError or ValueError otherwise."""
+    return (
+        validation.real("paths", paths, above=0.0, below=1e-2, unit="metres"),
+        validation.real("tol", tol, least=1e-6, below=0.5),
+    )
+
+
+RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
+"""Wavelengths (metres) that stand for the channels of a colour image where none are given."""
+
+_RGB = ("red", "green", "blue")
+
+
+@dataclass(frozen=True, init=False)
+class Channels:
+    """The channels of a sensor, each a sum over the same wavelengths with weights of its own.
+
+    Parameters
+    ----------
+    wavelengths : sequence of float, shape (n,)
+        Metres, all different.
+    weights : array_like, shape (channels, n)
+        The light that each channel counts at each wavelength, >= 0, in none all 0.
+    names : sequence of str, optional
+        All different; by default "red", "green" and "blue" of three channels, else "1", "2" and so on.
+
+    Attributes
+    ----------
+    names : tuple of str
+    wavelengths : tuple of float
+    weights : tuple of tuple of float
+        Those of each channel sum to 1.
+    light : tuple of float
+        How much each counts of the same light, over the largest.
+    error : float
+        Bound on what these wavelengths are off in place of a measured spectrum, over the peak without aberration;
+        0 where none was. See :meth:`from_curves`.
+    paths : float or None
+        Largest difference of optical paths in the pupil for which `error` holds, metres; else None.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If these are no such numbers or names.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> lm.Channels.rgb().names
+    ('red', 'green', 'blue')
+    """
+
+    names: tuple[str, ...]
+    wavelengths: tuple[float, ...]
+    weights: tuple[tuple[float, ...], ...]
+    light: tuple[float, ...]
+    error: float
+    paths: float | None
+
+    def __init__(self, wavelengths: Sequence[float], weights: ArrayLike, names: Sequence[str] | None = None) -> None:
+        waves = checked_wavelengths(wavelengths)
+        if len(set(waves)) != len(waves):
+            raise ValueError(f"wavelengths must all be different, got {validation.shown(wavelengths)}")
+        rows = validation.real_array("weights", weights, least=0.0)
+        if rows.ndim != 2 or rows.shape[1] != len(waves) or not rows.size or not rows.max(axis=1).all():
+            raise ValueError(
+                f"weights must be of shape (channels, {len(waves)}), one for each of the wavelengths, with light in "
+                f"every channel, got {validation.shown(weights)}"
+            )
+        rows = rows / rows.max()  # whose sums cannot overflow
+        if names is None:
+            names = _RGB if len(rows) == 3 else [str(k) for k in range(1, len(rows) + 1)]
+        listed = isinstance(names, Sequence) and not isinstance(names, str)
+        if not listed or not all(isinstance(name, str) and name for name in names):
+            raise TypeError(f"names must be texts, one for each channel, got {validation.shown(names)}")
+        if len(set(names)) != len(rows) or len(names) != len(rows):
+            raise ValueError(f"names must be {len(rows)} that differ, got {validation.shown(names)}")
+        light = rows.sum(axis=1)
+        vars(self).update(
+            names=tuple(names),
+            wavelengths=waves,
+            weights=tuple(tuple(row) for row in (rows / light[:, None]).tolist()),
+            light=tuple((light / light.max()).tolist()),
+            error=0.0,
+            paths=None,
+        )
+
+    @classmethod
+    def rgb(cls, width: float = 0.0, count: int = 5) -> Channels:
+        """Return red, green and blue around 600, 540 and 460 nm.
+
+        Parameters
+        ----------
+        width : float, default 0
+            Of each band, metres; 0 for the three wavelengths themselves.
+        count : int, default 5
+            Wavelengths in a band.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`bands`.
+        """
+        if width == 0.0:
+            return cls(RED_GREEN_BLUE, np.eye(3))
+        return cls.bands(RED_GREEN_BLUE, width, count=count)
+
+    @classmethod
+    def bands(
+        cls, centers: Sequence[float], width: float, *, names: Sequence[str] | None = None, count: int = 5
+    ) -> Channels:
+        """Return channels that count the light of a band evenly, and none beside.
+
+        Parameters
+        ----------
+        centers : sequence of float
+            Metres.
+        width : float
+            Metres, from edge to edge.
+        names : sequence of str, optional
+        count : int, default 5
+            Wavelengths in a band: nodes of Gauss's rule.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a wavelength is none, or the width not above 0.
+        """
+        middle = [validation.wavelength(w, "centers") for w in validation.real_array("centers", centers).ravel()]
+        if not middle:
+            raise ValueError("centers must not be empty")
+        half = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")
+        nodes, weights = gauss_legendre(validation.integer("count", count, least=1, most=256), -1.0, 1.0)
+        waves: dict[float, int] = {}
+        found = [[(waves.setdefault(m + half * x, len(waves)), w) for x, w in zip(nodes, weights, strict=True)]
+                 for m in middle]  # fmt: skip
+        rows = np.zeros((len(middle), len(waves)))
+        for row, pairs in zip(rows, found, strict=True):
+            row[[k for k, _ in pairs]] = [w for _, w in pairs]
+        return cls(tuple(waves), rows, names)
+
+    @classmethod
+    def of_wavelengths(cls, wavelengths: ArrayLike) -> Channels:
+        """Return a channel for each of some wavelengths, named by it: ``"550 nm"``.
+
+        Parameters
+        ----------
+        wavelengths : sequence of float
+            Metres, all different.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are no such wavelengths.
+        """
+        waves = np.atleast_1d(validation.array("wavelengths", wavelengths))
+        digits = next(
+            (
+                n
+                for n in range(4, 17)
+                if len({format_length(validation.wavelength(w), digits=n) for w in waves}) == len(waves)
+            ),
+            17,
+        )
+        return cls(tuple(waves), np.eye(len(waves)), [format_length(float(w), digits=digits) for w in waves])
+
+    @classmethod
+    def from_curves(
+        cls,
+        wavelengths: ArrayLike,
+        curves: ArrayLike,
+        names: Sequence[str] | None = None,
+        *,
+        tol: float = 1e-3,
+        paths: float = 5e-6,
+    ) -> Channels:
+        """Return channels from measured curves, by as few wavelengths as a tolerance takes.
+
+        Parameters
+        ----------
+        wavelengths : array_like, shape (n,)
+            Metres, rising, at least two.
+        curves : array_like, shape (channels, n)
+            What each channel counts at each, >= 0: quantum efficiency times filter times light. Lines in between,
+            nothing beyond.
+        names : sequence of str, optional
+        tol : float, default 1e-3
+            Bound on what a PSF by few wavelengths is off, over the peak without aberration, 1e-6 to 0.5.
+        paths : float, default 5e-6
+            Largest difference of optical paths between two points of the pupil for which that holds, metres. Defocus
+            of C_d makes ``lambda C_d / pi``, and a point of the sensor at the distance r from the axis ``r / N``.
+            In light of which paths differ by more, PSFs average over more rings than there are wavelengths.
+
+        Returns
+        -------
+        Channels
+            With the bound as ``error``.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are no such numbers, or if it takes more than 256 wavelengths.
+        """
+        waves = validation.real_array("wavelengths", wavelengths)
+        if waves.ndim != 1 or waves.size < 2 or not np.all(np.diff(waves) > 0.0):
+            raise ValueError(f"wavelengths must be two or more that rise, got {validation.shown(wavelengths)}")
+        for wave in (waves[0], waves[-1]):
+            validation.wavelength(float(wave))
+        light = validation.real_array("curves", curves, least=0.0)
+        if light.ndim != 2 or light.shape[1] != waves.size or not light.size or not light.max(axis=1).all():
+            raise ValueError(
+                f"curves must be of shape (channels, {waves.size}), with light in every channel, "
+                f"got {validation.shown(curves)}"
+            )
+        nodes, weights, error = few(waves, light / light.max(), *checked_paths(paths, tol))
+        made = cls(tuple(nodes.tolist()), weights * np.trapezoid(light, waves, axis=1).reshape(-1, 1), names)
+        vars(made).update(error=error, paths=float(paths))
+        return made
+
+    def __len__(self) -> int:
+        """Return the number of channels."""
+        return len(self.names)
+
+    @property
+    def spectra(self) -> tuple[tuple[tuple[float, float], ...], ...]:
+        """For each channel pairs of a wavelength and a weight that is not 0, as photographs take `wavelengths`."""
+        return tuple(
+            tuple((w, share) for w, share in zip(self.wavelengths, row, strict=True) if share > 0.0)
+            for row in self.weights
+        )
+
+    def __iter__(self) -> Iterator[tuple[str, tuple[tuple[float, float], ...]]]:
+        """Yield the name of each channel and its pairs of wavelength and weight."""
+        return iter(zip(self.names, self.spectra, strict=True))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Channels:
+        """Rebuild channels.
+
+        Parameters
+        ----------
+        description : dict
+            By :meth:`to_dict`.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError, KeyError
+            If it is none such.
+        """
+        parts = dict(description)
+        light = validation.real_array("light", parts["light"], least=0.0)
+        rows = validation.real_array("weights", parts["weights"]) * light[:, None]
+        made = cls(parts["wavelengths"], rows, parts["names"])
+        paths, error = parts["paths"], validation.real("error", parts["error"], least=0.0)
+        # As they were, not divided again by sums that are 1 but for rounding.
+        weights = tuple(tuple(float(w) for w in row) for row in parts["weights"])
+        vars(made).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
+        return made
+
+
+def checked(channels: Any) -> Channels:
+    """Return channels, or one for each of some wavelengths; TypeError or ValueError if it is neither."""
+    if isinstance(channels, Channels):
+        return channels
+    if isinstance(channels, Sequence | np.ndarray) and not isinstance(channels, str):
+        return Channels.of_wavelengths(channels)
+    raise TypeError(
+        f"channels must be Channels such as Channels.rgb(), or wavelengths, got {validation.shown(channels)}"
+    )

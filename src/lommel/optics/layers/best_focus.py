@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.optics.layers import debye, pupil_pieces
+from lommel.optics.layers import debye, quadrature_bounds
 from lommel.optics.layers.stratified import Layers, cosines
 
 _TOL = 1e-11
@@ -32,7 +32,7 @@ class _Axis:
     def __init__(self, layers: Layers, depth: float, low: float, high: float) -> None:
         self.depth = np.array([depth])
         ends = np.array([low, high])
-        self.rule = debye.rule(layers, pupil_pieces.Model(), np.full(2, depth), ends, 0.0, _TOL)
+        self.rule = debye.rule(layers, quadrature_bounds.Model(), np.full(2, depth), ends, 0.0, _TOL)
 
     def derivatives(self, focus: Array) -> tuple[Array, Array, Array]:
         """Return the intensity and its first two derivatives by the focus."""
@@ -121,7 +121,7 @@ def lateral_width(layers: Layers, depth: float, focus: float) -> float:
     """
     from scipy.optimize import brentq
 
-    model, one = pupil_pieces.Model(), np.ones(1)
+    model, one = quadrature_bounds.Model(), np.ones(1)
     unit = 2.0 * math.pi / _STEPS  # v of a step: k NA r
     for reach in (32, 256, 2048):
         v = np.asarray(np.arange(reach + 1) * unit)

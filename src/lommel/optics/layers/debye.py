@@ -1,6 +1,6 @@
 r"""Integrals over the angles of a microscope's light, by Gauss-Legendre quadrature that is proven to suffice.
 
-Each piece of the pupil (:mod:`lommel.optics.layers.pupil_pieces`) has its own angles.
+Each piece of the pupil (:mod:`lommel.optics.layers.quadrature_bounds`) has its own angles.
 
 References
 ----------
@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.optics.layers.pupil_pieces import ETA, At, Complex, Covered, Model, Piece, enclosed, extremes, pieces
+from lommel.optics.layers.quadrature_bounds import ETA, At, Complex, Covered, Model, Piece, enclosed, extremes, pieces
 from lommel.optics.layers.stratified import Layers
 from lommel.special.legendre import gauss_legendre
 

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.layers.pupil_pieces import Model
+from lommel.optics.layers.quadrature_bounds import Model
 
 Form = NDArray[np.complex128]
 

@@ -11,20 +11,21 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.optics.layers import azimuths, best_focus, debye, pupil_pieces
+from lommel.optics.layers import azimuthal_orders, best_focus, debye, quadrature_bounds
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
-from lommel.optics.layers.layer import (
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.stratified import (
     DEPTH_MOST,
+    Amplitudes,
     Design,
     Layer,
+    Layers,
     depths,
     film_stack,
     heights,
     length,
     refractive_index,
 )
-from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.stratified import Amplitudes, Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 
 
@@ -370,7 +371,7 @@ class Objective(Stage):
             On anything out of range, or at positions that the working distance does not reach.
         """
         layers, light = self._layers(wavelength), emitter_of(emitter)
-        measured = azimuths.checked(aberrations)
+        measured = azimuthal_orders.checked(aberrations)
         stack = np.empty(measured.shape if measured else ())
         given = depths(depth), validation.real_array("z", z), stack
         d, offset, _ = validation.broadcast("depth, z and aberrations", *given)
@@ -494,7 +495,7 @@ class Objective(Stage):
         ----------
         P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
         """
-        (K0, K1, K2), error = self._integrals(pupil_pieces.Model(), radius, depth, focus, wavelength, tol)
+        (K0, K1, K2), error = self._integrals(quadrature_bounds.Model(), radius, depth, focus, wavelength, tol)
         return FocalField(K0, K1, K2, error)
 
     def scalar(
@@ -587,7 +588,7 @@ class Objective(Stage):
         return Nyquist(lateral, 0.5 * best_focus.depth_of_focus(layers), lateral * self.magnification)
 
     def _integrals(
-        self, model: pupil_pieces.Model, radius: Any, depth: Any, focus: Any, wavelength: Any, tol: Any
+        self, model: quadrature_bounds.Model, radius: Any, depth: Any, focus: Any, wavelength: Any, tol: Any
     ) -> tuple[list[NDArray[np.complex128]], float]:
         layers = self._layers(wavelength)
         r = validation.real_array("radius", radius, least=0.0)

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.optics.layers.stratified import Amplitudes, Layers, Values
-from lommel.special.discs import Disc, disc, windings
+from lommel.special.disc_arithmetic import Disc, disc, windings
 
 ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.special import equal_steps
+from lommel.special import interpolation
 
 
 @pytest.mark.parametrize("band", [0.7, 1.1, 1.6])
 @pytest.mark.parametrize("error", [1e-3, 1e-6, 1e-10])
 def test_each_wave_of_the_band_is_within_the_error(band, error):
-    steps = equal_steps.steps(band, error)
+    steps = interpolation.steps(band, error)
     rng = np.random.default_rng(3)
     t = np.append([0.0, 1.0, 0.5], rng.random(200))
     w = np.append([band, -band, 0.0], band * rng.uniform(-1.0, 1.0, 400))
@@ -37,7 +37,7 @@ def test_each_wave_of_the_band_is_within_the_error(band, error):
 @pytest.mark.parametrize("error", [1e-3, 1e-6, 1e-9, 1e-12])
 def test_each_order_of_a_circle_is_within_its_error(error):
     most, count = 20, 96
-    made = equal_steps.orders(most, count, error)
+    made = interpolation.orders(most, count, error)
     t = np.append([0.0, 1.0], np.random.default_rng(1).random(300))
     waves = np.exp(2j * np.pi / count * np.outer(np.arange(most + 1), made.taps.places))
     exact = np.exp(2j * np.pi / count * np.outer(np.arange(most + 1), t))
@@ -48,17 +48,17 @@ def test_each_order_of_a_circle_is_within_its_error(error):
 
 
 def test_taps_and_neighbours_are_the_fewest():
-    found = equal_steps.steps(1.2, 1e-8)
-    fewer = equal_steps._filtered(found.taps.size - 2, 1.2, equal_steps.NEIGHBOURS_MOST)
+    found = interpolation.steps(1.2, 1e-8)
+    fewer = interpolation._filtered(found.taps.size - 2, 1.2, interpolation.NEIGHBOURS_MOST)
     assert fewer.error > 1e-8 >= found.error
-    assert equal_steps._filtered(found.taps.size, 1.2, found.filter.size - 5).error > 1e-8
-    around = equal_steps.orders(20, 96, 1e-8)
-    assert equal_steps.orders(20, 96, around.errors.max()).taps.size == around.taps.size
-    assert equal_steps.orders(20, 96, 0.9 * around.errors.max()).taps.size == around.taps.size + 2
+    assert interpolation._filtered(found.taps.size, 1.2, found.filter.size - 5).error > 1e-8
+    around = interpolation.orders(20, 96, 1e-8)
+    assert interpolation.orders(20, 96, around.errors.max()).taps.size == around.taps.size
+    assert interpolation.orders(20, 96, 0.9 * around.errors.max()).taps.size == around.taps.size + 2
 
 
 def test_what_few_neighbours_cannot_tell_is_said():
     with pytest.raises(ValueError, match=r"no 16 taps are off by at most 1e-08: the band 3 is too wide"):
-        equal_steps.steps(3.0, 1e-8)
+        interpolation.steps(3.0, 1e-8)
     with pytest.raises(ValueError, match=r"no 16 taps are off by at most 1e-08 of the order 45 on 96 steps"):
-        equal_steps.orders(45, 96, 1e-8)
+        interpolation.orders(45, 96, 1e-8)

@@ -6,7 +6,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from lommel.special.discs import Disc, cosine_and_sinc, disc, windings
+from lommel.special.disc_arithmetic import Disc, cosine_and_sinc, disc, windings
 
 RNG = np.random.default_rng(7)
 

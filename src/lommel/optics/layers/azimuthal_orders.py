@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.optics.layers.debye import Rule
-from lommel.optics.layers.pupil_pieces import Piece
+from lommel.optics.layers.quadrature_bounds import Piece
 from lommel.optics.wavefront.wavefront import Wavefront
 
 DEGREE_MOST = 30  # powers of rho^2 lose 5.8^(n / 2) roundings

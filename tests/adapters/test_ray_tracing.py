@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from lommel.adapters import traced
+from lommel.adapters import ray_tracing as tracing
 from lommel.special import zernike
 
 WAVELENGTH, N = 550e-9, 4.0
@@ -19,7 +19,7 @@ def lens(
 ):
     """The trace of a lens with coma and astigmatism, 10 mm of field, in the frame of a ray tracer."""
 
-    def trace(hx: float, hy: float, x: np.ndarray, y: np.ndarray) -> traced.TracedField:
+    def trace(hx: float, hy: float, x: np.ndarray, y: np.ndarray) -> tracing.TracedField:
         side = -1.0 if upside_down else 1.0
         # In the exit pupil, y upwards.
         u, v = side * x, side * y
@@ -28,13 +28,13 @@ def lens(
         phase[:blocked] = np.nan
         sine = 0.5 / N
         position = (image * EDGE * hx, image * EDGE * hy)
-        return traced.TracedField(x, y, phase + 7.0, -sine * u / slower, -sine * v, position)
+        return tracing.TracedField(x, y, phase + 7.0, -sine * u / slower, -sine * v, position)
 
     return trace
 
 
 def single(trace, field, degree=6, tol=1e-6):
-    return traced.single_pupil(trace, field, WAVELENGTH, degree, tol)
+    return tracing.single_pupil(trace, field, WAVELENGTH, degree, tol)
 
 
 def test_the_pupil_and_the_position_are_mirrored_so_that_y_rises_downwards():
@@ -60,7 +60,7 @@ def test_the_f_number_is_that_of_the_cone_of_light():
 @pytest.mark.parametrize("image", [1.0, -1.0], ids=["upright", "inverted"])
 def test_the_map_of_a_symmetric_lens_agrees_with_its_rays_everywhere(image):
     trace = lens(image=image)
-    field = traced.field_map(trace, 4, None, WAVELENGTH, 6, 1e-6)
+    field = tracing.field_map(trace, 4, None, WAVELENGTH, 6, 1e-6)
     assert field.reach == pytest.approx(EDGE)
     for hx, hy in [(0.0, 1.0), (0.3, 0.4), (-0.6, -0.2), (1.0, 0.0)]:
         found = field.pupil(image * EDGE * hx, -image * EDGE * hy).wavefront
@@ -71,9 +71,9 @@ def test_the_map_of_a_symmetric_lens_agrees_with_its_rays_everywhere(image):
 def test_a_lens_without_symmetry_is_told_unless_fields_are_given():
     trace = lens(squint=1.0)
     with pytest.raises(ValueError, match="not rotationally symmetric; give fields"):
-        traced.field_map(trace, 4, None, WAVELENGTH, 6, 1e-6)
+        tracing.field_map(trace, 4, None, WAVELENGTH, 6, 1e-6)
     points = [(hx, hy) for hx in (-1.0, 0.0, 1.0) for hy in (-1.0, 0.0, 1.0)]
-    field = traced.field_map(trace, 4, points, WAVELENGTH, 6, 1e-6)
+    field = tracing.field_map(trace, 4, points, WAVELENGTH, 6, 1e-6)
     found = field.pupil(EDGE, -EDGE).wavefront - single(trace, (1.0, 1.0)).wavefront
     assert all(abs(float(c)) < 1e-9 for c in found.edge_terms().values())
 
@@ -89,10 +89,10 @@ def test_a_lens_without_symmetry_is_told_unless_fields_are_given():
         (lambda: single(lens(), (0, 2)), ValueError, "field must be fractions of the edge of the field"),
         (lambda: single(lens(), (0, math.nan)), ValueError, r"field\[1\] must be finite"),
         (lambda: single(lens(slower=-1.0), (0, 0)), ValueError, "do not converge towards an image"),
-        (lambda: traced.field_map(lens(), 1, None, WAVELENGTH, 6, 1), ValueError, "heights must be from 2 to 1000"),
-        (lambda: traced.field_map(lens(), 2, 5, WAVELENGTH, 6, 1), TypeError, "fields must be a sequence of pairs"),
-        (lambda: traced.field_map(lens(), 2, [(0, 0), 1], WAVELENGTH, 6, 1), TypeError, r"fields\[1\] must be"),
-        (lambda: traced.field_map(lens(image=0.0), 3, None, WAVELENGTH, 6, 1), ValueError, "imaged onto the axis"),
+        (lambda: tracing.field_map(lens(), 1, None, WAVELENGTH, 6, 1), ValueError, "heights must be from 2 to 1000"),
+        (lambda: tracing.field_map(lens(), 2, 5, WAVELENGTH, 6, 1), TypeError, "fields must be a sequence of pairs"),
+        (lambda: tracing.field_map(lens(), 2, [(0, 0), 1], WAVELENGTH, 6, 1), TypeError, r"fields\[1\] must be"),
+        (lambda: tracing.field_map(lens(image=0.0), 3, None, WAVELENGTH, 6, 1), ValueError, "imaged onto the axis"),
     ],
 )  # fmt: skip
 def test_what_makes_no_sense_is_refused_by_name(call, error, what):
@@ -101,7 +101,7 @@ def test_what_makes_no_sense_is_refused_by_name(call, error, what):
 
 
 def test_the_rays_are_enough_to_see_that_the_degree_is_too_low():
-    x, y = traced.sample_points(8)
+    x, y = tracing.sample_points(8)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     assert rho.max() < 1.0
     terms = [(n, m) for n in range(9) for m in range(-n, n + 1, 2)]

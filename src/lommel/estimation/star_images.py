@@ -14,11 +14,12 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, checked, parts
-from lommel.methods.derivatives.slopes import translated
+from lommel.methods.derivatives.slopes import Slope, translated
+from lommel.methods.question import Asked, asked_about
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.terms import symmetric_terms
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.psf import PSF, Plan
+from lommel.psf import Plan
 from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
@@ -172,6 +173,8 @@ class StarImages:
         self.read = np.maximum(self.recorded, _LEAST)
         self.counted = np.where(valid, electrons, 0.0).reshape(count, -1)
         self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
+        self.derivatives = unknowns.asked
+        self._question: Asked | None = None
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
         wanted = {*start, *unknowns.edge, *SHIFTS.values()}
@@ -255,9 +258,17 @@ class StarImages:
         """Return what each image has of its own: tilts, flux, background; shape (s, these, n)."""
         return x[:, self.own].reshape(len(x), -1, self.count)
 
-    def images(self, x: Array) -> PSF:
-        """Return the PSFs of images, shape (s, n, height, width), and their derivatives."""
-        return self.plan(self.pupils(x), derivatives=self.unknowns.asked)
+    def images(self, x: Array) -> tuple[Array, list[Slope]]:
+        """Return the PSFs of images, shape (s * n, height, width), and their derivatives."""
+        pupil, plan = self.pupils(x), self.plan
+        light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
+        # All steps of a search differ in their phases only: window and method are checked and chosen once.
+        if self._question is None or self._question.light != light:
+            self._question = asked_about(
+                pupil, light, plan.grid(pupil), plan.method, plan.tol, plan.normalize, plan.dtype, plan.threads
+            )
+        _, made, slopes = self._question.images(pupil, self.derivatives)
+        return made.values, slopes
 
     def mean(self, x: Array, psf: Array) -> Array:
         """Return the electrons expected of a pixel: those of the PSFs `psf`, shape (s, n, pixels)."""
@@ -275,9 +286,10 @@ class StarImages:
 
     def judged(self, x: Array, dtype: DTypeLike = np.float32) -> Scores:
         """Return how well sets of parameters fit; products of derivatives are summed in `dtype`."""
-        made = self.images(x)
+        values, slopes = self.images(x)
         each = (len(x), self.count, -1)
-        mean = self.mean(x, made.values.reshape(each))
+        psf = values.reshape(each)
+        mean = self.mean(x, psf)
         variance = self.variance(mean)
         residual = self.counted - mean
         weight = self.valid / variance
@@ -288,10 +300,10 @@ class StarImages:
         residual *= root  # 0 where not valid
         chi2 = np.einsum("sip,sip->s", residual, residual) / expected
         small = root.astype(dtype)
-        rows = np.empty((len(x), self.count, len(self.unknowns.asked) + 2, mean.shape[-1]), dtype)
-        for k, name in enumerate(self.unknowns.asked):
-            np.multiply(made.derivatives[name].reshape(each), small, out=rows[:, :, k])
-        np.multiply(made.values.reshape(each), small, out=rows[:, :, -2])
+        rows = np.empty((len(x), self.count, len(slopes) + 2, mean.shape[-1]), dtype)
+        for k, slope in enumerate(slopes):
+            np.multiply(slope.values.reshape(each), small, out=rows[:, :, k])
+        np.multiply(psf, small, out=rows[:, :, -2])
         rows[:, :, -1] = small
         local = rows @ residual.astype(dtype)[..., None]
         squares = rows @ rows.swapaxes(-1, -2)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -214,6 +214,11 @@ def differentiated(
     ToleranceError
         If the tolerance cannot be met.
     """
+    if (rule := _rule_of_terms(method, pupil, names, tol)) is not None:
+        terms = cast("tuple[Term, ...]", tuple(names))
+        made = widened(rule.images(pupil, grid, wanted._replace(terms=terms)), pupil, rule, normalized=False)
+        assert made.slopes is not None
+        return rule, made, list(map(Slope, *made.slopes))
     sums = [parts(name, pupil, grid.step(pupil), energy=energy) for name in names]
     way, engine = engines(method, pupil, names, sums, tol)
     powers = isinstance(engine, NijboerZernike)
@@ -291,13 +296,23 @@ def engines(
     return (method if isinstance(method, Polychromatic) else engine), engine
 
 
+def _rule_of_terms(method: Method | None, pupil: Pupil, names: Sequence[Name], tol: float) -> ChordalGauss | None:
+    """Return the chordal rule if it has all the derivatives itself, by different Zernike terms, else None."""
+    if len({*names}) < len(names) or str in map(type, names) or not pupil.circular:
+        return None
+    if method is not None:
+        return method if isinstance(method, ChordalGauss) else None
+    return None if pupil.radial and all(map(_radial_key, cast("Sequence[Term]", names))) else ChordalGauss(tol)
+
+
+def _radial_key(key: Key) -> bool:
+    """Return whether a key is a power of rho, a term of few of these, or a tilt, which samples of I tell."""
+    return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
+
+
 def _radial(each: Parts) -> bool:
-    """Return whether a derivative is by powers of rho, terms that are few of these, or what samples of I tell."""
-
-    def known(key: Key) -> bool:
-        return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
-
-    return all(map(known, each.phases)) and not each.rim
+    """Return whether the radial series has a derivative."""
+    return all(map(_radial_key, each.phases)) and not each.rim
 
 
 def _single(each: Parts, engine: Method) -> bool:

@@ -25,8 +25,7 @@ from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_fo
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information
 from lommel.estimation.noise import Noise as Noise
-from lommel.estimation.retrieval import Retrieval as Retrieval
-from lommel.estimation.retrieve import retrieve as retrieve
+from lommel.estimation.phase_retrieval import Retrieval as Retrieval, retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd

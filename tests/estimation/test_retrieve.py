@@ -112,13 +112,13 @@ def test_slopes_and_information_are_those_of_the_likelihood(terms, also, more):
     draw = np.random.default_rng(5)
     psf, _ = made.images(x)
     made.counted = draw.poisson(made.mean(x, psf.reshape(1, 3, -1))[0]).astype(float)
-    there = made.judged(x, np.float64)
+    there = made.scores(x, np.float64)
     for k in range(made.size):
         h = 1e-4 * (abs(x[0, k]) if k in range(made.optics.start, made.optics.stop) else 1.0)
         up, down = x.copy(), x.copy()
         up[0, k] += h
         down[0, k] -= h
-        slope = (made.judged(down).deviance[0] - made.judged(up).deviance[0]) / (2 * h)
+        slope = (made.scores(down).deviance[0] - made.scores(up).deviance[0]) / (2 * h)
         assert there.slope[0, k] == pytest.approx(slope, rel=2e-3, abs=2e-3 * np.sqrt(there.information[0, k, k])), k
 
 
@@ -238,7 +238,7 @@ def test_in_focus_the_standard_error_of_defocus_is_named_as_doubtful():
 @pytest.mark.parametrize("terms", [7, ("defocus", "spherical", "noll 8")])
 def test_the_uncertainty_of_a_wavefront_is_that_of_draws_from_the_covariance(terms):
     made, x = model(terms)
-    inverse = covariance(made.judged(x, np.float64).information[0])
+    inverse = covariance(made.scores(x, np.float64).information[0])
     error, axes = uncertainty(made, inverse)
     assert_allclose(axes.T @ axes, inverse, rtol=1e-8, atol=1e-12 * inverse.max())
     drawn = np.random.default_rng(1).multivariate_normal(np.zeros(made.size), inverse, 20_000)
@@ -247,7 +247,7 @@ def test_the_uncertainty_of_a_wavefront_is_that_of_draws_from_the_covariance(ter
     points = np.sqrt(draw.random(400)), draw.uniform(0.0, 2.0 * np.pi, 400)
     basis = np.array([made.wavefront(row).phase(*points) for row in np.eye(made.size)[: made.shared]])
     phases = drawn[:, : made.shared] @ (basis - basis.mean(axis=1, keepdims=True))
-    rows, columns = made.own_of(drawn)[:, :2].swapaxes(0, 1)
+    rows, columns = made.per_image(drawn)[:, :2].swapaxes(0, 1)
     slopes = points[0] * np.sin(points[1]), points[0] * np.cos(points[1])
     of_images = [phases + np.outer(rows[:, k], slopes[0]) + np.outer(columns[:, k], slopes[1]) for k in range(3)]
     assert error == pytest.approx(max(np.sqrt((each**2).mean()) for each in of_images), rel=0.08)
@@ -255,7 +255,7 @@ def test_the_uncertainty_of_a_wavefront_is_that_of_draws_from_the_covariance(ter
 
 def test_a_parameter_of_infinite_variance_is_held():
     made, x = model(3)
-    inverse = covariance(made.judged(x, np.float64).information[0])
+    inverse = covariance(made.scores(x, np.float64).information[0])
     inverse[1], inverse[:, 1] = 0.0, 0.0
     inverse[1, 1] = np.inf
     _, axes = uncertainty(made, inverse)
@@ -299,12 +299,12 @@ def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
     assert "sign" not in two.message
 
 
-def test_twins_have_the_same_images():
+def test_a_negated_even_part_of_the_phase_has_the_same_images():
     made, x = model(terms=("defocus", "noll 5", "noll 8", "noll 11"))
     made.base[:, 0] = made.base[0, 0]
-    made.twins = made._twins()
-    assert made.twins
-    same = made.twin(x)
+    made.sign_ambiguous = made._sign_ambiguous()
+    assert made.sign_ambiguous
+    same = made.even_part_negated(x)
     assert np.abs(same - x).max() > 0.1
     # A tilt of each image is odd, and stays.
     assert_allclose(made.images(same)[0], made.images(x)[0], atol=1e-8)
@@ -408,7 +408,7 @@ def test_what_the_images_do_not_tell_has_no_deviation_but_infinity():
     pupil = lm.Pupil(lm.Wavefront(2.0), **both)
     found = lm.retrieve(image, pupil, pixel=2e-6, noise=NOISE, terms=("defocus",), also=("f_number", "wavelength"))
     assert np.isinf([found.deviation["f_number"], found.deviation["wavelength"]]).all()
-    assert "do not tell" in found.message
+    assert "do not determine" in found.message
     assert "wavelength" in found.message
     assert found.reliable  # of what else is solved for
 
@@ -456,8 +456,8 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"images": "x"}, "images must hold real numbers"),
         ({"defocus": [1.0, 2.0]}, r"defocus must be a number, or one for each of 3 images, got shape \(2,\)"),
         ({"defocus": np.nan}, "defocus must be finite"),
-        ({"terms": ("noll 4", (2, 0))}, "terms must not say one thing twice"),
-        ({"terms": ("defocus", "defocus")}, "terms must not say one thing twice"),
+        ({"terms": ("noll 4", (2, 0))}, "terms must not name one thing twice"),
+        ({"terms": ("defocus", "defocus")}, "terms must not name one thing twice"),
         ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) where the column"),
         ({"terms": ("row",)}, "terms must be those of a wavefront, got 'row'"),
         ({"terms": ("noll 1",)}, "terms must not hold 'noll 1'"),
@@ -469,7 +469,7 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"mask": np.zeros((2, 2), dtype=bool)}, r"mask must be True or False for each pixel"),
         ({"mask": np.zeros((33, 33))}, r"mask must be True or False for each pixel"),
         ({"pupil": lm.Pupil(lm.Wavefront([1.0, 2.0]))}, r"pupil must be a single one"),
-        ({"pupil": lm.Pupil(spider=lm.Spider(0.02, (0.0, 90.0)))}, "pupil must be round"),
+        ({"pupil": lm.Pupil(spider=lm.Spider(0.02, (0.0, 90.0)))}, "does not support spiders, vignetting or masks"),
         ({"pupil": lm.Wavefront()}, "pupil must be a Pupil, got a Wavefront"),
         ({"noise": 2.0}, "noise must be a Noise, got 2.0"),
         ({"starts": 0}, "starts must be from 1 to 10000, got 0"),

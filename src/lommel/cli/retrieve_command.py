@@ -21,7 +21,7 @@ from lommel.cli.parts import (
 from lommel.cli.progress import progress
 
 if TYPE_CHECKING:
-    from lommel.estimation.retrieval import Retrieval
+    from lommel.estimation.phase_retrieval import Retrieval
 
 _UNITS = ("radians", "waves", "nm", "um")
 
@@ -119,7 +119,7 @@ def retrieve(
       lommel retrieve spot.tif lens.toml --terms "defocus, spherical" --also "center, f_number" --read 2
     """  # noqa: D301 (\b is meant)
     from lommel.estimation.noise import Noise
-    from lommel.estimation.retrieve import retrieve as fit
+    from lommel.estimation.phase_retrieval import retrieve as fit
     from lommel.io import zernike_tables
     from lommel.io.photos import read_images
 

@@ -15,7 +15,7 @@ from lommel.measures.answer import checked
 from lommel.show.drawing import HOW, MEANING
 
 if TYPE_CHECKING:
-    from lommel.estimation.retrieval import Retrieval
+    from lommel.estimation.phase_retrieval import Retrieval
     from lommel.field.psf_grid import PSFGrid
     from lommel.lensfiles.instrument import Instrument
     from lommel.psf import PSF
@@ -341,7 +341,7 @@ def print_numbers(rows: list[dict[str, Any]]) -> None:
 
 def print_retrieval(found: Retrieval, unit: str) -> None:
     """Print what was found behind images, the wavefront in this unit, and what it is worth."""
-    from lommel.estimation.retrieval import label
+    from lommel.estimation.phase_retrieval import label
 
     console = console_of()
     short = {"radians": "rad"}.get(unit, unit)

@@ -1,4 +1,4 @@
-"""How well an image can tell what made it: the information in it, by the derivatives of its PSF."""
+"""Fisher information and the Cramér-Rao bound of images, from the derivatives of their PSFs."""
 
 from __future__ import annotations
 
@@ -24,25 +24,24 @@ from lommel.psf import PSF, Plan
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Information:
-    """How well parameters can be known from images: Fisher's information, and the Cramér-Rao bound drawn from it.
+    """Fisher information of images about parameters, and the Cramér-Rao bound that follows from it.
 
-    No unbiased estimate from the same images scatters less than :attr:`deviation`; that of largest likelihood comes
-    close to it where there is light enough. Rows and columns of the matrices are in the order of `names`.
+    No unbiased estimate from the same images has a standard deviation below :attr:`deviation`; maximum likelihood
+    comes close to it with enough light. Rows and columns of the matrices are in the order of `names`.
 
     Attributes
     ----------
     names : tuple
-        Of the parameters, as they were asked for; what each of several images has for itself is numbered:
-        ``"photons[0]"``.
+        Of the parameters, as in `of`; parameters of single images are numbered: ``"photons[0]"``.
     units : dict of name to str
-        "rad", "m", "pixels", "electrons", "electrons/pixel", or "" of what has none.
+        "rad", "m", "pixels", "electrons", "electrons/pixel", or "" for numbers.
     matrix : ndarray, shape ``stack + (k, k)``
-        Fisher's information of k parameters, for each of a stack of scenes.
+        Fisher information of k parameters, for each of a stack of scenes.
     covariance : ndarray, shape ``stack + (k, k)``
-        Its inverse, the bound on the covariance of estimates. Infinite in the diagonal for what cannot be known, and
-        beside it for two of which no more than a combination can.
+        Its inverse, the bound on the covariance of estimates. Infinite on the diagonal for unidentifiable parameters,
+        and off it for two of which only a combination is identifiable.
     correlation : ndarray, shape ``stack + (k, k)``
-        The covariance over the deviations of both, its limit for what cannot be known.
+        The covariance over both standard deviations; its limit for unidentifiable parameters.
     """
 
     names: tuple[Name, ...]
@@ -53,17 +52,16 @@ class Information:
 
     @classmethod
     def of_root(cls, names: tuple[Name, ...], units: dict[Name, str], root: Array, error: Array) -> Self:
-        """Build it from derivatives of data, and say what these leave unknown.
+        """Return the information in derivatives of independent data over their standard deviations.
 
         Parameters
         ----------
         names, units
             As the attributes.
         root : ndarray, shape ``stack + (rows, k)``, rows >= k
-            Derivatives of independent data by the parameters, over the deviation of each datum, or any other array
-            whose product with itself is the matrix.
+            The derivatives, or any other array R with ``R^T R`` the information matrix.
         error : ndarray, shape ``stack + (k,)``
-            Bound on the error of each column: on the root of the sum of its squares.
+            Bound on the error of each column, as the root of the sum of its squares.
 
         Returns
         -------
@@ -71,15 +69,14 @@ class Information:
 
         Notes
         -----
-        Columns are divided by their lengths, so that no unit matters, and errors with them: r. One that is no longer
-        than its error may be zero, and is made so. Where parameters move by a singular vector v, data move by its
-        singular value s; exact ones may not move at all if ``s <= sum(abs(v) r)``, and v counts as unknown. A vector
-        n, of length 1, along which exact data do not move makes ``abs(root n) <= abs(r)``, so that no more than
-        ``abs(r) / s`` of it lies in the directions that move data by s or more, the known ones. What is found unknown
-        may lean by so much towards a parameter that is known, and all beyond it cannot be.
+        Columns are divided by their lengths, and errors with them: r. A column no longer than its error is set to 0.
+        Along a singular vector v data change by its singular value s; exact ones may not change at all if ``s <=
+        sum(abs(v) r)``, and v counts as unknown. A unit vector n along which exact data do not change has
+        ``abs(root n) <= abs(r)``: at most ``abs(r) / s`` of it lies in directions that change data by s or more. An
+        unknown direction may have such a component along an identifiable parameter; with more it is unidentifiable.
         """
         length = np.sqrt((root**2).sum(axis=-2))
-        error = error + root.shape[-2] * root.shape[-1] * _EPS * length  # roundings of this very sum and of the next
+        error = error + root.shape[-2] * root.shape[-1] * _EPS * length  # rounding of this sum and of the next
         zero = length <= error
         unit = np.where(zero, 1.0, length)
         relative = error / unit
@@ -92,7 +89,7 @@ class Information:
             np.swapaxes(direction, -1, -2) @ (weight[..., None] * direction) for weight in (1.0 * lost, least**-2.0)
         )
         lean = np.sqrt((np.where(zero, 0.0, relative) ** 2).sum(axis=-1)) / least.min(axis=-1)
-        # Of any direction there is a parameter that it leans towards by more.
+        # Some parameter has a larger component along any direction.
         lean = np.minimum(lean, 0.5 / math.sqrt(len(names)))[..., None, None]
         never = np.sqrt(np.diagonal(unknown, axis1=-2, axis2=-1)) > lean[..., 0]
         both, one = never[..., None] & never[..., None, :], never[..., None] | never[..., None, :]
@@ -109,13 +106,13 @@ class Information:
 
     @property
     def deviation(self) -> dict[Name, Numbers]:
-        """Least standard deviation of each parameter, in the shape of the stack: infinite if it cannot be known."""
+        """Least standard deviation of each parameter, in the shape of the stack: inf if it is unidentifiable."""
         variance = np.diagonal(self.covariance, axis1=-2, axis2=-1)
         return {name: numbers(np.sqrt(variance[..., k]), variance.shape[:-1]) for k, name in enumerate(self.names)}
 
     @property
     def unidentifiable(self) -> tuple[Name, ...]:
-        """Names of what cannot be known, by itself or together with the others; in any scene of a stack."""
+        """Names of the parameters that the images do not determine in any one of the scenes."""
         return tuple(name for name, deviation in self.deviation.items() if np.isinf(deviation).any())
 
     def to_dict(self) -> dict[str, Any]:
@@ -141,7 +138,7 @@ class Information:
 
 
 def _over_deviations(covariance: Array) -> Array:
-    """Return a covariance over the deviations of both, where these are not 0, and 1 in the diagonal."""
+    """Return the correlation of a covariance; 0 beside vanishing variances, and 1 on the diagonal."""
     deviation = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
     deviation = np.where(deviation > 0.0, deviation, 1.0)
     found = np.clip(covariance / deviation[..., None] / deviation[..., None, :], -1.0, 1.0)
@@ -153,7 +150,7 @@ def _plain(values: Array) -> Any:
 
 
 def _shown(deviation: Array, unit: str) -> str:
-    """Return deviations of a stack as a text: the least and the largest, and how many are infinite."""
+    """Return the least and the largest of the standard deviations of a stack as text."""
     known = deviation[np.isfinite(deviation)]
     missing = deviation.size - known.size
     if not known.size:
@@ -202,30 +199,29 @@ def fisher(
     integrate: bool | None = None,
     threads: int | None = None,
 ) -> Information:
-    """Tell how well images of a point of light can tell what made them, whatever the estimator.
+    """Return the Fisher information and the Cramér-Rao bound of parameters estimated from images of a point source.
 
     Parameters
     ----------
     pupil : Pupil, ObjectivePupil or a sequence of these
-        What made the image. A stack is as many scenes, with an image each, and makes arrays of deviations. A sequence
-        of pupils is several images of one scene, such as at several foci, whose information adds; stacks in it
-        broadcast, and are scenes again.
+        Of the image. A stack is as many scenes with an image each, and makes arrays of standard deviations. A
+        sequence of pupils is several images of one scene, such as at several foci, whose information adds; stacks in
+        it broadcast, and are scenes again.
     shape, pixel, method, center, integrate, threads
         As of :func:`lommel.psf`.
     of : sequence
-        What is to be found, all else being known: names of derivatives as :func:`lommel.psf` takes them, such as
-        "defocus", "row", "column", a Zernike term (3, 1), "object_distance" or a microscope's "z"; "photons" and
-        "background". Several images of one scene share each but the last two, of which every image has its own.
+        Parameters to estimate jointly, all others being known: names of derivatives as :func:`lommel.psf` takes them,
+        such as "defocus", "row", "column", a Zernike term (3, 1), "object_distance" or a microscope's "z"; "photons"
+        and "background". Several images of one scene share all but the last two, which each image has of its own.
     photons : array_like
-        Light of the point, electrons: what a sensor would count of it in an infinite window. Arrays broadcast with
-        the images, whose shape is that of the stack, behind the number of pupils of a sequence.
+        Flux of the point source: electrons in an infinite window. Arrays broadcast with the images, whose shape is
+        that of the stack, behind the number of pupils of a sequence.
     background : array_like, default 0
-        All other light, electrons a pixel: sky, haze, dark current. Arrays as of `photons`.
+        Sky, haze and dark current, electrons a pixel. Arrays as of `photons`.
     noise : Noise, optional
-        Of reading the sensor; by default electrons are counted without. Its `white` and `offset` do not matter here,
-        where light is stated in electrons.
+        Read noise; by default none. Its `white` and `offset` do not matter here, where light is in electrons.
     together : bool, default False
-        Whether the images of a stack are of one scene too, so that their information adds.
+        Whether the images of a stack are of one scene, so that their information adds.
     tol : float, optional
         As of :func:`lommel.psf`; by default 1e-8, or 1e-7 or 1e-6 where that cannot be met.
 
@@ -246,11 +242,11 @@ def fisher(
     -----
     Pixels count ``mu = photons h + background`` electrons on average, h being the PSF, and hold the information
     ``F[a, b] = sum(d_a mu d_b mu / (mu + read**2))`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014). With fine
-    pixels in a wide window, without background and reading, it knows the place of an Airy pattern to
-    ``lambda N / (pi sqrt(photons))`` (Ober et al. 2004, doi:10.1016/S0006-3495(04)74193-4). What images do not tell,
-    as the defocus of one in focus, where nothing changes to first order, has the deviation infinity and is named. The
-    proven bounds of the derivatives decide it: :meth:`lommel.Information.of_root`. That one of several distant
-    answers cannot be told from another, a defocus from its negative, is not seen by derivatives.
+    pixels in a wide window, without background and read noise, the standard deviation of the place of an Airy pattern
+    is ``lambda N / (pi sqrt(photons))`` (Ober et al. 2004, doi:10.1016/S0006-3495(04)74193-4). Unidentifiable
+    parameters, as the defocus of an image in focus, which does not change to first order, have the standard deviation
+    inf: the proven bounds of the derivatives decide, see :meth:`lommel.Information.of_root`. Derivatives do not see
+    ambiguities between distant values, as between a defocus and its negative.
 
     Examples
     --------
@@ -271,19 +267,9 @@ def fisher(
     validation.truth("together", together)
     read = np.zeros(validation.image_shape(shape))
     read = read if noise is None else noise.variance(read)
-    plans = [
-        Plan(
-            shape,
-            pixel,
-            method=method,
-            tol=each,
-            dtype=np.float64,
-            center=center,
-            integrate=integrate,
-            threads=threads,
-        )
-        for each in (_TOLERANCES if method is None and tol is None else (tol,))
-    ]
+    options: dict[str, Any] = {"method": method, "center": center, "integrate": integrate, "threads": threads}
+    tolerances = _TOLERANCES if method is None and tol is None else (tol,)
+    plans = [Plan(shape, pixel, tol=each, dtype=np.float64, **options) for each in tolerances]
     one = isinstance(pupil, BasePupil)
     pupils = [pupil] if isinstance(pupil, BasePupil) else _several(pupil)
     answers = [_exactest(plans, each, names) for each in pupils]
@@ -304,7 +290,7 @@ def fisher(
 
 
 def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
-    """Return the PSF and its derivatives by the first of several plans whose tolerance can be met."""
+    """Return the PSF and its derivatives by the first of the plans whose tolerance can be met."""
     wanted = tuple(name for name in names if name not in _OWN)
     *exact, last = plans
     for plan in exact:
@@ -318,12 +304,12 @@ def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> P
 def _root(
     answer: PSF, place: tuple[int, ...], names: tuple[Name, ...], light: Array, read: Array
 ) -> tuple[Array, Array]:
-    """Return a triangle whose product with itself is the information in one image, and its columns' errors."""
+    """Return a triangular root of the information in one image, and bounds on the errors of its columns."""
     photons, background = light
     values = answer.values[place]
     peak = float(values.max())
     slack = _EPS if answer.error_bound is None else answer.error_bound
-    # With what values may lack of light: a dark pixel, counted too dark, would tell more than it does.
+    # The error bound adds to the variance: a dark pixel computed too dark would hold too much information.
     variance = np.maximum(photons * values + background, 0.0) + photons * peak * slack + read
     weight = np.divide(1.0, np.sqrt(variance), out=np.zeros(values.shape), where=variance > 0.0)
     columns, bounds = np.empty((values.size, len(names))), np.empty(len(names))
@@ -344,7 +330,7 @@ def _root(
 
 
 def _triangle(columns: Array) -> Array:
-    """Return the triangle of a matrix, by those of a few rows: of many, LAPACK's threads wait for each other."""
+    """Return R of the QR decomposition of a matrix, in blocks of rows: LAPACK is slow on few long columns."""
     count = columns.shape[1]
     most = max(2 * count, 8192 // count)
     while len(columns) > most:
@@ -354,7 +340,7 @@ def _triangle(columns: Array) -> Array:
 
 
 def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[int, ...]) -> Information:
-    """Return the information of images that are of one scene along these axes of their stack."""
+    """Return the information of images of one scene along these axes of their stack."""
     count, stack = len(names), errors.shape[:-1]
     scenes = tuple(side for axis, side in enumerate(stack) if axis not in axes)
     last = range(len(scenes), len(stack))
@@ -363,7 +349,7 @@ def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[in
     labels = [f"[{', '.join(map(str, index))}]" if axes else "" for index in np.ndindex(*(stack[a] for a in axes))]
     parts = {name: [f"{name}{i}" for i in labels] if name in _OWN else [name] for name in names}
     every = tuple(part for name in names for part in parts[name])
-    # Which of all parameters each of an image is.
+    # Which of all parameters each parameter of an image is.
     which = np.zeros((len(labels), count, len(every)))
     for i, k in np.ndindex(len(labels), count):
         which[i, k, every.index(parts[names[k]][i if names[k] in _OWN else 0])] = 1.0
@@ -373,7 +359,6 @@ def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[in
 
 
 def _names(of: Any) -> tuple[Name, ...]:
-    """Return the names of parameters, each once."""
     if isinstance(of, str) or not isinstance(of, Sequence):
         raise TypeError(f"of must be a sequence of names such as ('defocus', 'row'), got {validation.shown(of)}")
     if not of:
@@ -383,14 +368,12 @@ def _names(of: Any) -> tuple[Name, ...]:
 
 
 def _several(pupils: Any) -> Sequence[BasePupil]:
-    """Return a sequence of pupils."""
     if not isinstance(pupils, Sequence) or not pupils or isinstance(pupils, str):
         raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(pupils)}")
     return [imaged(pupil) for pupil in pupils]
 
 
 def _light(name: str, value: ArrayLike) -> Array:
-    """Return electrons, of which some are those of the point."""
     found = validation.real_array(name, value, least=0.0)
     if name == "photons" and not np.all(found > 0.0):
         raise ValueError(f"photons must be > 0 electrons, got {found.min():g}")

@@ -1,4 +1,4 @@
-"""What a sensor adds to light: electrons that are counted one by one, and the noise of reading them."""
+"""Photon and read noise of a sensor, and its gain."""
 
 from __future__ import annotations
 
@@ -14,24 +14,23 @@ from lommel.base.arrays import Array
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Noise:
-    """How a sensor turns electrons into the values of an image, and how uncertain these are.
+    """Gain, offset, photon noise and read noise of a sensor.
 
-    A pixel in which light frees mu electrons on average counts ``Poisson(mu)`` of them, to which reading adds
-    Gaussian noise; the image holds ``offset + electrons / white``.
+    A pixel with mu electrons on average counts ``Poisson(mu)`` of them, to which reading adds Gaussian noise; the
+    image holds ``offset + electrons / white``.
 
     Parameters
     ----------
     white : float or array_like, optional
-        Electrons at the value 1.0 of an image: for photographs whose values end at 1, about the electrons that fill a
-        pixel there (5000); for images in counts (ADU), the gain in electrons per count (0.46 e/ADU is
-        ``white=0.46``; of a gain in counts per electron, its inverse). By default images are in electrons, as 1.0
-        would say.
+        Electrons at the value 1.0 of an image: for photographs whose values end at 1, about the full well (5000);
+        for images in counts (ADU), the gain in electrons per count (0.46 e/ADU is ``white=0.46``). By default images
+        are in electrons, as with 1.0.
     read : float or array_like
-        Noise of reading a pixel, rms electrons; 0 for none. Of an image of integers it may well contain the rounding,
-        ``white / sqrt(12)``, as the square root of the sum of squares.
+        Read noise, rms electrons; 0 for none. For an image of integers it may include the rounding,
+        ``white / sqrt(12)``, as the root of the sum of squares.
     offset : float or array_like, default 0
-        Value of a pixel that counted none, in the image's own unit: black level, bias or pedestal (100 ADU). Light of
-        the sky and dark current are none of it, for they are noisy: they are a background.
+        Value of a pixel without electrons, in the image's own unit: black level, bias or pedestal (100 ADU). Sky and
+        dark current are noisy, and not part of it: they are a background.
 
     Raises
     ------
@@ -40,10 +39,9 @@ class Noise:
 
     Notes
     -----
-    An array, of shape (height, width) as calibrations of sCMOS sensors give them, has a value for each pixel (Huang
-    et al. 2013, doi:10.1038/nmeth.2488). Sums of many electrons that are read with noise of variance ``read**2`` are
-    close to ``Poisson(mu + read**2) - read**2``, which has their mean and variance (Snyder et al. 1993,
-    doi:10.1364/JOSAA.10.001014): the model of :func:`lommel.fisher`.
+    An array of shape (height, width), as from the calibration of an sCMOS sensor, has a value for each pixel (Huang
+    et al. 2013, doi:10.1038/nmeth.2488). ``Poisson(mu + read**2) - read**2`` has the mean and the variance of the
+    electrons (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014): the model of :func:`lommel.fisher`.
 
     Examples
     --------
@@ -67,68 +65,40 @@ class Noise:
         vars(self).update(checked)
 
     def electrons(self, image: ArrayLike) -> Array:
-        """Return the electrons of an image.
+        """Return the electrons of a recorded `image` (..., height, width), ``(image - offset) * white``.
 
-        Parameters
-        ----------
-        image : array_like, shape ``(..., height, width)``
-            Values as they were recorded, proportional to light but for the offset.
-
-        Returns
-        -------
-        ndarray
-            ``(image - offset) * white``; negative where reading made less of few. ValueError if not all is finite.
+        They may be negative, by read noise. ValueError if a value is not finite.
         """
         values = validation.real_array("image", image)
         white = 1.0 if self.white is None else self._for("white", values.shape)
         return np.asarray((values - self._for("offset", values.shape)) * white)
 
     def image(self, electrons: ArrayLike) -> Array:
-        """Return the image of `electrons`, the inverse of :meth:`electrons`; ValueError if not all is finite."""
+        """Return the image of `electrons`, the inverse of :meth:`electrons`; ValueError if one is not finite."""
         values = validation.real_array("electrons", electrons)
         white = 1.0 if self.white is None else self._for("white", values.shape)
         return np.asarray(values / white + self._for("offset", values.shape))
 
     def variance(self, electrons: ArrayLike) -> Array:
-        """Return the variance of pixels that count so many `electrons` on average.
-
-        Parameters
-        ----------
-        electrons : array_like, shape ``(..., height, width)``
-
-        Returns
-        -------
-        ndarray
-            ``electrons + read**2``, electrons squared. ValueError if not all is finite.
-        """
+        """Return the variance ``electrons + read**2`` for mean `electrons`; ValueError if one is not finite."""
         values = validation.real_array("electrons", electrons)
         return np.asarray(values + self._for("read", values.shape) ** 2)
 
     def record(self, electrons: ArrayLike, seed: int | np.random.Generator) -> Array:
-        """Return an image as a sensor would record it, with noise drawn at random.
+        """Return a simulated image with random photon and read noise, in its own unit, not rounded.
 
-        Parameters
-        ----------
-        electrons : array_like, shape ``(..., height, width)``
-            Mean of each pixel.
-        seed : int or Generator
-            The same number draws the same noise.
-
-        Returns
-        -------
-        ndarray
-            In the image's own unit, not rounded. TypeError or ValueError if a mean is negative or not finite, or
-            `seed` is none.
+        `electrons` is the mean of each pixel, shape ``(..., height, width)``; one `seed` makes one image. TypeError
+        or ValueError if a mean is negative or not finite, or there is no such seed.
         """
         mean = validation.real_array("electrons", electrons, least=0.0)
         try:
             draw = np.random.default_rng(seed)
-        except (TypeError, ValueError):  # which repeats all that was given
+        except (TypeError, ValueError):  # NumPy's message repeats the whole argument
             raise TypeError(f"seed must be an integer >= 0 or a Generator, got {validation.shown(seed)}") from None
         return self.image(draw.poisson(mean) + draw.normal(0.0, 1.0, mean.shape) * self._for("read", mean.shape))
 
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:
-        """Return a parameter, each pixel's own for images of this shape."""
+        """Return a number, or the values for each pixel if images have this shape."""
         value: float | Array = getattr(self, name)
         if isinstance(value, float) or value.shape == shape[-2:]:
             return value

@@ -1,10 +1,9 @@
-"""Fisher scoring: steps to the parameters under which measured images are most likely, of several starts at once."""
+"""Fisher scoring: damped steps to the parameters of maximum likelihood, and standard errors there."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,40 +13,37 @@ from lommel.estimation.star_images import SURE, Scores, StarImages
 
 _SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
 _FAR = 2.0  # radians rms: no step changes the wavefront by more
-_DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and that which leaves no step to take
+_DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and where a search gives up
 _STRETCH = 16.0  # times the length of a step, at most
-_IDLE = 1e-4  # of the deviance in excess: a step that gains less does not lead to where the images fit
+_IDLE = 1e-4  # of the excess deviance: steps that gain less lead to a local minimum that does not fit
 _PATIENCE = 3  # such steps one after the other
 
 
 @dataclass
 class Fits:
-    """Where several starts ended: parameters (s, p), how they fit, whether the steps settled there, their number."""
+    """Ends of several searches: parameters (s, p), scores, whether the steps settled, and their numbers."""
 
     x: Array
     scores: Scores
     settled: NDArray[np.bool_]
     steps: NDArray[np.intp]
 
-    def __getitem__(self, index: Any) -> Fits:
+    def __getitem__(self, index: Sequence[int]) -> Fits:
         """Return some of them."""
         return Fits(self.x[index], self.scores.of(index), self.settled[index], self.steps[index])
 
 
-def climb(model: StarImages, x: Array, most: int, told: Callable[[int, float], object] = lambda *_: None) -> Fits:
-    """Take steps from several starts `x`, at most so many each, until they settle or one of them fits.
-
-    Steps are damped as Levenberg and Marquardt do, and made longer where the last gained nearly all that its slope
-    promised: far from the answer the information overstates how curved the likelihood is. `told` is called with the
-    number of each step and the best chi2 before it.
-    """
+def climb(model: StarImages, x: Array, most: int, report: Callable[[int, float], object]) -> Fits:
+    """Take damped steps from starts `x` until they settle or one fits; `report` gets number and best chi2."""
+    # Steps grow where the last one gained nearly all that its slope promised: far from the answer the information
+    # overstates the curvature of the likelihood.
     count = len(x)
-    now = model.judged(x)
+    now = model.scores(x)
     damping, stretch = np.full(count, _DAMPING[0]), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
     steps, idle = np.zeros(count, dtype=int), np.zeros(count, dtype=int)
     for turn in range(most + 1):
-        told(turn, float(now.chi2.min()))
+        report(turn, float(now.chi2.min()))
         at = np.flatnonzero(moving)
         there = now if at.size == count else now.of(at)
         step = damped(there.information, there.slope, damping[at])
@@ -61,7 +57,7 @@ def climb(model: StarImages, x: Array, most: int, told: Callable[[int, float], o
         at, step, promised = at[go], step[go], promised[go]
         reach = np.minimum(stretch[at], _FAR / np.maximum(model.rms(step), 1e-300))
         tried = model.within(x[at] + reach[:, None] * step, x[at])
-        new = model.judged(tried)
+        new = model.scores(tried)
         steps[at] += 1
         gain = now.deviance[at] - new.deviance
         promised *= reach
@@ -81,7 +77,7 @@ def climb(model: StarImages, x: Array, most: int, told: Callable[[int, float], o
 
 
 def damped(information: Array, slope: Array, damping: Array) -> Array:
-    """Return the steps (s, p) for information (s, p, p), slopes (s, p) and dampings (s,)."""
+    """Return Levenberg-Marquardt steps (s, p) for information (s, p, p), slopes (s, p) and dampings (s,)."""
     scale = deviations(information)
     matrix = information / (scale[:, :, None] * scale[:, None, :])
     diagonal = np.arange(scale.shape[-1])
@@ -90,10 +86,10 @@ def damped(information: Array, slope: Array, damping: Array) -> Array:
 
 
 def covariance(information: Array) -> Array:
-    """Return the inverse (p, p) of an information; the variance of what it does not tell is inf."""
+    """Return the inverse (p, p) of an information matrix, with infinite variances of undetermined parameters."""
     scale = deviations(information[None])[0]
     values, vectors = np.linalg.eigh(information / np.outer(scale, scale))
-    # Derivatives are wrong by 1e-6 of the peak; what they leave of nothing is this small.
+    # Derivatives in error by 1e-6 of the peak make of an eigenvalue 0 one as small as this.
     blind = values < 1e-10
     unknown = (np.abs(vectors[:, blind]) > 1e-3).any(axis=1)
     values = np.where(blind, np.inf, values)
@@ -104,49 +100,45 @@ def covariance(information: Array) -> Array:
 
 
 def deviations(information: Array) -> Array:
-    """Return what makes the diagonal of information (s, p, p) 1: its roots (s, p), or 1 of what tells nothing."""
+    """Return the roots (s, p) of the diagonal of information (s, p, p), or 1 where that is 0."""
     diagonal = np.einsum("sii->si", information)
     return np.where(diagonal > 0.0, np.sqrt(diagonal), 1.0)
 
 
 CERTAIN = 0.25
-"""Radians rms: of images whose phases are known less well, other minima of the likelihood are often as deep."""
+"""Radians rms: where phases are known less well, other minima of the likelihood are often as deep."""
 
 STEADY = 1.125
 """Factor by which a standard error may change within one standard deviation of the answer."""
 
 
 def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
-    """Return the rms error to be expected of the phases of an image, radians, and the principal axes of a covariance.
+    """Return the largest rms error of the phase of an image, radians, and the principal axes (k, p) of a covariance.
 
-    The error is the largest of all images, its tilts included. Each row of the axes, shape (k, p), is one standard
-    deviation. What has an infinite variance is held.
+    Each axis is one standard deviation long; parameters of infinite variance are held.
     """
     known = np.isfinite(np.diag(inverse))
     scale = np.sqrt(np.diag(inverse)[known])
     values, vectors = np.linalg.eigh(inverse[np.ix_(known, known)] / np.outer(scale, scale))
-    # The sign of an eigenvector is open: its largest component is made positive.
+    # An eigenvector has no sign: its largest component is made positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
     axes = np.zeros((len(values), model.size))
     axes[:, known] = (vectors * np.sqrt(np.maximum(values, 0.0))).T * scale
     # The mean square of a tilt over the pupil is a quarter of that at its edge.
-    tilts = 0.25 * (model.own_of(axes)[:, : len(model.tilts)] ** 2).sum(axis=(0, 1))
+    tilts = 0.25 * (model.per_image(axes)[:, : len(model.tilts)] ** 2).sum(axis=(0, 1))
     return float(np.sqrt((model.rms(axes) ** 2).sum() + tilts.max())), axes
 
 
 def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
-    """Return the factor by which the standard error of each shared parameter changes near the answer `x`, (1, p).
-
-    It is the geometric rms of those at two opposite points, each one standard deviation away along all principal axes
-    at once; 1 for what has an infinite standard error.
-    """
+    """Return the factor by which the standard error of each shared parameter changes near the answer `x`, (1, p)."""
+    # The geometric rms of those at two opposite points, one standard deviation away along all principal axes.
     found = np.ones(model.shared)
     known = np.isfinite(np.diag(inverse)[: model.shared])
     if known.any():
         points = [model.within(x + step, x) for step in (axes.sum(axis=0), -axes.sum(axis=0))]
-        # The numbers of the pupil are the same in a stack.
+        # A stack of pupils has one f-number, wavelength and obscuration.
         stacks = points if model.unknowns.pupil else [np.concatenate(points)]
-        squares = [one for stack in stacks for one in model.judged(stack, np.float64).information]
+        squares = [one for stack in stacks for one in model.scores(stack, np.float64).information]
         there = np.array([np.diag(covariance(one))[: model.shared][known] for one in squares])
         ratios = 0.5 * np.log(there / np.diag(inverse)[: model.shared][known])
         found[known] = np.exp(np.sqrt((ratios**2).mean(axis=0)))

@@ -1,4 +1,4 @@
-"""Images of stars as a function of what is solved for, and how likely measured ones are, with derivatives."""
+"""The model of star images that a phase retrieval fits, and the likelihood of measured images under it."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.methods.derivative_names import POWERS, SHIFTS, Name, checked, parts
+from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives.slopes import Slope, translated
 from lommel.methods.question import Asked, asked_about
 from lommel.optics.pupil import Pupil
@@ -23,108 +23,100 @@ from lommel.psf import Plan
 from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
-OF_IMAGES = tuple(SHIFTS)
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
 @dataclass(frozen=True)
 class Unknowns:
-    """What is solved for.
+    """The parameters to estimate.
 
     Attributes
     ----------
     terms : tuple
-        Of the wavefront, as they were asked for.
+        Of the wavefront, as they were named.
     edge : tuple of (n, m)
         The Zernike terms that these are made of.
     directions : ndarray, shape (terms, edge)
-        How much of each, radians at the edge, a unit of a term is.
+        Share of each Zernike term, radians at the edge, in a unit of a term.
     pupil : tuple of str
-        Of `OF_PUPIL`, the same in all images.
+        Nuisance parameters of the pupil, shared by all images.
     places : tuple of str
-        "row" and "column", of each image its own; so are its flux and its background, always.
+        "row" and "column" where estimated, one of each image as flux and background are.
     """
 
     terms: tuple[Name, ...]
-    edge: tuple[tuple[int, int], ...]
+    edge: tuple[Term, ...]
     directions: Array
     pupil: tuple[str, ...]
     places: tuple[str, ...]
 
     @classmethod
-    def of(cls, terms: Any, also: Any) -> Unknowns:
-        """Return what `terms` and `also` of :func:`lommel.retrieve` ask for; TypeError or ValueError if nothing."""
-        pupil, places = _also(also)
+    def of(cls, terms: int | Sequence[Term | str], also: str | Sequence[str]) -> Unknowns:
+        """Return the parameters that `terms` and `also` of :func:`lommel.retrieve` name."""
+        extra = (also,) if isinstance(also, str) else also
+        if not isinstance(extra, Sequence):
+            raise TypeError(f"also must be a sequence of names, got {validation.shown(also)}")
+        for name in extra:
+            validation.choice("also", name, ("center", *SHIFTS, *OF_PUPIL))
+        named = {*extra} | ({*SHIFTS} if "center" in extra else set())
         names = _names(terms)
-        made = [_made_of(name) for name in names]
-        edge = tuple(dict.fromkeys(term for shares in made for term in shares))
+        shares = [_zernike_terms(name) for name in names]
+        edge = tuple(dict.fromkeys(term for each in shares for term in each))
         directions = np.zeros((len(names), len(edge)))
-        for row, shares in zip(directions, made, strict=True):
-            row[:] = [shares.get(term, 0.0) for term in edge]
+        for row, each in zip(directions, shares, strict=True):
+            row[:] = [each.get(term, 0.0) for term in edge]
         if names and np.linalg.matrix_rank(directions) < len(names):
-            raise ValueError(f"terms must not say one thing twice, got {validation.shown(terms)}")
+            raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
+        places = tuple(place for place in SHIFTS if place in named)
         for place in places:
             if SHIFTS[place] in edge:
                 raise ValueError(
-                    f"terms must be without {SHIFTS[place]} where the {place} of each image is solved along (also)"
+                    f"terms must be without {SHIFTS[place]} where the {place} of each image is estimated (also)"
                 )
-        return cls(names, edge, directions, pupil, places)
+        return cls(names, edge, directions, tuple(n for n in OF_PUPIL if n in named), places)
 
     @property
-    def asked(self) -> tuple[Any, ...]:
-        """By what derivatives of images are needed."""
+    def derivatives(self) -> tuple[Name, ...]:
+        """Names of the derivatives of images that are needed."""
         return (*self.edge, *(SHIFTS[place] for place in self.places), *self.pupil)
 
     @property
-    def shared(self) -> tuple[Any, ...]:
-        """What all images share, in the order of the parameters."""
+    def shared(self) -> tuple[Name, ...]:
+        """Names of the parameters that all images share, in their order."""
         return (*self.terms, *self.pupil)
 
 
-def _names(terms: Any) -> tuple[Name, ...]:
+def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=500)
         return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
-    names = checked(terms, "terms")
+    names = checked(cast("Sequence[Name]", terms), "terms")
     for name in names:
         if isinstance(name, str) and name not in POWERS and " " not in name:
-            raise ValueError(
-                f"terms must be those of a wavefront, got {name!r}; `also` is for what else is solved for"
-            )
-    if len(names) < len(terms):
-        raise ValueError(f"terms must not say one thing twice, got {validation.shown(terms)}")
+            raise ValueError(f"terms must be those of a wavefront, got {name!r}; pass nuisance parameters as also")
+    if len({*names}) < len(names):
+        raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
     return names
 
 
 @lru_cache(maxsize=1024)
-def _made_of(name: Name) -> dict[Any, float]:
-    """Return the Zernike terms, radians at the edge, of a unit of a term: rms of Zernike terms, else of its power."""
-    made = translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False)
-    return made if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in made}  # type: ignore[misc]
-
-
-def _also(also: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    names = (also,) if isinstance(also, str) else also
-    if not isinstance(names, Sequence):
-        raise TypeError(f"also must be a sequence of names, got {validation.shown(also)}")
-    for name in names:
-        validation.choice("also", name, ("center", *OF_IMAGES, *OF_PUPIL))
-    found = {*names} | ({*OF_IMAGES} if "center" in names else set())
-    return tuple(n for n in OF_PUPIL if n in found), tuple(n for n in OF_IMAGES if n in found)
+def _zernike_terms(name: Name) -> dict[Term, float]:
+    """Return the Zernike terms, radians at the edge, of a unit of a term: 1 radian rms, or of its power of rho."""
+    found = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
+    return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
 
 
 SURE, MOST = 3.0, 6.0
 """Standard deviations of chi2: a fit within the first ends the search, one beyond the second is a misfit."""
 
-_LEAST = 0.05  # electrons squared: the variance of a pixel that is neither lit nor noisily read
+_LEAST = 0.05  # electrons squared: the smallest variance of reading
 
 
 class Scores(NamedTuple):
-    """How well each of several sets of parameters fits.
+    """Quality of the fit for several sets of parameters.
 
-    `deviance` (s,) is minus the logarithm of the likelihood, `slope` (s, p) minus its gradient, `information`
-    (s, p, p) Fisher's; `chi2` (s,) is Pearson's over its expectation, and `spread` (s,) its standard deviation where
-    the model is right.
+    `deviance` (s,) is minus the log-likelihood, `slope` (s, p) minus its gradient, `information` (s, p, p) Fisher's;
+    `chi2` (s,) is Pearson's over its expectation, and `spread` (s,) its standard deviation where the model is right.
     """
 
     deviance: Array
@@ -133,27 +125,15 @@ class Scores(NamedTuple):
     chi2: Array
     spread: Array
 
-    def of(self, index: Any) -> Scores:
+    def of(self, index: NDArray[np.intp] | Sequence[int]) -> Scores:
         """Return those of some of the sets."""
         return Scores(*(part[index] for part in self))
 
 
 class StarImages:
-    """Images of stars as functions of a row of parameters.
+    """Star images as functions of a row of parameters: terms, numbers of the pupil, tilts, flux, background.
 
-    These are the terms, the numbers of the pupil, and for each image its tilts, its flux and its background.
-
-    Parameters
-    ----------
-    electrons, variance : ndarray, shape (n, height, width)
-        As measured, and what reading adds to the variance.
-    valid : ndarray of bool, shape (n, height, width)
-    pupil : Pupil
-        With the wavefront to start from, a single one.
-    defocus : ndarray, shape (n,)
-        C_d that is known to come on top, radians.
-    unknowns : Unknowns
-    plan : Plan
+    Of `electrons` (n, height, width), with `variance` from reading and known `defocus` (C_d, radians) of each image.
     """
 
     def __init__(
@@ -173,68 +153,67 @@ class StarImages:
         self.read = np.maximum(self.recorded, _LEAST)
         self.counted = np.where(valid, electrons, 0.0).reshape(count, -1)
         self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
-        self.derivatives = unknowns.asked
+        self.derivatives = unknowns.derivatives
         self._question: Asked | None = None
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
-        wanted = {*start, *unknowns.edge, *SHIFTS.values()}
-        radial = symmetric_terms(max(n // 2 for n, m in wanted if m == 0))
-        self.terms = (*radial, *sorted(term for term in wanted if term[1]))
+        every = {*start, *unknowns.edge, *SHIFTS.values()}
+        radial = symmetric_terms(max(n // 2 for n, m in every if m == 0))
+        self.terms = (*radial, *sorted(term for term in every if term[1]))
         edge = np.array([start.get(term, 0.0) for term in self.terms], dtype=np.float64)
         self.directions = np.zeros((len(unknowns.terms), len(self.terms)))
         self.directions[:, [self.terms.index(term) for term in unknowns.edge]] = unknowns.directions
         self._inverse = np.linalg.pinv(self.directions)
-        # What the terms can say of the wavefront to start from is where they start; the rest stays.
+        # The part of the initial wavefront that the terms span is where they start; the rest is fixed.
         self.start = edge @ self._inverse
         self.fixed = edge - self.start @ self.directions
         self.base = np.tile(self.fixed, (count, 1))
         self.base[:, 0] += defocus
-        # Half the window.
         halves = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
-        self.reach = [halves[place] * self.tilt_of_pixel for place in unknowns.places]
+        self.largest_tilts = [halves[place] * self.tilt_of_pixel for place in unknowns.places]
         self.tilts = [self.terms.index(SHIFTS[place]) for place in unknowns.places]
-        # Of a parameter for each image those of all images follow each other.
+        # The values of a parameter of single images follow each other.
         k, pupils, own = len(unknowns.terms), len(unknowns.pupil), len(unknowns.places) + 2
         self.shared = k + pupils
         self.size = self.shared + own * count
         self.waves, self.optics = slice(0, k), slice(k, self.shared)
         self.own = slice(self.shared, self.size)
-        self._chain = np.zeros((count, self.size, len(unknowns.asked) + 2))
+        self._chain = np.zeros((count, self.size, len(self.derivatives) + 2))
         terms = len(unknowns.edge)
+        self._phases = terms + len(self.tilts)
         self._chain[:, self.waves, :terms] = unknowns.directions
         for j in range(pupils):
-            self._chain[:, k + j, terms + len(self.tilts) + j] = 1.0
-        rows = [*range(terms, terms + len(self.tilts)), -2, -1]
-        for j, row in enumerate(rows):
-            at = self.shared + j * count + np.arange(count)
-            self._chain[np.arange(count), at, row] = 1.0
+            self._chain[:, k + j, self._phases + j] = 1.0
+        for j, row in enumerate([*range(terms, self._phases), -2, -1]):
+            self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
-        self.twins = self._twins()
+        self._mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
+        self.sign_ambiguous = self._sign_ambiguous()
 
-    def _twins(self) -> bool:
-        """Return whether another wavefront has the same images: one whose even part is of the other sign."""
+    def _sign_ambiguous(self) -> bool:
+        """Return whether the wavefront with the even part of its phase negated has the same images."""
         even = self.even * np.vstack([self.directions, self.base])
         missed = even - even @ self._inverse @ self.directions
         one = np.ptp(self.base * self.even, axis=0).max() == 0.0
         return bool(one and (self.even * self.directions).any() and np.abs(missed).max() < 1e-9)
 
-    def twin(self, x: Array) -> Array:
-        """Return the parameters of the wavefront with the same images."""
+    def even_part_negated(self, x: Array) -> Array:
+        """Return the parameters of the wavefront with the even part of its phase negated."""
         other = x.copy()
         even = self.even * (self.base[0] + x[:, self.waves] @ self.directions)
         other[:, self.waves] -= 2.0 * even @ self._inverse
         return other
 
     def wavefront(self, x: Array) -> Wavefront:
-        """Return the wavefront of one set of parameters `x`, shape (p,), without tilts and known defoci."""
+        """Return the wavefront for parameters `x`, shape (p,), without tilts and known defoci."""
         edge = self.fixed + x[self.waves] @ self.directions
         return Wavefront.trusted(self.terms, self.ratio(self.optics_of(x[None])) * edge, self.pupil.wavefront.error)
 
     def pupils(self, x: Array) -> Pupil:
-        """Return the pupils of all images, of each of the sets of parameters `x`, shape (s, p)."""
+        """Return the pupils of all images for parameters `x`, shape (s, p)."""
         edge = self.base + (x[:, self.waves] @ self.directions)[:, None]
-        own = self.own_of(x)
+        own = self.per_image(x)
         for j, column in enumerate(self.tilts):
             edge[:, :, column] += own[:, j]
         optics: dict[str, Any] = self.optics_of(x)
@@ -246,23 +225,23 @@ class StarImages:
         return replace(self.pupil, wavefront=Wavefront.trusted(self.terms, edge), geometry=None, **optics)
 
     def optics_of(self, x: Array) -> dict[str, float]:
-        """Return the numbers of the pupil that are solved for, of the first set of parameters."""
+        """Return the estimated numbers of the pupil, of the first set of parameters."""
         return dict(zip(self.unknowns.pupil, x[0, self.optics].tolist(), strict=True))
 
     def ratio(self, optics: dict[str, float]) -> float:
-        """Return the wavelength to start with over that of the parameters."""
+        """Return the initial wavelength over the estimated one."""
         at = self.pupil.wavelength
         return 1.0 if at is None else at / optics.get("wavelength", at)
 
-    def own_of(self, x: Array) -> Array:
-        """Return what each image has of its own: tilts, flux, background; shape (s, these, n)."""
+    def per_image(self, x: Array) -> Array:
+        """Return a view of the parameters of single images: tilts, flux, background; shape (s, these, n)."""
         return x[:, self.own].reshape(len(x), -1, self.count)
 
     def images(self, x: Array) -> tuple[Array, list[Slope]]:
         """Return the PSFs of images, shape (s * n, height, width), and their derivatives."""
         pupil, plan = self.pupils(x), self.plan
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        # All steps of a search differ in their phases only: window and method are checked and chosen once.
+        # Steps of a search differ in their phases only: window and method are checked and chosen once.
         if self._question is None or self._question.light != light:
             self._question = asked_about(
                 pupil, light, plan.grid(pupil), plan.method, plan.tol, plan.normalize, plan.dtype, plan.threads
@@ -271,21 +250,21 @@ class StarImages:
         return made.values, slopes
 
     def mean(self, x: Array, psf: Array) -> Array:
-        """Return the electrons expected of a pixel: those of the PSFs `psf`, shape (s, n, pixels)."""
-        own = self.own_of(x)
+        """Return the expected electrons of each pixel for PSFs of shape (s, n, pixels)."""
+        own = self.per_image(x)
         return own[:, -2, :, None] * psf + own[:, -1, :, None]
 
     def variance(self, mean: Array) -> Array:
-        """Return the variance of pixels; where a background below 0 leaves nothing, part of that of reading."""
+        """Return the variance of pixels, at least a part of that of reading where a background is below 0."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
     def magnification(self, x: Array) -> float:
-        """Return one lambda*N over that of the pupil to start from, at one wavelength: how far tilts move images."""
+        """Return the estimated f-number over the initial one, by which tilts move images farther."""
         at = self.pupil.f_number
         return 1.0 if at is None else self.optics_of(x).get("f_number", at) / at
 
-    def judged(self, x: Array, dtype: DTypeLike = np.float32) -> Scores:
-        """Return how well sets of parameters fit; products of derivatives are summed in `dtype`."""
+    def scores(self, x: Array, dtype: DTypeLike = np.float32) -> Scores:
+        """Return the quality of the fit for parameters (s, p); products of derivatives are summed in `dtype`."""
         values, slopes = self.images(x)
         each = (len(x), self.count, -1)
         psf = values.reshape(each)
@@ -313,34 +292,29 @@ class StarImages:
         return Scores(deviance, slope, information, chi2, scatter / expected)
 
     def expected(self, mean: Array, weight: Array) -> tuple[Array, Array]:
-        """Return the mean and the standard deviation (s,) of Pearson's chi2 where the model is right.
-
-        They are of expected electrons `mean` and weights, 1 / variance, both of shape (s, n, pixels). The square of
-        ``Poisson(mu) + N(0, read^2) - mu`` has the mean ``v = mu + read^2`` and the variance ``mu + 2 v^2``, exactly.
-        ``v`` times the weight is less than 1 where `_LEAST` bounds the weight of dark pixels. Each fitted parameter
-        takes the share of a mean pixel.
-        """
+        """Return mean and standard deviation (s,) of Pearson's chi2 where the model is right, for 1 / variance."""
+        # The square of Poisson(mu) + N(0, read^2) - mu has the mean v = mu + read^2 and the variance mu + 2 v^2,
+        # exactly. Each fitted parameter takes the share of a mean pixel.
         light = np.maximum(mean, 0.0)
         exact = light + self.recorded
         total = np.einsum("sip,sip->s", weight, exact)
         variance = np.einsum("sip,sip->s", weight * weight, light + 2.0 * exact * exact)
-        # Where nothing is expected, of images below 0 that are read without noise, any square is a misfit.
+        # Where nothing is expected (images below 0, read without noise) any square is a misfit.
         return np.maximum(total * (self.tested / (self.tested + self.size)), 1.0), np.sqrt(variance)
 
     def limit(self, scores: Scores, deviations: float = MOST) -> Array:
-        """Return what chi2 stays below where the model is right, but for so many deviations."""
+        """Return the largest chi2 within so many standard deviations of its expectation."""
         return 1.0 + deviations * scores.spread
 
     def chain(self, x: Array) -> Array:
-        """Return how derivatives of PSFs, and flux and background, make those of images, (s, n, p, rows)."""
-        phases = len(self.unknowns.edge) + len(self.tilts)
+        """Return the derivatives of images by parameters over those of PSFs, flux and background, (s, n, p, rows)."""
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
-        factors[..., :-2] = self.own_of(x)[:, -2, :, None, None]
-        factors[..., :phases] *= self.ratio(self.optics_of(x))
+        factors[..., :-2] = self.per_image(x)[:, -2, :, None, None]
+        factors[..., : self._phases] *= self.ratio(self.optics_of(x))
         return self._chain * factors
 
     def with_light(self, x: Array) -> Array:
-        """Return the parameters with the flux and the background of least squares, for the wavefronts they have."""
+        """Return the parameters with flux and background from linear least squares."""
         psf = self.plan(self.pupils(x)).values.reshape(len(x), self.count, -1).astype(np.float64)
         weight = self.valid / (np.maximum(self.counted, 0.0) + self.read + 1.0)
         total, data = weight.sum(axis=-1), weight * self.counted
@@ -348,18 +322,18 @@ class StarImages:
         square = (weight * psf * psf).sum(axis=-1) - total * mean * mean
         flux = ((data * psf).sum(axis=-1) - total * mean * level) / np.maximum(square, 1e-300)
         found = x.copy()
-        own = self.own_of(found)
+        own = self.per_image(found)
         own[:, -2] = np.maximum(flux, 1.0)
         own[:, -1] = level - own[:, -2] * mean
         return found
 
     def within(self, x: Array, before: Array) -> Array:
-        """Return parameters that have images: no flux falls below a tenth, nor numbers of the pupil out of range."""
-        own, old = self.own_of(x), self.own_of(before)
+        """Limit parameters in place: tilts to the window, flux and numbers of the pupil to steps from `before`."""
+        own, old = self.per_image(x), self.per_image(before)
         np.maximum(own[:, -2], 0.1 * old[:, -2], out=own[:, -2])
-        for j, reach in enumerate(self.reach):
-            np.clip(own[:, j], -reach, reach, out=own[:, j])
-        for name, column in zip(self.unknowns.pupil, range(self.optics.start, self.optics.stop), strict=True):
+        for j, largest in enumerate(self.largest_tilts):
+            np.clip(own[:, j], -largest, largest, out=own[:, j])
+        for column, name in enumerate(self.unknowns.pupil, self.optics.start):
             if name == "obscuration":
                 np.clip(x[:, column], 0.0, 0.98, out=x[:, column])
             else:
@@ -367,7 +341,6 @@ class StarImages:
         return x
 
     def rms(self, steps: Array) -> Array:
-        """Return the root mean square phase of steps of the parameters, tilts apart, radians, shape (s,)."""
+        """Return the rms phase of steps of the parameters, without tilts, radians, shape (s,)."""
         edge = steps[:, self.waves] @ self.directions
-        squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
-        return np.asarray(np.sqrt((edge * edge) @ squares))
+        return np.asarray(np.sqrt((edge * edge) @ self._mean_squares))

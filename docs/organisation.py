@@ -27,7 +27,6 @@ ORDER = [
     {"io"},
     {"show"},
     {"traced"},
-    {"measured"},
     {"psf"},
     {"channel_psf"},
     {"estimation", "field", "stacks"},

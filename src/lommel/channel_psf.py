@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Self, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -17,8 +17,6 @@ from lommel.base.options import near
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
 from lommel.io import colour_files
-from lommel.measured import Measured
-from lommel.measures.answer_channels import AnswerChannels
 from lommel.methods import question
 from lommel.methods.method import Method, painted, storing, widened
 from lommel.methods.polychromatic import Polychromatic, together
@@ -26,7 +24,7 @@ from lommel.methods.question import asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.colour.spectrum import Channels, checked
 from lommel.optics.grid import Grid
-from lommel.psf import PSF, Plan
+from lommel.psf import PSF, Measured, Plan
 from lommel.show import colours
 
 if TYPE_CHECKING:
@@ -56,7 +54,7 @@ class Keywords(PSFKeywords, total=False):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ColourPSF(Measured, AnswerChannels[PSF]):
+class ColourPSF(Measured):
     """PSFs of a pupil, or a stack of them, in channels; ``answer["red"]`` is one like any other.
 
     Attributes
@@ -75,6 +73,120 @@ class ColourPSF(Measured, AnswerChannels[PSF]):
     TypeError, ValueError
         If there is not one PSF for each channel, or they differ in more than their light.
     """
+
+    channels: Channels
+    psfs: tuple[PSF, ...]
+    values: NDArray[Any] = field(init=False)
+
+    def __post_init__(self) -> None:
+        validation.instance("channels", self.channels, Channels)
+        psfs: tuple[PSF, ...] = tuple(self.psfs) if isinstance(self.psfs, Iterable) else ()
+        if len(psfs) != len(self.channels) or not all(isinstance(psf, PSF) for psf in psfs):
+            raise TypeError(
+                f"psfs must be a PSF for each of the {len(self.channels)} channels, got {validation.shown(self.psfs)}"
+            )
+        alike = {(p.values.shape, p.values.dtype.str, p.pixel, p.normalize, p.unit) for p in psfs}
+        if len(alike) > 1:
+            raise ValueError(f"psfs must be alike but for their light, got {validation.shown(sorted(alike))}")
+        # One array, of which those of the channels are parts.
+        base = psfs[0].values.base
+        if base is None or base.shape != (len(psfs), *psfs[0].values.shape) or not _parts(base, psfs):
+            base = np.stack([p.values for p in psfs])
+            psfs = tuple(replace(p, values=base[k]) for k, p in enumerate(psfs))
+        vars(self).update(psfs=psfs, values=np.moveaxis(base, 0, -3))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the channels."""
+        return self.channels.names
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the values."""
+        return self.values.shape
+
+    @property
+    def pupil(self) -> BasePupil:
+        """That of the first channel."""
+        return self.psfs[0].pupil
+
+    @property
+    def grid(self) -> Grid:
+        """The pixels."""
+        return self.psfs[0].grid
+
+    @property
+    def pixel(self) -> float | tuple[float, float]:
+        """Pixel pitch, in :attr:`unit`."""
+        return self.psfs[0].pixel
+
+    @property
+    def unit(self) -> str:
+        """Unit of lengths."""
+        return self.psfs[0].unit
+
+    @property
+    def normalize(self) -> str:
+        """What values are relative to, channel by channel."""
+        return self.psfs[0].normalize
+
+    @property
+    def error_bound(self) -> float | None:
+        """Bound on the largest error over the peak of a channel, that of the worst; None where one has none."""
+        bounds = [psf.error_bound for psf in self.psfs]
+        return None if None in bounds else max(bound for bound in bounds if bound is not None)
+
+    def __len__(self) -> int:
+        """Return the number of channels."""
+        return len(self.psfs)
+
+    def __iter__(self) -> Iterator[PSF]:
+        """Yield the PSF of each channel."""
+        return iter(self.psfs)
+
+    def __getitem__(self, channel: str | int) -> PSF:
+        """Return the PSF, or the stack of PSFs, of a channel by its name or its number."""
+        if isinstance(channel, str):
+            if channel not in self.names:
+                raise KeyError(f"there is no channel {channel!r}; there are {', '.join(self.names)}")
+            return self.psfs[self.names.index(channel)]
+        if isinstance(channel, bool) or not isinstance(channel, int | np.integer):
+            raise TypeError(
+                f"a channel is named by a text or a number, got {validation.shown(channel)}; part(index) is a part "
+                "of a stack"
+            )
+        return self.psfs[channel]
+
+    def part(self, index: Any) -> Self:
+        """Return part of a stack in all channels, as NumPy indexes arrays of the shape of its pupils.
+
+        Parameters
+        ----------
+        index : int, slice, tuple or array
+            As of such an array.
+
+        Returns
+        -------
+        ColourPSF
+
+        Raises
+        ------
+        TypeError, IndexError
+            If there is no stack, or nothing at the index.
+        """
+        return type(self)(self.channels, tuple(psf[index] for psf in self.psfs))
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """Return `values`."""
+        return np.array(self.values, dtype=dtype, copy=copy)
+
+    def __repr__(self) -> str:
+        bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
+        return (
+            f"<{type(self).__name__} {'x'.join(map(str, self.shape))} {self.values.dtype}, channels "
+            f"{', '.join(self.names)}, pixel {self.pixel:g} {self.unit}, normalize {self.normalize!r}, "
+            f"error bound {bound}>"
+        )
 
     def measured(self, measure: Callable[[PSF], Any]) -> Any:
         """Return a `measure` of each channel, on an axis after those of the stack."""
@@ -96,6 +208,14 @@ class ColourPSF(Measured, AnswerChannels[PSF]):
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
         """Read a ``.npz`` or ``.tif`` file, `path`, that :meth:`save` wrote; ValueError if it is another."""
         return cls(*colour_files.load(path, PSF))
+
+
+def _parts(whole: NDArray[Any], psfs: Sequence[PSF]) -> bool:
+    """Return whether the values of each PSF are its part of an array of all."""
+    return all(
+        psf.values.base is whole and psf.values.ctypes.data == part.ctypes.data
+        for psf, part in zip(psfs, whole, strict=True)
+    )
 
 
 def colour_psf(

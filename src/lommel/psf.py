@@ -1,33 +1,36 @@
-"""The one front door, :func:`psf`, and its answer, :class:`PSF`."""
+"""Point spread functions: :func:`psf` computes one, :class:`Plan` many alike, and :class:`PSF` holds the result."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import measures
+from lommel import measures, show
 from lommel.base import validation
-from lommel.base.arrays import Numbers, largest
+from lommel.base.arrays import Array, Numbers, Values, largest
 from lommel.core.answers import Declined, ToleranceError
-from lommel.measured import Measured
 from lommel.methods import question
-from lommel.methods.method import Method
+from lommel.methods.method import Method, RadialMethod
 from lommel.methods.question import Asked, asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
-from lommel.show.pictured import Pictured
-from lommel.traced.door import Traceable
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
+    from matplotlib.axes import Axes
+
     from lommel.blur.blurs import Blur
     from lommel.methods.derivative_names import Name
+    from lommel.optics.pupil import Pupil
+    from lommel.traced.plan_function import Twin
 
 
 def psf(
@@ -139,7 +142,7 @@ def psf(
     return prepared(pupil, derivatives=derivatives, out=out)
 
 
-class Plan(Traceable):
+class Plan:
     """A question asked of many pupils, one after the other: everything but the pupil is checked once.
 
     Called with a pupil, it answers as :func:`psf` would. After the first call with `out` nothing large is allocated
@@ -203,20 +206,24 @@ class Plan(Traceable):
 
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
+        pupil = imaged(pupil)
         if self._places:
-            pupil = question.for_axes(imaged(pupil), self._places)
+            pupil = question.for_axes(pupil, self._places)
         if not self.plain:
-            return self._spread(imaged(pupil), derivatives, out)
-        light = imaged(pupil).aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
+            return self._spread(pupil, derivatives, out)
+        light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
             asked = self._asked = asked_about(
                 pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
         _, grid, ways, _, _, _, shape, _, shortcut = asked
-        names = () if derivatives is _NONE else question.names(derivatives)
+        names = () if isinstance(derivatives, tuple) and not derivatives else question.names(derivatives)
         if names and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
+        slopes: dict[Name, Values] = {}
+        slope_bounds: dict[Name, float] = {}
+        error: float | None
         found = None
         if shortcut is not None and not names and (out is None or isinstance(out, np.ndarray)):
             values = np.empty(shape, self.dtype) if out is None else out
@@ -226,11 +233,8 @@ class Plan(Traceable):
                 if len(ways) == 1:
                     raise
                 asked = asked._replace(ways=ways[1:])  # which the next method answers
-        slopes: dict[Name, NDArray[Any]] = {}
-        slope_bounds: dict[Name, float] = {}
-        error: float | None
         if found is not None:
-            method, (scale, error) = ways[0], found
+            (scale, error), method = found, ways[0]
         else:
             place = None if out is None else question.place(out, shape, self.dtype)
             method, made, found_slopes = asked.images(pupil, names, place)
@@ -238,13 +242,13 @@ class Plan(Traceable):
             scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
             for name, slope in zip(names, found_slopes, strict=True):
                 slopes[name], slope_bounds[name] = slope.values.reshape(shape), largest(slope.error)
-        answer: Any = _Draft()
-        answer.values, answer.grid, answer.pupil, answer.method = values, grid, pupil, method
-        answer.normalize, answer.error_bound, answer.scale = self.normalize, error, scale
-        answer.derivatives, answer.derivative_bounds, answer.blur = slopes, slope_bounds, ()
-        answer.__class__ = PSF
-        done: PSF = answer
-        return done
+        # The parts have been checked: the initializer would take a tenth of the time of a small image.
+        psf = object.__new__(PSF)
+        parts = psf.__dict__
+        parts["values"], parts["grid"], parts["pupil"], parts["method"] = values, grid, pupil, method
+        parts["normalize"], parts["error_bound"], parts["scale"] = self.normalize, error, scale
+        parts["derivatives"], parts["derivative_bounds"], parts["blur"] = slopes, slope_bounds, ()
+        return psf
 
     def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: NDArray[Any] | None) -> PSF:
         from lommel.blur.recorded import recorded
@@ -266,20 +270,154 @@ class Plan(Traceable):
             averages = metric or (self.method is not None and self.method.sampling == "pixel")
         return self._averaged if averages else self._sampled
 
+    def traced(
+        self, pupil: Pupil, xp: ModuleType | str | None = None, *, device: object = None, precision: str = "auto"
+    ) -> Twin:
+        """Return the plan as a differentiable function of coefficients, in JAX, PyTorch or any array API.
 
-_NONE: tuple[Name, ...] = ()  # which there is one of
+        Parameters
+        ----------
+        pupil : Pupil
+            A stack: its coefficients are the reach that the function is made for. Of radially symmetric pupils that
+            is the box around them; of others what is no larger than a member. Aperture, amplitude and lengths are
+            those of the stack.
+        xp : module or str, optional
+            ``jax.numpy``, ``torch``, ``cupy``, ``numpy`` or another of the array API, or its name; NumPy by default.
+        device : optional
+            Of the framework, where tables are and coefficients must be.
+        precision : {"auto", "float64", "float32"}, default "auto"
+            Of what is inside: float64 wherever the framework has it there. In float32 no error of 1e-6 can be proven.
 
+        Returns
+        -------
+        Twin
+            ``images = f(c)``, with c of shape (..., k) a column for each of ``f.terms``, radians.
 
-class _Draft:
-    """A PSF while it is made, of parts that were checked: to fill in what is frozen takes a tenth of a small one."""
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, the aperture is not round, or the framework lacks the precision.
+        ImportError
+            If the framework that is named is not installed.
+        ToleranceError
+            If the tolerance is not proven for a pupil of the stack.
+
+        Examples
+        --------
+        >>> import lommel as lm
+        >>> reach = lm.Pupil(lm.Wavefront([-10.0, 10.0]))
+        >>> f = lm.Plan(shape=33, pixel=0.5).traced(reach)
+        >>> f.terms
+        ('defocus', 'spherical')
+        >>> f([[3.0, 0.0], [4.0, 0.5]]).shape
+        (2, 33, 33)
+        """
+        from lommel.optics.pupil import checked
+        from lommel.traced import plan
+
+        validation.choice("precision", precision, ("auto", "float64", "float32"))
+        if not self.plain:
+            raise ValueError("pixel must be one number for a twin, and fill and blur left out")
+        grid = self.grid(checked(pupil))
+        values = self.tol, self.normalize, str(self.dtype)
+        return plan.traced(pupil, grid, self.method, values, (xp, device, precision))
 
 
 # Calls like the last ones take the plans of these, types and all: 1 and True are equal, and only one is a number.
 _kept = lru_cache(maxsize=16, typed=True)(Plan)
 
 
-@dataclass(frozen=True, init=False, eq=False, repr=False)
-class PSF(Measured, Pictured):
+class Measured:
+    """Measures of the image that values are samples of: the light of the optics, spread by blur and pixels.
+
+    They do not depend on the pixel pitch, but for the pixel as a part of the image, nor on the window: what they take
+    is the transfer function. ``of="optics"`` leaves the pixel out. Arrays have the shape of the stack of pupils, with
+    an axis of channels after it where there are some, and then that of the argument. Errors are stated where each
+    links to.
+    """
+
+    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+        """Return a `measure` of each PSF."""
+        raise NotImplementedError
+
+    @property
+    def energy(self) -> Numbers:
+        """Fraction of all light that falls inside the window, to the edges of its outer pixels."""
+        return self._numbers(measures.energy.window_energy)
+
+    @property
+    def strehl(self) -> Numbers:
+        """Intensity on the axis over that without aberration; :func:`lommel.strehl` is that of a pupil."""
+        return self._numbers(measures.spot.axis_strehl)
+
+    @property
+    def peak_strehl(self) -> Numbers:
+        """Largest value in the window over the peak of the same aperture without aberration, wherever it is."""
+        return self._numbers(measures.spot.peak_strehl)
+
+    @property
+    def peak_position(self) -> NDArray[np.float64]:
+        """Place (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
+        return np.asarray(self.measured(measures.spot.peak_position))
+
+    @property
+    def centroid(self) -> NDArray[np.float64]:
+        """Centroid (x, y) of all light, from the axis; see :func:`lommel.measures.energy.image_centroid`."""
+        return np.asarray(self.measured(measures.energy.image_centroid))
+
+    def encircled_energy(self, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
+        """Return the fraction of all light within `radius` (metres or lambda*N) of the axis, or `about` the centroid.
+
+        Of the image, or `of` the "optics" without the pixel; also beyond the window. See
+        :func:`lommel.measures.energy.encircled_energy`.
+        """
+        return self._numbers(lambda one: measures.energy.encircled_energy(one, radius, about=about, of=of))
+
+    def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
+        """Return the fraction of all light within a square of sides ``2 half_width``.
+
+        `about` the axis or the centroid, `of` the image or the optics: see
+        :func:`lommel.measures.energy.ensquared_energy`.
+        """
+        return self._numbers(lambda one: measures.energy.ensquared_energy(one, half_width, about=about, of=of))
+
+    def energy_diameter(self, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
+        """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
+
+        `about` the axis or the centroid, `of` the image or the optics: see
+        :func:`lommel.measures.spot.energy_diameter`.
+        """
+        return self._numbers(lambda one: measures.spot.energy_diameter(one, fraction, about=about, of=of))
+
+    def fwhm(self, along: str = "mean", *, of: str = "image") -> Numbers:
+        """Return the full width at half maximum along "x", "y" or their mean, of the image or `of` the optics.
+
+        See :func:`lommel.measures.spot.fwhm`.
+        """
+        return self._numbers(lambda one: measures.spot.fwhm(one, along, of=of))
+
+    def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> NDArray[np.complex128] | np.complex128:
+        """Return the optical transfer function of the image, or `of` the optics, at frequencies `fx`, `fy`.
+
+        Of lenses from the wavefront, beyond the Nyquist frequency of the pixels, too: see :func:`lommel.otf`. The
+        transform of the values themselves is :func:`lommel.measures.transfer.sampled_otf`.
+        """
+        found: NDArray[np.complex128] | np.complex128 = self.measured(
+            lambda one: measures.transfer.image_otf(one, fx, fy, of=of)
+        )
+        return found
+
+    def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> Numbers:
+        """Return the modulation transfer function, the modulus of :meth:`otf`, at `fx`, `fy`, `of` the same."""
+        return np.abs(self.otf(fx, fy, of=of))
+
+    def _numbers(self, measure: Callable[[Any], Any]) -> Numbers:
+        found: Numbers = self.measured(measure)
+        return found
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PSF(Measured):
     """A computed point spread function, or a stack of them, and how it was made.
 
     Attributes
@@ -308,6 +446,138 @@ class PSF(Measured, Pictured):
     TypeError, ValueError
         If a part is of another type, or the values are not of its shape.
     """
+
+    values: NDArray[Any]
+    grid: Grid
+    pupil: BasePupil
+    method: Method
+    normalize: str
+    error_bound: float | None
+    scale: Array = field(repr=False)
+    derivatives: dict[str | tuple[int, int], NDArray[Any]] = field(default_factory=dict, repr=False)
+    derivative_bounds: dict[str | tuple[int, int], float] = field(default_factory=dict, repr=False)
+    blur: tuple[Blur, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name, kind in (("grid", Grid), ("pupil", BasePupil), ("method", Method)):
+            validation.instance(name, getattr(self, name), kind)
+        if self.grid.stack not in ((), self.pupil.shape):
+            raise ValueError(
+                f"grid must have one center, or one for each pupil of a stack of shape {self.pupil.shape}, "
+                f"got {self.grid.stack}"
+            )
+        wanted = self.pupil.shape + self.grid.shape
+        if not isinstance(self.values, np.ndarray) or self.values.dtype not in (np.float32, np.float64):
+            raise TypeError(f"values must be an array of float32 or float64, got {validation.shown(self.values)}")
+        if self.values.shape != wanted:
+            raise ValueError(f"values must have the shape {wanted}, got {self.values.shape}")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the values."""
+        return self.values.shape
+
+    @property
+    def pixel(self) -> float | tuple[float, float]:
+        """Pixel pitch, in :attr:`unit`; height and width where these differ."""
+        return self.grid.pixel
+
+    @property
+    def sampling(self) -> str:
+        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
+        return "pixel" if self.grid.integrate else "center"
+
+    @property
+    def undersampled(self) -> bool:
+        """Whether values sample pixels wider than lambda*N/2, so that they do not sum to the light of the window."""
+        return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
+
+    @property
+    def unit(self) -> str:
+        """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
+        return self.pupil.unit
+
+    def positions(self) -> tuple[Array, Array]:
+        """Return where columns and rows are, x and y from the axis, of each of the flattened stack."""
+        return self.grid.positions(self.pupil.shape)
+
+    @property
+    def radial_method(self) -> RadialMethod | None:
+        """The method where a profile describes the whole PSF (pupil and method are radial, no blur), else None."""
+        return None if self.blur else self.method.along_radius(self.pupil)
+
+    def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]:
+        """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
+
+        Parameters
+        ----------
+        radius : array_like, optional
+            Any radii, evaluated anew by the method as point samples; by default the pixels from the middle one,
+            ``(height // 2, width // 2)``, to the right; then radii are of the shape of the values where each pupil
+            has its own axis.
+
+        Raises
+        ------
+        ValueError
+            If radii are asked of a method that knows its values on the grid only.
+        """
+        if radius is None:
+            middle = (self.shape[-2] // 2, self.shape[-1] // 2)
+            radii = np.hypot(self.grid.y[..., middle[0], None], self.grid.x[..., middle[1] :])
+            return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
+        method = self.radial_method
+        if method is None:
+            what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
+            what = "light that is spread by blur" if self.blur else what
+            raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
+        at = validation.real_array("radius", radius, least=0.0)
+        far = float(at.max(initial=0.0))
+        validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
+        v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
+        intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
+        return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
+
+    def __len__(self) -> int:
+        """Return how many PSFs, or stacks of them, the first axis of a stack holds."""
+        if self.pupil.shape == ():
+            raise TypeError("a single PSF has no length; its pixels are in `values`")
+        return self.pupil.shape[0]
+
+    def __bool__(self) -> bool:
+        """Return True, whether it has a length or not."""
+        return True
+
+    def __getitem__(self, index: Any) -> Self:
+        """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""
+        if self.pupil.shape == ():
+            raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
+        pupil = self.pupil[index]
+        which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
+        return replace(
+            self,
+            values=self.values.reshape(-1, *self.shape[-2:])[which],
+            grid=self.grid[index] if self.grid.stack else self.grid,
+            pupil=pupil,
+            scale=np.asarray(self.scale.reshape(-1)[which]),
+            derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
+        )
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """Return `values`."""
+        return np.array(self.values, dtype=dtype, copy=copy)
+
+    def __repr__(self) -> str:
+        bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
+        how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
+        how += "".join(f", {type(blur).__name__}" for blur in self.blur)
+        if self.undersampled:
+            sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
+            how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
+        return (
+            f"<{type(self).__name__} {'x'.join(map(str, self.shape))} {self.values.dtype}, "
+            f"pixel {self.grid.named} {self.unit}, {how}, {type(self.method).__name__}, "
+            f"normalize {self.normalize!r}, error bound {bound}>"
+        )
 
     def measured(self, measure: Callable[[PSF], Any]) -> Any:
         """Return a `measure` of this PSF; see :class:`lommel.measured.Measured`."""
@@ -345,3 +615,29 @@ class PSF(Measured, Pictured):
         from lommel.io import psf_files
 
         return psf_files.load(path, cls)
+
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+        """Draw the values on matplotlib axes and return these, an array of them for a stack; sections of a z stack.
+
+        See :func:`lommel.show.plot.plot`.
+        """
+        validation.axes("ax", ax)
+        return show.plot.plot(self, ax, stretch=stretch)
+
+    def plot_mtf(self, ax: Axes | None = None) -> Any:
+        """Draw the modulation transfer function along x and y, beside that of the aperture without aberration.
+
+        See :func:`lommel.show.curves.mtf`.
+        """
+        return show.curves.mtf(self, ax)
+
+    def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Any:
+        """Draw the light within circles up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
+        return show.curves.encircled_energy(self, ax, radius=radius)
+
+    def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Any:
+        """Draw where rays meet the sensor over the values; see :func:`lommel.show.rays.spots`."""
+        return show.rays.spots(self, ax, rings=rings, stretch=stretch)
+
+    def _repr_html_(self) -> str:
+        return show.notebook.psf(self)

@@ -1,4 +1,4 @@
-"""What is a number, or an array of them: one for each of a stack."""
+"""Types of arrays, and numbers that are one for each of a stack."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Values = NDArray[np.floating[Any]]
+"""Of float32 or float64."""
 Numbers = np.float64 | NDArray[np.float64]
 
 
-def largest(values: NDArray[Any]) -> float:
-    """Return the largest of some values; of one, as of most answers, without what a reduction costs."""
+def largest(values: Values) -> float:
+    """Return the largest value; of a single one without the cost of a reduction."""
     return float(values.item() if values.size == 1 else values.max())
 
 
-def numbers(values: Any, shape: tuple[int, ...]) -> Numbers:
-    """Return an array of this shape, or the number that one without axes holds."""
+def numbers(values: object, shape: tuple[int, ...]) -> Numbers:
+    """Return an array of this shape, or the number of one without axes."""
     found: Numbers = np.asarray(values, dtype=np.float64).reshape(shape)[()]
     return found

@@ -16,9 +16,8 @@ from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.measures import aperture_means, errors, spot, transfer
-from lommel.measures.answer import Answer, checked
-from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.energy import MAX_RADIUS, encircled, optics
+from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
 from lommel.methods import HuygensFresnel, Method, Polychromatic
 from lommel.methods.choice import of_profiles, reference
 from lommel.optics.aperture.apodization import Apodization
@@ -213,7 +212,7 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dic
 
 
 def describe_mtf(
-    instrument: Instrument, grid: AnswerGrid | None = None, channels: Channels | None = None
+    instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None
 ) -> dict[str, Any]:
     """Return the MTF at the Nyquist frequency of the pixels and at half of it, of the lens and of averaging pixels.
 
@@ -246,7 +245,7 @@ def describe_mtf(
     return {"frequency": list(nyquist), "rows": rows}
 
 
-def how_made(answer: Answer, seconds: float) -> dict[str, Any]:
+def how_made(answer: PSFLike, seconds: float) -> dict[str, Any]:
     """Return what there is to say about values and how they were made, sums and peaks for each of a stack."""
     # Fractions of the light that sample too far apart are none.
     stray = answer.normalize == "energy" and answer.undersampled

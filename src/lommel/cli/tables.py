@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.table import Table
 
 from lommel.base.units import format_length
-from lommel.measures.answer import checked
+from lommel.measures.psf_like import checked
 from lommel.show.drawing import HOW, MEANING
 
 if TYPE_CHECKING:

@@ -15,9 +15,8 @@ from lommel.base import options, validation
 from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.channel_psf import ColourPSF, colour_psf
-from lommel.field.psf_grid import PSFGrid
+from lommel.field.psf_grid import PSFGrid, sides
 from lommel.field.vignetting import Shaded, Shading, Vignetting, places
-from lommel.measures.answer_grid import sides
 from lommel.methods import Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens

@@ -7,20 +7,22 @@ from dataclasses import dataclass, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from lommel import show
 from lommel.base import validation
+from lommel.base.arrays import Array, Values
 from lommel.channel_psf import ColourPSF
 from lommel.io import field_files
-from lommel.measured import Measured
-from lommel.measures.answer_grid import AnswerGrid
-from lommel.psf import PSF
+from lommel.optics.base_pupil import object_distances
+from lommel.psf import PSF, Measured
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PSFGrid(Measured, AnswerGrid):
+class PSFGrid(Measured):
     """PSFs over a sensor; ``grid[row, column]`` is one of them.
 
     Attributes
@@ -41,6 +43,53 @@ class PSFGrid(Measured, AnswerGrid):
     """
 
     psf: PSF | ColourPSF
+    x: Array
+    y: Array
+    sensor: tuple[float, float]
+    depths: Array | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.psf, PSF | ColourPSF):
+            raise TypeError(f"psf must be a PSF, got {validation.shown(self.psf)}")
+        stack = self.psf.pupil.shape
+        axes = 2 if self.depths is None else 3
+        for name, count in (("y", 0), ("x", 1)):
+            places = validation.real_array(name, getattr(self, name))
+            if len(stack) != axes or places.shape != stack[count : count + 1]:
+                raise ValueError(f"{name} must be the places of PSFs of shape {stack}, got shape {places.shape}")
+            object.__setattr__(self, name, places)
+        object.__setattr__(self, "sensor", sides(self.sensor, self.unit))
+        if self.depths is not None:
+            distances = np.atleast_1d(object_distances(self.depths))
+            if distances.shape != stack[2:]:
+                raise ValueError(f"depths must be those of PSFs of shape {stack}, got shape {distances.shape}")
+            object.__setattr__(self, "depths", distances)
+
+    @property
+    def values(self) -> Values:
+        """Values, shape (rows, columns, height, width), with axes of depths and channels before the last two."""
+        return self.psf.values
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        """Names of the axes of the values."""
+        depth = () if self.depths is None else ("depth",)
+        channel = ("channel",) if isinstance(self.psf, ColourPSF) else ()
+        return ("field_y", "field_x", *depth, *channel, "y", "x")
+
+    @property
+    def unit(self) -> str:
+        """Unit of positions: ``"m"`` or ``"lambda*N"``."""
+        return self.psf.unit
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return int(self.y.size)
+
+    def __repr__(self) -> str:
+        size = f"{self.sensor[0]:g} x {self.sensor[1]:g} {self.unit}"
+        deep = "" if self.depths is None else f" x {self.depths.size} distances"
+        return f"<{type(self).__name__} {self.y.size} x {self.x.size}{deep} on {size}: {self.psf!r}>"
 
     def __getitem__(self, index: Any) -> PSF | ColourPSF:
         """Return part of the stack, in all channels where there are some, as NumPy indexes arrays of its shape."""
@@ -157,3 +206,11 @@ class PSFGrid(Measured, AnswerGrid):
         """
         psf, x, y, sensor, depths = field_files.load(path, PSF)
         return cls(psf if isinstance(psf, PSF) else ColourPSF(*psf), x, y, sensor, depths)
+
+
+def sides(sensor: Any, unit: str) -> tuple[float, float]:
+    """Return the height and width of a sensor; TypeError or ValueError if it has none."""
+    if not isinstance(sensor, tuple | list) or len(sensor) != 2:
+        raise TypeError(f"sensor must be (height, width), got {validation.shown(sensor)}")
+    height, width = (validation.real(f"sensor[{k}]", side, above=0.0, unit=unit) for k, side in enumerate(sensor))
+    return height, width

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -15,13 +16,13 @@ from lommel.base.checksums import checksum, sealed
 from lommel.io import psf_files, psf_numpy, psf_png, psf_tiff, registry
 from lommel.io.psf_files import Made
 from lommel.io.registry import Format
-from lommel.measures.answer_channels import AnswerChannels, colours
+from lommel.measures.psf_like import ColourPSFLike, colours
 from lommel.optics.colour.spectrum import Channels
 
 _EACH = ("pupil", "method", "error_bound", "scale")  # what channels differ in
 
 
-def save(answer: AnswerChannels[Any], path: str | PathLike[str]) -> None:
+def save(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
     """Write PSFs in channels; the suffix chooses the format.
 
     ``.npz``: ``values`` and ``description``, JSON as of :func:`lommel.io.psf_files.save` with the channels and what
@@ -49,7 +50,7 @@ def save(answer: AnswerChannels[Any], path: str | PathLike[str]) -> None:
     atomic.write(Path(path), form.write(answer, describe(answer)))
 
 
-def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Channels, tuple[Made, ...]]:
+def load(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:
     """Read what :func:`lommel.io.colour_files.save` wrote: the channels, and a PSF of this kind for each.
 
     Raises
@@ -66,13 +67,13 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Channels, tuple[M
         return rebuild(arrays["values"], reading.json(text), kind)
 
 
-def require_plain(answer: AnswerChannels[Any]) -> None:
+def require_plain(answer: ColourPSFLike) -> None:
     """Raise ValueError if there are derivatives, which files in channels have no place for."""
-    if any(psf.derivatives for psf in answer):
+    if any(psf.derivatives for psf in answer.psfs):
         raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
 
 
-def describe(answer: AnswerChannels[Any]) -> dict[str, Any]:
+def describe(answer: ColourPSFLike) -> dict[str, Any]:
     """Return how PSFs in channels were made, in plain types.
 
     Parameters
@@ -84,12 +85,12 @@ def describe(answer: AnswerChannels[Any]) -> dict[str, Any]:
     dict
         As of :func:`lommel.io.psf_files.describe`, of the first channel, and what is of each.
     """
-    said = [psf_files.describe(psf) for psf in answer]
+    said = [psf_files.describe(psf) for psf in answer.psfs]
     each = [{name: one[name] for name in _EACH} for one in said]
     return said[0] | {"channels": answer.channels.to_dict(), "each": each, "shape": list(answer.shape)}
 
 
-def rebuild(values: Any, description: dict[str, Any], kind: type[Made]) -> tuple[Channels, tuple[Made, ...]]:
+def rebuild(values: Any, description: dict[str, Any], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:
     """Return the channels and their PSFs from the values of a file and its sealed description."""
     if "channels" not in description:
         raise ValueError("it has no channels; PSF.load reads it")
@@ -105,12 +106,12 @@ def rebuild(values: Any, description: dict[str, Any], kind: type[Made]) -> tuple
     return channels, tuple(made)
 
 
-def npz(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
+def npz(answer: ColourPSFLike, description: dict[str, Any]) -> bytes:
     """Return an archive of the values and the description."""
     return psf_numpy.archive({"values": np.ascontiguousarray(answer.values)}, description)
 
 
-def _tiff(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
+def _tiff(answer: ColourPSFLike, description: dict[str, Any]) -> bytes:
     import tifffile
 
     metric, values = answer.unit == "m", np.ascontiguousarray(answer.values)
@@ -122,7 +123,7 @@ def _tiff(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
         "PhysicalSizeXUnit": unit,
         "PhysicalSizeY": high,
         "PhysicalSizeYUnit": unit,
-        "Channel": {"Name": list(answer.names)},
+        "Channel": {"Name": list(answer.channels.names)},
         "Name": "point spread function",
         "Description": json.dumps(sealed(description, {"values": values}), allow_nan=False),
     }
@@ -131,7 +132,7 @@ def _tiff(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
     return atomic.contents(write, pages, ome=True, metadata=metadata)
 
 
-def _png(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
+def _png(answer: ColourPSFLike, description: dict[str, Any]) -> bytes:
     from PIL import Image, PngImagePlugin
 
     if answer.values.ndim != 3:
@@ -139,7 +140,7 @@ def _png(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
             f"a .png holds a single PSF, got a stack of shape {answer.shape}; take part(index), or draw it by plot()"
         )
     levels = np.rint(255.0 * np.sqrt(colours(answer))).astype(np.uint8)
-    times = psf_png.scale(answer[0])
+    times = psf_png.scale(answer.psfs[0])
     info = PngImagePlugin.PngInfo()
     info.add_text("Software", description["software"])
     info.add_text("Comment", "square root of the values over the largest of all channels")

@@ -28,15 +28,13 @@ from lommel.io import (
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Format
 from lommel.io.zarr_folders import ZarrArray
-from lommel.measures.answer import Answer
-from lommel.measures.answer_channels import AnswerChannels
-from lommel.measures.answer_grid import AnswerGrid
+from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, is_psf
 
 _KEY = "field"  # of what a description says about the positions
 _AXES = "at several distances or in channels"
 
 
-def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
+def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     """Write a grid of PSFs; the suffix chooses the format.
 
     ``.tif``: one OME-TIFF, a page for each PSF, row by row (axis R, tiles), with its position on the sensor as
@@ -68,7 +66,7 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
         If it cannot be written.
     """
     psf = grid.psf
-    if isinstance(psf, AnswerChannels):
+    if isinstance(psf, ColourPSFLike):
         colour_files.require_plain(psf)
         form, said = find(path, holding=_AXES), colour_files.describe(psf)
     else:
@@ -80,7 +78,9 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     form.write(grid, said | {_KEY: field | {"unit": grid.unit}}, Path(path))
 
 
-def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Any, Array, Array, tuple[float, float], Array | None]:
+def load(
+    path: str | PathLike[str], kind: Callable[..., Made]
+) -> tuple[Any, Array, Array, tuple[float, float], Array | None]:
     """Read what :func:`lommel.io.field_files.save` wrote.
 
     Returns
@@ -116,21 +116,23 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Any, Array, Array
     return psf, x, y, (height, width), depths
 
 
-def _read(source: Path, kind: type[Made]) -> tuple[Any, dict[str, Any]]:
+def _read(source: Path, kind: Callable[..., Made]) -> tuple[Any, dict[str, Any]]:
     form, data = psf_files.find(source, verb="read"), reading.contents(source)
     with psf_files.told(source, "a grid of PSFs"):
         arrays, text = form.read(data)
         return _rebuilt(arrays, reading.json(text), kind)
 
 
-def _rebuilt(arrays: dict[str, Any], description: dict[str, Any], kind: type[Made]) -> tuple[Any, dict[str, Any]]:
+def _rebuilt(
+    arrays: dict[str, Any], description: dict[str, Any], kind: Callable[..., Made]
+) -> tuple[Any, dict[str, Any]]:
     if "channels" in description:
         return colour_files.rebuild(arrays["values"], description, kind), description
     return psf_files.rebuild(arrays, description, kind), description
 
 
-def _write_tiff(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
-    assert isinstance(grid.psf, Answer)
+def _write_tiff(grid: PSFGridLike, description: dict[str, Any], target: Path) -> None:
+    assert is_psf(grid.psf)
     factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
     y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
     planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
@@ -138,18 +140,18 @@ def _write_tiff(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
     atomic.write(target, psf_tiff.write(grid.psf, description, planes))
 
 
-def _as_stack(write: Callable[[Answer, dict[str, Any]], bytes]) -> Callable[..., None]:
+def _as_stack(write: Callable[[PSFLike, dict[str, Any]], bytes]) -> Callable[..., None]:
     """Return what writes a grid as the stack of PSFs that it is."""
     return lambda grid, description, target: atomic.write(target, write(grid.psf, description))
 
 
-def _write_npz(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
+def _write_npz(grid: PSFGridLike, description: dict[str, Any], target: Path) -> None:
     psf = grid.psf
-    made = colour_files.npz(psf, description) if isinstance(psf, AnswerChannels) else psf_numpy.npz(psf, description)
+    made = colour_files.npz(psf, description) if isinstance(psf, ColourPSFLike) else psf_numpy.npz(psf, description)
     atomic.write(target, made)
 
 
-def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
+def _write_zarr(grid: PSFGridLike, description: dict[str, Any], target: Path) -> None:
     if grid.psf.grid.stack:
         raise ValueError(
             "path must not end in .zarr for PSFs with a center each, since all have one x and one y there"
@@ -177,7 +179,7 @@ def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
     atomic.write_folder(target, fill)
 
 
-def _read_zarr(source: Path, kind: type[Made]) -> tuple[Made, dict[str, Any]]:
+def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made, dict[str, Any]]:
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
     with psf_files.told(source, "a grid of PSFs"):

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 from lommel.optics.colour.spectrum import Spectrum
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
@@ -25,7 +25,7 @@ class Axis(NamedTuple):
     unit: str = ""
 
 
-def axes(psf: Answer, description: Mapping[str, Any]) -> list[Axis]:
+def axes(psf: PSFLike, description: Mapping[str, Any]) -> list[Axis]:
     """Return the axes of the values in their order: those of the stack, y, x; the stage of a microscope is z.
 
     Those of a grid of PSFs are its places on the sensor, which its description has.
@@ -42,7 +42,7 @@ def axes(psf: Answer, description: Mapping[str, Any]) -> list[Axis]:
     return [*stack, Axis("y", grid.y, psf.unit), Axis("x", grid.x, psf.unit)]
 
 
-def light(psf: Answer) -> tuple[Array, Array]:
+def light(psf: PSFLike) -> tuple[Array, Array]:
     """Return the wavelengths in metres and the share of the light at each; none where lengths are in lambda*N."""
     if isinstance(psf.method, Spectrum):
         return np.array(psf.method.wavelengths), np.array(psf.method.weights)
@@ -50,7 +50,7 @@ def light(psf: Answer) -> tuple[Array, Array]:
     return np.array(known), np.ones(len(known))
 
 
-def arcseconds(psf: Answer) -> float | None:
+def arcseconds(psf: PSFLike) -> float | None:
     """Return the angle of a square pixel seen from the lens, on the axis; None where the lens has no distances."""
     pupil = psf.pupil
     if not isinstance(pupil, Pupil) or pupil.geometry is None or not isinstance(psf.pixel, float):

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 from lommel.optics.layers.emitter import Beam
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
@@ -30,7 +30,7 @@ def note(pupil: ObjectivePupil) -> dict[str, str]:
     return {"planes": UNEVEN} if pupil.z.size > 1 and step(pupil.z) is None else {}
 
 
-def image(psf: Answer, pupil: ObjectivePupil) -> dict[str, Any]:
+def image(psf: PSFLike, pupil: ObjectivePupil) -> dict[str, Any]:
     """Return the attributes and elements of an image: lengths in the sample, and of the stage."""
     size, apart = 1e6 * psf.grid.side / pupil.magnification, step(pupil.z)
     nanometres = 1e9 * pupil.wavelength

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from os import PathLike
@@ -18,13 +18,13 @@ from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_tiff, registry
 from lommel.io.registry import Format
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 from lommel.methods import method_from_dict
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import FieldPupil, Pupil
 
-Made = TypeVar("Made", bound=Answer)
+Made = TypeVar("Made", bound=PSFLike)
 NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
 _fits, _hdf5 = (partial(Format, "psf", library=of, extra=e) for of, e in (("astropy", "fits"), ("h5py", "hdf5")))
@@ -47,7 +47,7 @@ class FileError(ValueError):
     """A file that cannot be read as a PSF of this package."""
 
 
-def save(psf: Answer, path: str | PathLike[str]) -> None:
+def save(psf: PSFLike, path: str | PathLike[str]) -> None:
     """Write a PSF; the suffix chooses the format.
 
     ``.tif``: OME-TIFF with the physical pixel size, all values; that of a microscope has the size in the sample (the
@@ -88,7 +88,7 @@ def save(psf: Answer, path: str | PathLike[str]) -> None:
             put(place, data)
 
 
-def load(path: str | PathLike[str], kind: type[Made]) -> Made:
+def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
     """Read a PSF that :func:`lommel.io.psf_files.save` wrote, as one of this kind.
 
     Raises
@@ -101,7 +101,7 @@ def load(path: str | PathLike[str], kind: type[Made]) -> Made:
     return load_described(path, kind)[0]
 
 
-def load_described(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, dict[str, Any]]:
+def load_described(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Made, dict[str, Any]]:
     """Read a PSF and the whole description in its file, which may say more than a PSF holds."""
     form, source = find(path, verb="read"), Path(path)
     data = [reading.contents(place) for place in form.places(source)]
@@ -123,7 +123,7 @@ def told(source: Path, what: str) -> Iterator[None]:
         raise FileError(f"{validation.line(source)} is not {what} written by lommel: {said}") from error
 
 
-def describe(psf: Answer) -> dict[str, Any]:
+def describe(psf: PSFLike) -> dict[str, Any]:
     """Return how a PSF was made, in plain types.
 
     Parameters
@@ -158,7 +158,7 @@ def describe(psf: Answer) -> dict[str, Any]:
     }
 
 
-def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: type[Made]) -> Made:
+def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: Callable[..., Made]) -> Made:
     """Return the PSF of the arrays of a file, by name, and of their sealed description."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")

@@ -10,14 +10,14 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.checksums import sealed
 from lommel.io import fits_images, labels, ome_microscope
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 
 _NAME = "LOMMEL"  # of the extension whose bytes are the description
 _MOST_WAVES = 1000  # WAVE1000 is no name of a card
 _COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
 
 
-def write(psf: Answer, description: dict[str, Any]) -> bytes:
+def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
     """Return a FITS file; in PIXELSCL, WAVELEN, WAVEn and WGHTn as POPPY and WebbPSF write them."""
     said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False).encode()
     return fits_images.write(
@@ -37,7 +37,7 @@ def read(data: bytes) -> tuple[dict[str, Any], str]:
     return {"values": images[0].values}, described[0].values.tobytes().decode()
 
 
-def _header(psf: Answer, description: dict[str, Any]) -> dict[str, Any]:
+def _header(psf: PSFLike, description: dict[str, Any]) -> dict[str, Any]:
     metric, angle = psf.unit == "m", labels.arcseconds(psf)
     cards: dict[str, Any] = {
         "CREATOR": "lommel",

@@ -15,14 +15,14 @@ from lommel.base import reading, validation
 from lommel.base.checksums import sealed
 from lommel.io import labels
 from lommel.io.psf_numpy import SLOPE
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 
 _BLOCK = 512  # bytes before HDF5 begins, which are the writer's own
 _SEAL, _MARK = 128, b"lommel crc32 "  # where the head of MATLAB's files ends
 _MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
 
 
-def write(psf: Answer, description: dict[str, Any]) -> bytes:
+def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
     """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
     said = json.dumps(sealed(description, arrays), allow_nan=False)
@@ -67,7 +67,7 @@ def read(data: bytes) -> tuple[dict[str, Any], str]:
         return {name: _array(file, name, data) for name in names}, text
 
 
-def write_mat(psf: Answer, description: dict[str, Any]) -> bytes:
+def write_mat(psf: PSFLike, description: dict[str, Any]) -> bytes:
     """Return a .mat file: `values` of the size [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
     said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False)
     waves, shares = labels.light(psf)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lommel.base import atomic, reading, validation
 from lommel.base.checksums import sealed
 from lommel.io import labels
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 
 SLOPE = "derivative "
 """Before the name of a derivative in a .npz file."""
@@ -30,7 +30,7 @@ def name(said: str) -> str | tuple[int, int]:
     return (int(found[1]), int(found[2])) if found else said
 
 
-def npy(psf: Answer, description: dict[str, Any]) -> bytes:
+def npy(psf: PSFLike, description: dict[str, Any]) -> bytes:
     """Return an array with the description behind it."""
     said = _text(description, {"values": psf.values}).encode()
     return atomic.contents(np.save, psf.values, allow_pickle=False) + _MARK + said
@@ -44,7 +44,7 @@ def read_npy(data: bytes) -> tuple[dict[str, Any], str]:
     return {"values": values}, rest.removeprefix(_MARK).decode()
 
 
-def npz(psf: Answer, description: dict[str, Any]) -> bytes:
+def npz(psf: PSFLike, description: dict[str, Any]) -> bytes:
     """Return an archive of the values, the derivatives and the description."""
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
     return archive(arrays, description)
@@ -84,7 +84,7 @@ def _text(description: dict[str, Any], arrays: dict[str, Any]) -> str:
     return json.dumps(sealed(description, arrays), allow_nan=False)
 
 
-def write(psf: Answer, description: dict[str, Any]) -> tuple[bytes, bytes]:
+def write(psf: PSFLike, description: dict[str, Any]) -> tuple[bytes, bytes]:
     """Return the values, little-endian, the last axis fastest; and the text that says so."""
     waves, shares = labels.light(psf)
     stored = psf.values.astype(psf.values.dtype.newbyteorder("<"))
@@ -115,7 +115,7 @@ def read(data: bytes, beside: bytes) -> tuple[dict[str, Any], str]:
     return {"values": values.astype(kind)}, json.dumps(description)
 
 
-def write_turned(psf: Answer, description: dict[str, Any]) -> tuple[bytes, bytes]:
+def write_turned(psf: PSFLike, description: dict[str, Any]) -> tuple[bytes, bytes]:
     """Return the text and the values, for a path that has the suffix of the text."""
     values, text = write(psf, description)
     return text, values

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.checksums import sealed
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 
 LEVELS = 65535
 """The value of the peak."""
@@ -20,12 +20,12 @@ _SIDE = 512
 """What is smaller is enlarged to it or more, by a whole number."""
 
 
-def scale(psf: Answer) -> int:
+def scale(psf: PSFLike) -> int:
     """Return how many pixels a side stand for one of a PSF in a picture."""
     return -(-_SIDE // max(psf.shape[-2:]))
 
 
-def write(psf: Answer, description: dict[str, Any]) -> bytes:
+def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
     """Return a picture, with the description and what the values were divided by as texts of it."""
     from PIL import Image, PngImagePlugin
 

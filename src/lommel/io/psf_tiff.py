@@ -9,11 +9,11 @@ from typing import Any
 from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
 from lommel.io import ome_microscope
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
-def write(psf: Answer, description: dict[str, Any], planes: dict[str, Any] | None = None) -> bytes:
+def write(psf: PSFLike, description: dict[str, Any], planes: dict[str, Any] | None = None) -> bytes:
     """Return an OME-TIFF; `planes` are lists of OME attributes of its pages, which are then no stack in depth."""
     import tifffile
 

@@ -9,13 +9,13 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.measures.answer import Answer, checked
 from lommel.measures.continuous_image import ImageModel, cartesian_images
+from lommel.measures.psf_like import PSFLike, checked
 from lommel.measures.spot import brightest_place
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
-def stage(answer: Answer) -> Array:
+def stage(answer: PSFLike) -> Array:
     """Return z of a stack over it, rising along its last axis, metres of the stage.
 
     Parameters
@@ -44,7 +44,7 @@ def stage(answer: Answer) -> Array:
     return pupil.z
 
 
-def axial_fwhm(answer: Answer, *, of: str = "image") -> Numbers:
+def axial_fwhm(answer: PSFLike, *, of: str = "image") -> Numbers:
     """Return the full width at half of the largest value along z, between the crossings beside it.
 
     Parameters
@@ -88,7 +88,7 @@ def axial_fwhm(answer: Answer, *, of: str = "image") -> Numbers:
     return numbers(out, z.shape[:-1])
 
 
-def _lines(answer: Answer, of: str) -> Array:
+def _lines(answer: PSFLike, of: str) -> Array:
     """Return the light along z, of the shape of the stack."""
     pupil, model = answer.pupil, ImageModel.of(answer, of)
     if answer.radial_method is not None and model.plain:

@@ -34,8 +34,8 @@ from lommel.base.cached import cached_property
 from lommel.blur.blurs import Blur, Seeing
 from lommel.blur.convolution import Short
 from lommel.core.answers import Images, ToleranceError, Wanted
-from lommel.measures.answer import Answer
 from lommel.measures.overlap import autocorrelation
+from lommel.measures.psf_like import PSFLike
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.method import Method, widened
@@ -82,7 +82,7 @@ class ImageModel(NamedTuple):
     active: tuple[float, float] = (0.0, 0.0)
 
     @classmethod
-    def of(cls, answer: Answer, what: str = "image") -> ImageModel:
+    def of(cls, answer: PSFLike, what: str = "image") -> ImageModel:
         """Return the model of a PSF, with its pixels or, where `what` is "optics", without."""
         return cls(answer.pupil, answer.method, answer.blur, answer.grid.active if what == "image" else (0.0, 0.0))
 

@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.answer import Answer, checked
 from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, cartesian_images
+from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method, RadialMethod
 from lommel.optics.base_pupil import BasePupil
@@ -26,7 +26,7 @@ WHAT = ("image", "optics")
 """What is measured: the image that values are samples of, with the pixels that average, or without these."""
 
 
-def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
+def encircled_energy(answer: PSFLike, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the fraction of all light within `radius` of the axis or of the centroid.
 
     Parameters
@@ -71,7 +71,7 @@ def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis", 
     return numbers([image.circles(flat, tuple(c)) for image, c in places], pupil.shape + at.shape)
 
 
-def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
+def ensquared_energy(answer: PSFLike, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the fraction of all light within a square of sides ``2 half_width`` along rows and columns.
 
     Parameters
@@ -114,19 +114,19 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
     return numbers(inside, pupil.shape + at.shape)
 
 
-def _plain(answer: Answer, of: str) -> bool:
+def _plain(answer: PSFLike, of: str) -> bool:
     """Return whether what is measured is the intensity of the optics alone."""
     return not answer.blur and (of == "optics" or not answer.grid.integrate)
 
 
-def _images(answer: Answer, of: str, reach: float) -> Iterator[Any]:
+def _images(answer: PSFLike, of: str, reach: float) -> Iterator[Any]:
     """Return the images of the flattened stack, good up to `reach` lambda*N from the axis."""
     from lommel.measures.continuous_image import ImageModel, images
 
     return images(ImageModel.of(answer, of), reach)
 
 
-def image_centroid(answer: Answer) -> Array:
+def image_centroid(answer: PSFLike) -> Array:
     """Return the centroid of all light, (x, y) from the axis.
 
     Of lenses that of the wavefront, :func:`lommel.centroid`, in all light of the PSF: it is the first moment of the
@@ -155,7 +155,7 @@ def image_centroid(answer: Answer) -> Array:
     return np.asarray(total / sum(part.share for part in parts))
 
 
-def window_centroid(answer: Answer) -> Array:
+def window_centroid(answer: PSFLike) -> Array:
     """Return the centroid of the values in the window, (x, y) from the axis: a sum over pixels.
 
     :func:`image_centroid` is that of all light; the two differ by what lies outside the window, which falls with its
@@ -184,7 +184,7 @@ def window_centroid(answer: Answer) -> Array:
     return np.stack([x / total, y / total], axis=-1)
 
 
-def energy_centers(answer: Answer, about: str) -> Array:
+def energy_centers(answer: PSFLike, about: str) -> Array:
     """Return the points (x, y) that `about` names, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
     if about == "axis" or all(part.pupil.radial for part in answer.method.components(answer.pupil)):
@@ -246,7 +246,7 @@ def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Arr
     return pupil.v(at).ravel()
 
 
-def window_energy(answer: Answer) -> Numbers:
+def window_energy(answer: PSFLike) -> Numbers:
     """Return the fraction of all light inside the window, to the edges of its outer pixels, before pixels average.
 
     Parameters
@@ -313,7 +313,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
     return np.concatenate(nodes), np.concatenate(weights)
 
 
-def energy_per_pixel(answer: Answer) -> Array:
+def energy_per_pixel(answer: PSFLike) -> Array:
     """Return the values as fractions of all light per pixel, whatever their normalisation."""
     factor = answer.grid.cell(answer.pupil) / (4.0 * math.pi * answer.pupil.transmission)
     return np.asarray(answer.values * (factor / answer.scale)[..., None, None], dtype=np.float64)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Wanted
-from lommel.measures.answer import Answer
+from lommel.measures.psf_like import PSFLike
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivative_names import Name, Parts, checked, parts
 from lommel.methods.derivatives.slopes import differentiated, engines, single_light, translated
@@ -20,7 +20,7 @@ from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.pupil import checked as lens_pupil
 
 
-def pullback(psf: Answer, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, Array]:
+def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, Array]:
     """Return the sums over pixels of `g` times the derivatives of the values; see :meth:`lommel.PSF.pullback`.
 
     Those by coefficients of the phase, of which a shift is one, are computed backwards, by a transform to the pupil;

@@ -12,8 +12,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
-from lommel.measures.answer import Answer, checked
 from lommel.measures.energy import energy_centers, radial_energy, require_radial
+from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.method import Method, RadialMethod
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
@@ -33,7 +33,7 @@ _MAX_DIAMETER = 6000.0
 _MAX_SAMPLED = 1400.0
 
 
-def peak_position(answer: Answer) -> Array:
+def peak_position(answer: PSFLike) -> Array:
     """Return where the largest value is, (x, y) from the axis.
 
     Parameters
@@ -56,7 +56,7 @@ def peak_position(answer: Answer) -> Array:
     return np.array(out).reshape(*answer.pupil.shape, 2)
 
 
-def _brightest(answer: Answer) -> Iterator[tuple[int, int, Array, Array]]:
+def _brightest(answer: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
     """Yield row and column of the brightest pixel of each image, and the values along both."""
     for image in np.asarray(answer.values, dtype=np.float64).reshape(-1, *answer.grid.shape):
         row, column = divmod(int(image.argmax()), answer.grid.width)
@@ -72,7 +72,7 @@ def _vertex(line: Array, at: int) -> float:
     return 0.0 if curvature <= 0.0 else float(np.clip(0.5 * (after - before) / curvature, -0.5, 0.5))
 
 
-def axis_strehl(answer: Answer) -> Numbers:
+def axis_strehl(answer: PSFLike) -> Numbers:
     """Return the intensity on the axis over that of the same aperture without aberration.
 
     For defocus alone this is ``(sin(C_d) / C_d)^2``. By the method where it and the pupil are radial; from the
@@ -120,7 +120,7 @@ def axis_strehl(answer: Answer) -> Numbers:
     return numbers(center / method.unaberrated_peak(pupil), pupil.shape)
 
 
-def peak_strehl(answer: Answer) -> Numbers:
+def peak_strehl(answer: PSFLike) -> Numbers:
     """Return the largest value in the window over the peak of the same aperture without aberration.
 
     The Strehl ratio by its other definition: that of the brightest pixel wherever it is, not of the axis
@@ -140,7 +140,7 @@ def peak_strehl(answer: Answer) -> Numbers:
     return numbers(top / answer.method.unaberrated_peak(answer.pupil), answer.pupil.shape)
 
 
-def fwhm(answer: Answer, along: str = "mean", *, of: str = "image") -> Numbers:
+def fwhm(answer: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
     """Return the full width at half of the maximum.
 
     Parameters
@@ -291,7 +291,7 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     return numbers(out * (pupil.scale / math.pi), pupil.shape)
 
 
-def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
+def energy_diameter(answer: PSFLike, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
 
     Parameters

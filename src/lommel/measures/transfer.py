@@ -17,10 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.blur.blurs import Blur, blurs, require_unit
-from lommel.measures.answer import Answer, Measurable
-from lommel.measures.answer import checked as checked_answer
 from lommel.measures.energy import energy_per_pixel
 from lommel.measures.overlap import autocorrelation, cut_autocorrelation
+from lommel.measures.psf_like import Measurable, PSFLike
+from lommel.measures.psf_like import checked as checked_answer
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
@@ -114,7 +114,7 @@ def otf(
 
 
 def image_otf(
-    answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image", tol: float = 1e-10
+    answer: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image", tol: float = 1e-10
 ) -> Complexes:
     """Return the optical transfer function of the image that the values of a PSF are samples of.
 
@@ -271,7 +271,7 @@ def mtf_frequency(
     if isinstance(pupil, Measurable):
         _own(pixel=pixel is not None, fill=fill != 1.0, blur=blur != ())
 
-        def of_image(one: Answer) -> Numbers:
+        def of_image(one: PSFLike) -> Numbers:
             sensor = {"pixel": one.grid.pixel, "fill": one.grid.fill} if one.grid.integrate else {}
             light = {"spectrum": one.method} if isinstance(one.method, Polychromatic) else {}
             return _frequency(checked(one.pupil), wanted, turn, sensor | light | {"blur": one.blur})
@@ -340,7 +340,7 @@ def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
     return across, down
 
 
-def sampled_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
+def sampled_otf(answer: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     """Return the discrete Fourier transform of the values in the window, by direct summation.
 
     :func:`lommel.otf` is the transfer function of the image. That of its samples repeats with the sampling frequency
@@ -382,7 +382,7 @@ def sampled_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes
     return result
 
 
-def sampled_spectrum(answer: Answer) -> tuple[Array, Array, NDArray[np.complex128]]:
+def sampled_spectrum(answer: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]]:
     """Return the frequencies of the window and its transfer function there, by FFT.
 
     See :func:`lommel.measures.transfer.sampled_otf`.

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.measures.answer import Answer
-from lommel.measures.answer_channels import AnswerChannels, colours
+from lommel.measures.psf_like import ColourPSFLike, PSFLike, colours
 from lommel.show.drawing import pyplot, stretched
 
 if TYPE_CHECKING:
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
 _MOST = 64  # PSFs of a stack in one figure
 
 
-def plot(answer: AnswerChannels[Any], ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+def plot(answer: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     """Draw PSFs of three channels in colour, each over its largest value, or those of other channels side by side.
 
     Parameters
@@ -44,18 +43,18 @@ def plot(answer: AnswerChannels[Any], ax: Axes | None = None, *, stretch: str = 
     """
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
     stack = answer.shape[:-3]
-    if len(answer) == 3:
+    if len(answer.psfs) == 3:
         pictures = stretched(colours(answer), stretch).reshape(-1, *answer.shape[-2:], 3)
         titles = [", ".join(map(str, index)) for index in np.ndindex(stack)]
     elif not stack:
         top = float(answer.values.max()) or 1.0
-        pictures, titles = stretched(np.maximum(answer.values, 0.0) / top, stretch), list(answer.names)
+        pictures, titles = stretched(np.maximum(answer.values, 0.0) / top, stretch), list(answer.channels.names)
     else:
-        raise ValueError(f"a stack takes three channels, got {len(answer)}; plot a channel, as answer[0].plot()")
+        raise ValueError(f"a stack takes three channels, got {len(answer.psfs)}; plot a channel, as answer[0].plot()")
     if len(pictures) > _MOST or (ax is not None and len(pictures) > 1):
         most = 1 if ax is not None else _MOST
         raise ValueError(f"at most {most} can be drawn here, got {len(pictures)}; take part(index) of a stack")
-    psf = answer[0] if not stack else answer[0][(0,) * len(stack)]
+    psf = answer.psfs[0] if not stack else answer.psfs[0][(0,) * len(stack)]
     columns = min(len(pictures), 8)
     rows = -(-len(pictures) // columns)
     drawn = np.array([ax], dtype=object)
@@ -78,7 +77,7 @@ def plot(answer: AnswerChannels[Any], ax: Axes | None = None, *, stretch: str = 
     return found[0] if not titles[0] else found.reshape(stack or -1)
 
 
-def _draw(axes: Any, picture: NDArray[np.float64], psf: Answer) -> None:
+def _draw(axes: Any, picture: NDArray[np.float64], psf: PSFLike) -> None:
     factor, unit = (1e6, "µm") if psf.unit == "m" else (1.0, "λN")
     high, half = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor

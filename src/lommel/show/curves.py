@@ -10,9 +10,9 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.measures import transfer
-from lommel.measures.answer import Answer, checked
 from lommel.measures.continuous_image import ImageModel, sampled_transfer
 from lommel.measures.energy import encircled_energy as within
+from lommel.measures.psf_like import PSFLike, checked, is_psf
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
@@ -28,7 +28,7 @@ _MOST = 8  # pupils of a stack
 _TOL = 1e-6
 
 
-def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = None) -> Any:
+def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Any:
     """Draw the modulation transfer function along x and along y, beside that without aberration, and the pixel's.
 
     Parameters
@@ -56,7 +56,7 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
         If matplotlib is not installed.
     """
     validation.axes("ax", ax)
-    if isinstance(thing, Answer):
+    if is_psf(thing):
         if pixel is not None:
             raise ValueError(f"pixel must be None for a PSF, which has its own, got {validation.shown(pixel)}")
         pupil, grid = thing.pupil, thing.grid
@@ -74,7 +74,7 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
     words = of_pupils(pupil)
     axes = new_axes(ax)
     factor, unit = frequencies(pupil.unit)
-    most = pupil.cutoff * (thing.method.stretch(pupil) if isinstance(thing, Answer) else 1.0)
+    most = pupil.cutoff * (thing.method.stretch(pupil) if is_psf(thing) else 1.0)
     f, zero = np.linspace(0.0, most, _POINTS), np.zeros(_POINTS)
     for k, (place, index) in enumerate(places.items()):
         one = thing[index] if pupil.shape else thing
@@ -86,14 +86,14 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
         axes.plot(factor * f, _curve(one, zero, f, sides), "--", color=f"C{k}", label=f"{name}along y")
     if isinstance(pupil, Pupil):
         first: Any = thing[(0,) * len(pupil.shape)] if pupil.shape else thing
-        if isinstance(first, Answer):
+        if is_psf(first):
             ideal: Any = replace(first, pupil=first.pupil.unaberrated(), derivatives={})  # type: ignore[attr-defined]
         else:
             ideal = first.unaberrated()
         axes.plot(factor * f, _curve(ideal, f, zero, sides), color="0.5", linewidth=1.0, label="without aberration")
     if sides[1]:
         axes.plot(factor * f, _of_pixel(f, sides[1]), ":", color="0.5", label="pixel alone")
-        nyquist = 0.5 / (thing.grid.pitch[1] if isinstance(thing, Answer) else sides[1])
+        nyquist = 0.5 / (thing.grid.pitch[1] if is_psf(thing) else sides[1])
         if nyquist <= most:
             axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
     axes.set_xlabel(f"spatial frequency ({unit})")
@@ -103,7 +103,7 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
     if ax is None:
-        axes.set_title(_title(pupil, thing.pixel if isinstance(thing, Answer) and sides[1] else pixel), fontsize=9)
+        axes.set_title(_title(pupil, thing.pixel if is_psf(thing) and sides[1] else pixel), fontsize=9)
     return axes
 
 
@@ -113,7 +113,7 @@ def _of_pixel(f: Array, side: float) -> Array:
 
 def _alike(thing: Any, sides: tuple[float, float]) -> bool:
     """Return whether the curves along x and y are one."""
-    if not isinstance(thing, Answer):
+    if not is_psf(thing):
         return bool(thing.radial)
     turned = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
     return thing.pupil.radial and sides[0] == sides[1] and not turned
@@ -121,7 +121,7 @@ def _alike(thing: Any, sides: tuple[float, float]) -> bool:
 
 def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Array:
     """Return the MTF of a single pupil with pixels of such sides, or of a single PSF."""
-    if not isinstance(thing, Answer):
+    if not is_psf(thing):
         return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _of_pixel(fx, sides[1]) * _of_pixel(fy, sides[0])
     if isinstance(thing.pupil, Pupil) and thing.pupil.circular:
         return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
@@ -143,7 +143,7 @@ _RADII = 129
 _SHARES = (0.5, 0.8)
 
 
-def encircled_energy(psf: Answer, ax: Axes | None = None, *, radius: float | None = None) -> Any:
+def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Any:
     """Draw the fraction of all light within circles about the axis, beside that of the aperture without aberration.
 
     Parameters
@@ -205,7 +205,7 @@ def encircled_energy(psf: Answer, ax: Axes | None = None, *, radius: float | Non
     return axes
 
 
-def _fitting(psf: Answer) -> float:
+def _fitting(psf: PSFLike) -> float:
     """Return the radius of the largest circle about the axis in all windows; of others half their longer side."""
     ends = [part for at in (psf.grid.x, psf.grid.y) for part in (-at[..., 0], at[..., -1])]
     inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
@@ -213,7 +213,7 @@ def _fitting(psf: Answer) -> float:
     return inside if inside > 0.0 else 0.5 * max(sides)
 
 
-def _ideal(psf: Answer, radius: Array) -> Array | None:
+def _ideal(psf: PSFLike, radius: Array) -> Array | None:
     """Return the light of the aperture without aberration, with the same blur and pixels, of lenses."""
     if not isinstance(psf.pupil, Pupil):
         return None

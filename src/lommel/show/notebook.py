@@ -17,11 +17,9 @@ from lommel.base import display
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.base.validation import brief
-from lommel.measures.answer import Answer
-from lommel.measures.answer_channels import AnswerChannels
-from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.aperture_means import rms
 from lommel.measures.energy import energy_per_pixel
+from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.lens import Lens
@@ -43,7 +41,7 @@ _SUMS = 100 * _RASTER**2  # values of terms that are added up
 Row = tuple[str, str | Callable[[], str]]
 
 
-def psf(answer: Answer) -> str:
+def psf(answer: PSFLike) -> str:
     """Return the values of a PSF, or of some of a stack, and how they were made."""
     stack, all_of = answer.pupil.shape, math.prod(answer.pupil.shape)
     seen = [_window(answer, index) for index in few_of(stack, _TILES).values()]
@@ -75,10 +73,10 @@ def psf(answer: Answer) -> str:
     )
 
 
-def grid(thing: AnswerGrid) -> str:
+def grid(thing: PSFGridLike) -> str:
     """Return a grid of PSFs, each over its largest value."""
     rows, columns = thing.values.shape[:2]
-    one: Answer = thing.psf[len(thing.psf) // 2] if isinstance(thing.psf, AnswerChannels) else thing.psf
+    one: PSFLike = thing.psf.psfs[len(thing.psf.psfs) // 2] if isinstance(thing.psf, ColourPSFLike) else thing.psf
     first = () if thing.depths is None else (0,)
 
     def picture() -> str:
@@ -95,8 +93,8 @@ def grid(thing: AnswerGrid) -> str:
         ("method", type(one.method).__name__),
         ("pupil", _light(thing.psf.pupil)),
     ]
-    if isinstance(thing.psf, AnswerChannels):
-        told.insert(1, ("channels", ", ".join(thing.psf.names)))
+    if isinstance(thing.psf, ColourPSFLike):
+        told.insert(1, ("channels", ", ".join(thing.psf.channels.names)))
     if thing.depths is not None:
         told.insert(1, ("distances", _places(thing.depths)))
     return _html(f"PSFGrid, {rows} × {columns}", told, picture, "square root, each over its largest value")
@@ -195,7 +193,7 @@ def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
     return text if markup else escape(brief(text, 160))
 
 
-def _window(answer: Answer, index: tuple[int, ...]) -> Array:
+def _window(answer: PSFLike, index: tuple[int, ...]) -> Array:
     """Return the values of one of a stack, of large windows those about the axis."""
     values = answer.values[index]
     center = answer.grid[index].axis if answer.grid.stack else answer.grid.axis
@@ -248,7 +246,7 @@ def _rms(thing: Pupil) -> list[Row]:
     return []
 
 
-def _pixels(answer: Answer) -> str:
+def _pixels(answer: PSFLike) -> str:
     height, width = answer.shape[-2:]
     size = " × ".join(dict.fromkeys(_length(side, answer.unit) for side in answer.grid.pitch))
     spread = "".join(f", {type(blur).__name__}" for blur in answer.blur)

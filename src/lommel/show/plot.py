@@ -12,10 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.optional import library
-from lommel.measures.answer import Answer, checked
-from lommel.measures.answer_channels import AnswerChannels, colours
-from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.errors import mse, peak_error
+from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, checked, colours, is_psf
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.show.drawing import (
     HOW,
@@ -52,7 +50,7 @@ class Voxels(NamedTuple):
     values: NDArray[Any]
 
 
-def is_z_stack(psf: Answer) -> bool:
+def is_z_stack(psf: PSFLike) -> bool:
     """Return whether a PSF is one stack of a microscope through planes along z, all around one axis."""
     pupil = psf.pupil
     if not isinstance(pupil, ObjectivePupil) or len(pupil.shape) != 1 or pupil.z.size < 2 or psf.grid.stack:
@@ -61,7 +59,7 @@ def is_z_stack(psf: Answer) -> bool:
     return bool((steps > 0.0).all() or (steps < 0.0).all())
 
 
-def voxels(psf: Answer) -> Voxels:
+def voxels(psf: PSFLike) -> Voxels:
     """Return the values of a stack with their places, from the lowest plane to the highest."""
     pupil: Any = psf.pupil
     order = slice(None, None, 1 if pupil.z[-1] > pupil.z[0] else -1)
@@ -69,7 +67,7 @@ def voxels(psf: Answer) -> Voxels:
     return Voxels(psf.grid.x * size, psf.grid.y * size, 1e6 * pupil.z[order], np.maximum(psf.values[order], 0.0))
 
 
-def sections(psf: Answer, *, stretch: str = "sqrt") -> NDArray[Any]:
+def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[Any]:
     """Draw the planes through the brightest voxel of a z stack: xy, and beside and below it yz and xz.
 
     Parameters
@@ -123,7 +121,7 @@ def sections(psf: Answer, *, stretch: str = "sqrt") -> NDArray[Any]:
     return np.array([xy, xz, yz])
 
 
-def _told(psf: Answer, z: Array, aspect: str, stretch: str) -> list[str]:
+def _told(psf: PSFLike, z: Array, aspect: str, stretch: str) -> list[str]:
     """Return what there is to say of the voxels and of the scales, line by line."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()
@@ -145,7 +143,7 @@ def _edges(at: Array) -> Array:
     return np.concatenate([[2.0 * at[0] - middles[0]], middles, [2.0 * at[-1] - middles[-1]]])
 
 
-def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     """Draw a single PSF, or a stack of them side by side, all on one scale; of a z stack, three sections.
 
     Parameters
@@ -180,7 +178,7 @@ def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     return axes
 
 
-def _stack(psf: Answer, ax: Axes | None, stretch: str) -> NDArray[Any]:
+def _stack(psf: PSFLike, ax: Axes | None, stretch: str) -> NDArray[Any]:
     """Draw each PSF of a stack on one scale, titled by what tells it from the others."""
     only_single(ax, psf.pupil.shape)
     if is_z_stack(psf):
@@ -194,7 +192,7 @@ def _stack(psf: Answer, ax: Axes | None, stretch: str) -> NDArray[Any]:
     return tiles(psf.pupil.shape, one, of_pupils(psf.pupil), _title(psf), MEANING[psf.normalize])
 
 
-def _title(psf: Answer) -> str:
+def _title(psf: PSFLike) -> str:
     factor, unit = lengths(psf.unit)
     height, width = psf.shape[-2:]
     sides = psf.grid.pitch[: 1 if isinstance(psf.pixel, float) else 2]
@@ -203,7 +201,7 @@ def _title(psf: Answer) -> str:
     return f"{height} × {width} pixels of {size} {unit}, {HOW[psf.sampling]}{spread}"
 
 
-def _draw(psf: Answer, axes: Axes, norm: Any) -> Axes:
+def _draw(psf: PSFLike, axes: Axes, norm: Any) -> Axes:
     """Draw the values of a single PSF on axes with its lengths."""
     factor, unit = lengths(psf.unit)
     height, width = psf.shape
@@ -217,7 +215,7 @@ def _draw(psf: Answer, axes: Axes, norm: Any) -> Axes:
     return axes
 
 
-def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
+def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     """Draw several PSFs of one lens side by side, above the slices through their centres.
 
     Parameters
@@ -278,7 +276,7 @@ def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
     return figure
 
 
-def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
+def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
     """Draw a grid of PSFs over the sensor, each enlarged in its place and scaled to its own largest value.
 
     The axes are positions on the sensor, with a tick at each row and column of the grid; the bar above is a length
@@ -307,8 +305,8 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     validation.choice("stretch", stretch, STRETCHES)
     if grid.depths is not None:
         raise ValueError("a grid of several distances has no one picture: draw one of them, grid.at_depth(0).plot()")
-    coloured = isinstance(grid.psf, AnswerChannels)
-    pictures = stretched(colours(grid.psf), stretch) if isinstance(grid.psf, AnswerChannels) else grid.values
+    coloured = isinstance(grid.psf, ColourPSFLike)
+    pictures = stretched(colours(grid.psf), stretch) if isinstance(grid.psf, ColourPSFLike) else grid.values
     (rows, columns), (height, width) = grid.values.shape[:2], grid.values.shape[-2:]
     axes = _field_axes(grid) if ax is None else ax
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
@@ -362,14 +360,14 @@ def _scale_bar(axes: Axes, length: float, label: str) -> None:
     axes.text(0.99 - length, 1.0, label, transform=place, ha="right", va="center", fontsize=8)
 
 
-def _field_axes(grid: AnswerGrid) -> Any:
+def _field_axes(grid: PSFGridLike) -> Any:
     """Return axes of a new figure of the shape of the sensor."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
     return pyplot().subplots(figsize=(width + 1.1, width * ratio + 0.7), layout="constrained")[1]
 
 
-def difference(a: Answer | ArrayLike, b: Answer, ax: Axes | None = None) -> Any:
+def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Any:
     """Draw ``a - b`` over the peak of `b`, red where `a` is larger and blue where it is smaller.
 
     Parameters
@@ -404,7 +402,7 @@ def difference(a: Answer | ArrayLike, b: Answer, ax: Axes | None = None) -> Any:
     validation.axes("ax", ax)
     if b.pupil.shape != ():
         raise ValueError(f"b must be a single PSF, got a stack of shape {b.pupil.shape}; index it")
-    if isinstance(a, Answer):
+    if is_psf(a):
         for name in ("unit", "normalize"):
             if getattr(a, name) != getattr(b, name):
                 raise ValueError(f"a must have the {name} of b, {getattr(b, name)!r}, got {getattr(a, name)!r}")

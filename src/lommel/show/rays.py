@@ -9,8 +9,8 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.measures.answer import Answer, checked
 from lommel.measures.aperture_means import gradient, spot_radius
+from lommel.measures.psf_like import PSFLike, checked
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
 from lommel.show.drawing import lengths
@@ -58,7 +58,7 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
     return np.asarray(gradient(pupil.wavefront, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))
 
 
-def spots(psf: Answer, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Any:
+def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Any:
     """Draw where rays meet the sensor over a PSF, and the Airy circle of the aperture about the axis.
 
     Parameters

@@ -13,13 +13,13 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.field.maps import FieldMap, require_light
+from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens
 from lommel.imaging.field.bank import FieldBank, build_field_bank
 from lommel.imaging.field.light import PointLight
 from lommel.imaging.field.part import Part
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.settings import Settings, Spectrum, spectra
-from lommel.measures.answer_grid import sides
 from lommel.optics.lens import Lens
 
 

@@ -31,7 +31,7 @@ from lommel.page import module
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 # Packages that the pages speak of and the environment of the tests has not.
-ELSEWHERE = ("optiland", "pylops", "pyxu", "deepinv")
+ELSEWHERE = ("optiland", "pylops", "pyxu", "deepinv", "photutils", "napari")
 
 # What takes seconds as the pages have it is run with less: a smaller blur, fewer layers, turbulence of one strength.
 LESS = {
@@ -125,7 +125,8 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(path, folder, capsys):
     less = dict(LESS.get(path.stem, ()))
     assert all(much in path.read_text(encoding="utf-8") for much in less)
     for code, where in blocks(path, "python"):
-        if missing := [name for name in ELSEWHERE if f"from {name}" in code and find_spec(name) is None]:
+        imported = re.findall(r"^(?:from|import) (\w+)", code, re.MULTILINE)
+        if missing := [name for name in ELSEWHERE if name in imported and find_spec(name) is None]:
             assert len(missing) == 1
             continue
         for much, little in less.items():

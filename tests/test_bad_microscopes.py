@@ -74,7 +74,7 @@ TABLE = [
     ("pixel", 6.5, "pixel is in metres for a pupil with a wavelength and must be at most 0.1, got 6.5"),
     ("shape", 0, "shape must be from 1 to 16384, got 0"),
     ("normalize", "sum", "normalize must be one of 'energy', 'emitted', 'strehl', 'peak', got 'sum'"),
-    ("method", lm.NijboerZernike(), "NijboerZernike supports no pupils of an Objective, behind layers; use Strat"),
+    ("method", lm.NijboerZernike(), "NijboerZernike supports pupils of the type Pupil only, got ObjectivePupil"),
     ("tol", 1e-30, "tol must be >= 1e-12 and < 0.1, got 1e-30"),
 ]  # fmt: skip
 
@@ -159,5 +159,7 @@ def test_a_microscope_of_a_file_has_a_pupil():
 def test_what_only_microscopes_have_is_refused_of_lenses_with_the_other_way():
     with pytest.raises(ValueError, match='"emitted" is for the pupils of an Objective; for a lens use "energy"'):
         lm.psf(lm.Pupil(), 3, 0.5, normalize="emitted")
-    with pytest.raises(ValueError, match="Stratified supports the pupils of an Objective only; for a lens use Nijb"):
+    with pytest.raises(
+        ValueError, match="Stratified supports pupils of the type ObjectivePupil only, got Pupil; leave"
+    ):
         lm.psf(lm.Pupil(), 3, 0.5, method=lm.Stratified())

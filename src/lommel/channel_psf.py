@@ -349,5 +349,5 @@ def _scale(
 ) -> float | Array | None:
     """Return what intensities of a block are multiplied by: the light of a channel decides where it is the peak."""
     if plan.normalize == "strehl":
-        return 1.0 / each.unaberrated_peak(pupil)  # type: ignore[arg-type]
+        return 1.0 / each.unaberrated_peak(pupil)
     return scale[block] if isinstance(scale, np.ndarray) and scale.ndim else scale

@@ -14,9 +14,9 @@ import lommel as lm
 from lommel import _core
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods import bounds
+from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from lommel.methods.method import stored
 from lommel.methods.pixels.averaging import averaged, filtered_by, least_average
-from lommel.methods.pixels.subpixel import gauss_pixel, pixel_error, pixel_nodes
 from lommel.optics.aperture.opening import degree_needed
 from lommel.special.legendre import gauss_legendre
 

@@ -16,7 +16,6 @@ import lommel as lm
 import rendering
 from lommel import _core
 from lommel.core.answers import Intensities
-from lommel.methods.pixels.subpixel import subpixel_intensity
 from pixel_tables import Table, U, Window
 
 WIDER = _core.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
@@ -309,7 +308,7 @@ def test_the_bound_of_a_profile_that_a_method_knows(center, ceiling, step, faste
             return self
 
     pupil, grid = lm.Pupil(), lm.Grid((7, 8), step / math.pi, center=center, integrate=True)
-    found = subpixel_intensity(Known(tol), pupil, grid, 1, window=True)
+    found = Known(tol).on_pixels(pupil, grid, 1, window=True)
     window, expected = Window(7, 8, *center, faster * grid.step(pupil), True), []
     for level in range(3, 16):
         v, table = window.radii(level), table_of(window, level)

@@ -125,7 +125,7 @@ def test_no_digit_is_left_out_of_narrow_tables(columns, folder, call_lommel, mon
         (["psf", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
         (["info", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
         (["psf", "lens.toml", "--normalize", "emitted"], '--normalize "emitted" is for the pupils of an Objective'),
-        (["psf", "objective.toml", "-m", "hankel"], "supports no pupils of an Objective"),
+        (["psf", "objective.toml", "-m", "hankel"], "supports pupils of the type Pupil only"),
         (["psf", "objective.toml", "--stack", "0"], "0 is not in the range"),
         (["psf", "objective.toml", "--step", "0 nm"], "step must be of the stage, not 0 and below 10 mm, got 0 m"),
         (["psf", "plane.toml", "--step", "1 um"], "--step needs --stack, where the file has no stack"),

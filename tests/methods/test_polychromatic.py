@@ -138,7 +138,7 @@ def test_white_light_of_any_aperture_takes_the_method_of_each_wavelength():
         exact += 0.25 * weight * lm.psf(part, (9, 8), 2e-6, dtype="float64").values
     assert lm.peak_error(answer, exact) < 1e-6
     assert answer.error_bound is None
-    with pytest.raises(ValueError, match="Polychromatic sums NijboerZernike, which supports plain discs and annuli"):
+    with pytest.raises(ValueError, match="Polychromatic sums NijboerZernike, which supports circular and annular"):
         lm.psf(pupil, 9, 2e-6, method=lm.Polychromatic(WAVES, WEIGHTS, lm.NijboerZernike()))
 
 

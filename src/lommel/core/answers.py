@@ -14,6 +14,10 @@ Declined = _core.Declined
 """A ValueError for a pupil or window beyond what a method takes, where another method may serve."""
 
 
+Pixels = NDArray[Any]
+"""Values of images as they are stored, float32 or float64."""
+
+
 class ToleranceError(ArithmeticError):
     """A method cannot meet the tolerance it was given."""
 
@@ -27,94 +31,62 @@ def not_met(tol: float, bound: float, what: str) -> ToleranceError:
 
 
 class FieldValues(NamedTuple):
-    """The field at given radii, first axis the flattened stack of pupils.
+    """The field U at given radii, first axis the flattened stack of pupils."""
 
-    Attributes
-    ----------
-    values : complex ndarray, shape (n, radii)
-    error : ndarray, shape (n,), or None
-        Bounds on ``|U - U_exact|``; None where the method has none.
-    """
-
-    values: NDArray[np.complex128]
-    error: Array | None
+    values: NDArray[np.complex128]  # (n, radii)
+    error: Array | None  # (n,), bounds on abs(U - U_exact); None where the method has none
 
 
 class Intensities(NamedTuple):
-    """Intensities, first axis the flattened stack of pupils.
+    """Intensities, first axis the flattened stack of pupils."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (n, radii) or (n, height, width)
-    error : ndarray, shape (n,), or None
-        Bounds on ``max|I - I_exact| / peak``; None where the method has none.
-    peak : ndarray, shape (n,), or None
-        What the error is related to, where there is one.
-    """
-
-    values: Array
-    error: Array | None
-    peak: Array | None = None
+    values: Array  # (n, radii) or (n, height, width)
+    error: Array | None  # (n,), bounds on max abs(I - I_exact) over the peak; None where there are none
+    peak: Array | None = None  # (n,), what the error is related to
 
 
 class Wanted(NamedTuple):
-    """How images are wanted.
+    """How images are wanted: their scale, type and place, derivatives and threads."""
 
-    Attributes
-    ----------
-    scale : float or None, or ndarray, shape (n,)
-        What to multiply the intensity by, in an array each image by its own; None divides each by its largest value.
-    dtype : float32 or float64
-    out : ndarray, shape (n, height, width), optional
-        Where to write the values.
-    powers : tuple of int
-        k of each derivative with respect to the coefficient of t^k that is wanted.
-    threads : int
-        At most so many, 0 for as many as there are processors. Methods that are not compiled use one.
-    terms : tuple of (int, int)
-        n and m of each Zernike term whose coefficient a derivative is wanted by.
-    """
-
-    scale: float | Array | None = 1.0
-    dtype: DTypeLike = np.float64
-    out: NDArray[Any] | None = None
-    powers: tuple[int, ...] = ()
-    threads: int = 0
-    terms: tuple[tuple[int, int], ...] = ()
+    scale: float | Array | None = (
+        1.0  # factor of I, for each image (n,) or all; None divides each by its largest value
+    )
+    dtype: DTypeLike = np.float64  # float32 or float64
+    out: Pixels | None = None  # (n, height, width), where to write the values
+    powers: tuple[int, ...] = ()  # k of each coefficient of t^k to differentiate by
+    threads: int = 0  # at most so many, 0 for as many as there are processors
+    terms: tuple[tuple[int, int], ...] = ()  # n and m of each Zernike term to differentiate by
 
 
 class Slopes(NamedTuple):
-    """Derivatives of images with respect to k coefficients of the phase.
+    """Derivatives of images with respect to k coefficients of the phase."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (k, n, height, width)
-    error : ndarray, shape (k, n)
-        Bounds on their error over the peak of the intensity.
-    """
-
-    values: NDArray[Any]
-    error: Array
+    values: Pixels  # (k, n, height, width)
+    error: Array  # (k, n), bounds over the peak of the intensity
 
 
 class Images(NamedTuple):
-    """Finished images of a flattened stack.
+    """Finished images of a flattened stack."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (n, height, width)
-    scale : ndarray, shape (n,)
-        What each intensity was multiplied by.
-    error : ndarray, shape (n,), or None
-        Bounds on the error over the peak.
-    slopes : Slopes or None
-        Derivatives, if any were asked for.
-    peak : ndarray, shape (n,), or None
-        What the error is related to, of the intensity itself, in the window or outside of it, where that is known.
-    """
-
-    values: NDArray[Any]
-    scale: Array
-    error: Array | None
+    values: Pixels  # (n, height, width)
+    scale: Array  # (n,), what each intensity was multiplied by
+    error: Array | None  # (n,), bounds over the peak; None where there are none
     slopes: Slopes | None = None
-    peak: Array | None = None
+    peak: Array | None = None  # (n,), of the intensity itself, which errors relate to, in the window or outside of it
+
+    @property
+    def intensities(self) -> Intensities:
+        """The values, errors and peaks alone."""
+        return Intensities(self.values, self.error, self.peak)
+
+    @property
+    def bound(self) -> Array:
+        """The error, of images that have one."""
+        assert self.error is not None
+        return self.error
+
+    @property
+    def brightest(self) -> Array:
+        """The peak, of images that have one."""
+        assert self.peak is not None
+        return self.peak

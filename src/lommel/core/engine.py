@@ -40,38 +40,18 @@ table_bytes = _core.cached_bytes
 
 
 class RadialStack(NamedTuple):
-    """Radially symmetric pupils.
+    """Radially symmetric pupils."""
 
-    Attributes
-    ----------
-    terms : ndarray, shape (n, k)
-        Coefficients of R_2^0, R_4^0, ..., radians at the edge.
-    obscuration : float
-        Over the radius of the aperture.
-    amplitude : ndarray
-        g_0, g_1, ... of the amplitude ``exp(-(g_0 + g_1 rho^2 + ...))``.
-    """
-
-    terms: Array
-    obscuration: float
-    amplitude: Array
+    terms: Array  # (n, k), coefficients of R_2^0, R_4^0, ..., radians at the edge
+    obscuration: float  # over the radius of the aperture
+    amplitude: Array  # g_0, g_1, ... of exp(-(g_0 + g_1 rho^2 + ...))
 
 
 class DiskStack(NamedTuple):
-    """Pupils of any wavefront.
+    """Pupils of any wavefront, with obscuration and amplitude as of :class:`RadialStack`."""
 
-    Attributes
-    ----------
-    terms : ndarray of int32, shape (k, 2)
-        n and m of each Zernike term, m < 0 for sines.
-    edge : ndarray, shape (n, k)
-        Their coefficients, radians at the edge.
-    obscuration, amplitude
-        As of :class:`RadialStack`.
-    """
-
-    terms: NDArray[np.int32]
-    edge: Array
+    terms: NDArray[np.int32]  # (k, 2), n and m of each Zernike term, m < 0 for sines
+    edge: Array  # (n, k), their coefficients, radians at the edge
     obscuration: float
     amplitude: Array
 
@@ -107,26 +87,7 @@ def _require(unmet: float, tol: float, over: str) -> None:
 def radial_images(
     stack: RadialStack, window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
 ) -> Images:
-    """Return samples around an axis anywhere, or averages over pixels.
-
-    Parameters
-    ----------
-    stack, window
-    tol : float
-        Bound on the error over the peak of the PSF or, of values divided by their largest, over that.
-    wanted : Wanted
-    integrate : bool, default False
-        Whether pixels average.
-
-    Returns
-    -------
-    Images
-
-    Raises
-    ------
-    ToleranceError
-        If `tol` cannot be met.
-    """
+    """Return samples around an axis anywhere, or averages over pixels."""
     _, values, numbers = places = _places(len(stack.terms), window, wanted)
     given: tuple[Any, ...] = (*stack, *window.center, window.step, integrate, tol, wanted.threads, *places)
     slopes = None
@@ -140,22 +101,9 @@ def radial_images(
 def radial_plan(
     stack: RadialStack, shape: tuple[int, ...], window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
 ) -> Callable[[Array, NDArray[Any]], tuple[Array, float] | None]:
-    """Return what answers as :func:`radial_images`, one stack after the other: of a small image most is the asking.
+    """Return what writes images of a stack as :func:`radial_images`, and returns their scales and largest bound.
 
-    Parameters
-    ----------
-    stack, window, tol, wanted, integrate
-        As there; of `stack` all but its terms counts, of `wanted` neither `out` nor `powers`.
-    shape : tuple of int
-        That of the stacks.
-
-    Returns
-    -------
-    callable
-        Given terms, shape ``shape + (k,)``, and where to put the values, ``shape + window.shape``, returns what these
-        were multiplied by, of that shape, and the largest bound on errors; or None, with nothing written, where the
-        arrays are not of these shapes, of the wanted type, C-contiguous and writable. ToleranceError if `tol` cannot
-        be met.
+    It returns None, with nothing written, where the arrays do not match; of `stack` all but its terms counts.
     """
     (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
     place = (*window.shape, row, column, window.step, integrate)
@@ -225,23 +173,7 @@ def chordal_plan(
 def chordal_gradient(
     stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
 ) -> Array:
-    """Return derivatives of weighted sums of the intensity by the coefficients of Zernike terms, shape (n, k).
-
-    Parameters
-    ----------
-    stack, window
-    tol : float
-        As of the images, whose nodes are taken: sums of weights times :class:`Slopes`, but for rounding.
-    weights : ndarray, shape (n, height, width)
-    terms : tuple of (int, int)
-        n and m of each.
-    threads : int, default 0
-
-    Raises
-    ------
-    ToleranceError
-        If `tol` cannot be met.
-    """
+    """Return derivatives of weighted sums of the intensity by the coefficients of Zernike terms, shape (n, k)."""
     values, which = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)
     given: tuple[Any, ...] = (*stack, *window.center, window.step, tol, threads, weights, which, values)
     unmet = _core.chordal_gradient(*given)
@@ -288,13 +220,7 @@ def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
 
 
 def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) -> Intensities:
-    """Return I at rising v, within `tol` of the peak.
-
-    Raises
-    ------
-    ToleranceError
-        If `tol` cannot be met.
-    """
+    """Return I at rising v, within `tol` of the peak."""
     values, bounds, peaks = _core.profile(*stack, v, tol, threads)
     _require(-min(float(bounds.min()), 0.0), tol, "the peak")
     return Intensities(values, bounds, peaks)
@@ -313,26 +239,7 @@ def layered_images(
     integrate: bool = False,
     slopes: "LayeredSlopes | None" = None,
 ) -> tuple[Images, NDArray[Any], Array] | None:
-    """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance.
-
-    Parameters
-    ----------
-    asked, window
-    allowed : float
-        What interpolation may err by, where 1 is the peak of a uniform aperture without aberration.
-    wanted : Wanted
-        Without `powers` and `terms`.
-    integrate : bool, default False
-        Whether pixels average.
-    slopes : LayeredSlopes, optional
-
-    Returns
-    -------
-    (Images, derivatives, errors) or None
-        Derivatives as the images are stored, shape ``(k, n, height, width)``, and bounds on their errors over the
-        scale, shape ``(k, n)``. None for windows that the core has no way for: wide ones whose axis is not in the
-        middle, or whose samples are differentiated; and averages of light that depends on the azimuth.
-    """
+    """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance."""
     count = asked.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     numbers, centers = np.empty((3, count)), np.asarray(window.center, dtype=np.float64).reshape(-1, 2)
@@ -370,14 +277,14 @@ class PixelRadii(NamedTuple):
     rounding: float
 
 
-def pixel_radii(window: Window, *, integrate: bool, level: int, threads: int = 0) -> PixelRadii:
+def pixel_radii(window: Window, integrate: bool, level: int, threads: int = 0) -> PixelRadii:
     """Return the radii for errors of about ``10^-level``."""
     row, column = window.center
     return PixelRadii(*_core.pixel_radii(*window.shape, row, column, window.step, integrate, level, threads))
 
 
 def pixel_values(
-    window: Window, profiles: Array, *, integrate: bool, level: int, threads: int = 0
+    window: Window, profiles: Array, integrate: bool, level: int, threads: int = 0
 ) -> tuple[Array, Array]:
     """Return the pixels from I at those radii, shape ``(n, height, width)``, and what their rounding is at most."""
     (row, column), values = window.center, np.empty((len(profiles), *window.shape))

@@ -17,6 +17,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.optics.aperture.apodization import Apodization
 
 _ETA = np.geomspace(1e-3, 4.0, 96)
@@ -26,7 +27,7 @@ UNIT_ROUNDOFF = 2.0**-53
 _EVEN = Apodization()
 
 
-def growth(terms: NDArray[np.float64], low: float, v: float, light: Apodization = _EVEN) -> NDArray[np.float64]:
+def growth(terms: Array, low: float, v: float, light: Apodization = _EVEN) -> Array:
     """Bound ``log|A exp(i Phi) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
 
     `terms` are the coefficients of R_2^0, R_4^0, ..., that is of P_1(2t - 1), P_2, ..., shape ``(n, terms)``; the box
@@ -49,7 +50,7 @@ def growth(terms: NDArray[np.float64], low: float, v: float, light: Apodization 
     return np.asarray(largest + light.growth(np.cosh(_ETA), low))
 
 
-def ellipses(eta: NDArray[np.float64], low: float, steps: int) -> NDArray[np.complex128]:
+def ellipses(eta: Array, low: float, steps: int) -> NDArray[np.complex128]:
     """Return points of halves of the ellipses `eta` around ``[low, 1]``, shape ``(ellipses, steps + 1)``."""
     theta = np.linspace(0.0, math.pi, steps + 1)
     half = 0.5 * (1.0 - low)
@@ -57,7 +58,7 @@ def ellipses(eta: NDArray[np.float64], low: float, steps: int) -> NDArray[np.com
     return np.asarray(0.5 * (1.0 + low) + half * around)
 
 
-def rise(eta: NDArray[np.float64], low: float, steps: int) -> NDArray[np.float64]:
+def rise(eta: Array, low: float, steps: int) -> Array:
     r"""Return abs(Im sqrt t): at the points of :func:`ellipses` if `low` is 0, else its largest between neighbours.
 
     With ``x = cos(theta)`` and ``z = h x + c cosh(eta)``, c and h the middle and half of ``[low, 1]``, abs(t) is
@@ -77,7 +78,7 @@ def rise(eta: NDArray[np.float64], low: float, steps: int) -> NDArray[np.float64
     return np.asarray(np.where(around, np.abs(np.sqrt(t).imag)[:, None], between_two))
 
 
-def between(phase: NDArray[np.float64], kernel: NDArray[np.float64], degree: int, low: float) -> NDArray[np.float64]:
+def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
     """Bound the largest sum over theta of a phase at the points of the grid and of a kernel as of :func:`rise`.
 
     Where the kernel is known by intervals: between two points a trigonometric polynomial of a `degree` is off what
@@ -92,26 +93,26 @@ def between(phase: NDArray[np.float64], kernel: NDArray[np.float64], degree: int
     return np.asarray((np.maximum(phase[:, :-1], phase[:, 1:]) + kernel).max(axis=1) + curved * phase.max(axis=1))
 
 
-def quadrature_error(g: NDArray[np.float64], n: int, low: float = 0.0) -> float:
+def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
     """Bound the error of n-point Gauss-Legendre quadrature over ``[low, 1]``, given :func:`growth`."""
     return _exp_min(_quadrature_log(g, low) - 2.0 * n * _ETA)
 
 
-def quadrature_nodes(g: NDArray[np.float64], error: float, low: float = 0.0) -> int:
+def quadrature_nodes(g: Array, error: float, low: float = 0.0) -> int:
     """Return the fewest nodes for which :func:`quadrature_error` is at most `error`."""
     needed = (_quadrature_log(g, low) - math.log(error)) / (2.0 * _ETA)
     return max(1, math.ceil(float(needed.min())))
 
 
-def _quadrature_log(g: NDArray[np.float64], low: float) -> NDArray[np.float64]:
+def _quadrature_log(g: Array, low: float) -> Array:
     return np.asarray(math.log(32.0 / 15.0 * (1.0 - low)) + g - np.log(-np.expm1(-2.0 * _ETA)))
 
 
-def rounding_error(terms: NDArray[np.float64], low: float, nodes: int) -> NDArray[np.float64]:
+def rounding_error(terms: Array, low: float, nodes: int) -> Array:
     """Estimate the rounding error of U (not a proof): phases of size Phi lose ``Phi 2^-53``, sums ``sqrt(n)``."""
     size = np.abs(terms).sum(axis=1)
     return np.asarray((2.0 * size + 4.0 * math.sqrt(nodes) + 16.0) * UNIT_ROUNDOFF * (1.0 - low))
 
 
-def _exp_min(logarithms: NDArray[np.float64]) -> float:
+def _exp_min(logarithms: Array) -> float:
     return math.exp(min(float(logarithms.min()), 700.0))

@@ -116,25 +116,7 @@ def table() -> str:
 
 
 def candidates(pupil: BasePupil, grid: Grid, tol: float = Method.tol) -> tuple[Method, ...]:
-    """Return what answers for a pupil and a window where no method was named, by :data:`RULES`.
-
-    Parameters
-    ----------
-    pupil : Pupil
-    grid : Grid
-    tol : float, default 1e-6
-        Tolerance over the peak.
-
-    Returns
-    -------
-    tuple of Method
-        In the order in which they are to be tried; see :func:`first_proven`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the pupil is none, if it needs finufft, which is not installed, or if no method for it takes the tolerance.
-    """
+    """Return the methods for a pupil and a window, in the order in which they are tried, by :data:`RULES`."""
     imaged(pupil)
     rule = next(rule for rule in RULES if rule.applies(pupil, grid))
     if rule.imported is _any_aperture and _missing("finufft"):
@@ -167,32 +149,12 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
 
 
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:
-    """Return the method for profiles along the radius of radial pupils, and for what is integrated from these.
-
-    Parameters
-    ----------
-    tol : float, default 1e-6
-        Tolerance over the peak.
-
-    Returns
-    -------
-    NijboerZernike
-    """
+    """Return the method for profiles of radial pupils, and for integrals of these."""
     return NijboerZernike(tol)
 
 
 def reference(pupil: BasePupil) -> Method:
-    """Return what other methods are judged by: plain quadrature, or the certified series where that does not apply.
-
-    Parameters
-    ----------
-    pupil : Pupil
-
-    Returns
-    -------
-    Method
-        For apertures that are not round, `NonuniformFFT` at its finest.
-    """
+    """Return the method that others are compared with: quadrature, or the series where that does not apply."""
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted
+from lommel.core.answers import Images, Intensities, Pixels, Wanted
 from lommel.core.engine import chordal_gradient, chordal_images, chordal_plan
 from lommel.methods.method import Method, Shortcut
 from lommel.methods.terms import disk_images, disk_stack, window_of
@@ -19,7 +16,7 @@ from lommel.optics.pupil import Pupil
 
 
 @dataclass(frozen=True)
-class ChordalGauss(Method):
+class ChordalGauss(Method[Pupil]):
     r"""Quadrature over the whole disk by a matrix product along y and one along x: any wavefront, to a tolerance.
 
     Supports every pupil, obscured and apodized too. Meant for stacks of small windows: pupils are computed side by
@@ -62,17 +59,16 @@ class ChordalGauss(Method):
     Zernike terms of a smaller disk.
     """
 
-    apodized: ClassVar[bool] = True
-    nonradial: ClassVar[bool] = True
+    apodized = True
+    nonradial = True
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+        self._check_tol()
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
-        made = self.images(pupil, grid, Wanted(threads=threads))
-        return Intensities(made.values, made.error, made.peak)
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a shorter way to samples of further pupils around one axis; see :meth:`Method.plan`."""
@@ -82,7 +78,7 @@ class ChordalGauss(Method):
         light, window = pupil.illumination.exponent, window_of(pupil, grid)
         ask = chordal_plan(pupil.obscuration, light, window, self.tol, wanted)
 
-        def answer(further: Pupil, values: NDArray[Any]) -> tuple[Array, float] | None:
+        def answer(further: Pupil, values: Pixels) -> tuple[Array, float] | None:
             wavefront, flags = further.wavefront, values.flags
             fits = values.shape == shape and values.dtype == dtype and flags.c_contiguous and flags.writeable
             if wavefront.left_out or not fits:

@@ -40,49 +40,19 @@ _INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")
 
 
 class Parts(NamedTuple):
-    """A derivative of images as a sum of parts; each factor is a number, or an array with one for each pupil.
+    """A derivative of images as a sum of parts; each factor is a number, or one for each pupil."""
 
-    Attributes
-    ----------
-    phases : mapping
-        Factors of the derivatives by the coefficient of rho^(2k), under k, and by that of a Zernike term, under
-        (n, m).
-    own : float or ndarray
-        Factor of the image itself.
-    growth : float or ndarray
-        Factor of ``scale v . grad I``.
-    rim : float
-        Factor of the derivative of I, times the scale, by the obscuration.
-    unknown : float
-        Factor of the derivative by what the wavefront's terms leave out of the phase, over its bound.
-    """
-
-    phases: Mapping[int | Term, Any] = MappingProxyType({})
-    own: Any = 0.0
-    growth: Any = 0.0
-    rim: float = 0.0
-    unknown: float = 0.0
+    phases: Mapping[int | Term, Any] = MappingProxyType(
+        {}
+    )  # factors of derivatives by the coefficient of rho^(2k), under k, or of a term, under (n, m)
+    own: Any = 0.0  # factor of the image itself
+    growth: Any = 0.0  # factor of scale v . grad I
+    rim: float = 0.0  # factor of the derivative of I, times the scale, by the obscuration
+    unknown: float = 0.0  # factor of the derivative by the phase that the wavefront's terms leave out, over its bound
 
 
 def checked(names: Sequence[Any], argument: str = "derivatives") -> tuple[Name, ...]:
-    """Return the names of derivatives.
-
-    Parameters
-    ----------
-    names : sequence
-        Texts, or pairs (n, m).
-    argument : str
-        What messages call it.
-
-    Returns
-    -------
-    tuple of (str or (int, int))
-
-    Raises
-    ------
-    TypeError, ValueError
-        If it is no sequence, or holds what is none.
-    """
+    """Return the names of derivatives."""
     if isinstance(names, str) or not isinstance(names, Sequence):
         raise TypeError(
             f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
@@ -121,27 +91,7 @@ def _term(name: Name) -> Term | None:
 
 
 def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
-    """Return what the derivative by a checked `name` is made of.
-
-    Parameters
-    ----------
-    name : str or (int, int)
-    pupil : Pupil
-        The stack; in white light, in that of the reference wavelength.
-    step : float
-        Its pixel pitch in v.
-    energy : bool
-        Whether values are fractions of all light, so that the scale changes with the pixel pitch in v and the light.
-
-    Returns
-    -------
-    Parts
-
-    Raises
-    ------
-    ValueError
-        If the pupil lacks what the name is about.
-    """
+    """Return what the derivative by a checked `name` is made of."""
     if (term := _term(name)) is not None:
         return Parts({term: 1.0})
     assert isinstance(name, str)

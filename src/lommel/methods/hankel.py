@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import Declined, FieldValues
 from lommel.methods.bounds import growth, quadrature_error, quadrature_nodes, rounding_error
 from lommel.methods.method import FieldMethod
@@ -20,7 +18,7 @@ _MAX_NODES = 16_000
 
 
 @dataclass(frozen=True)
-class Hankel(FieldMethod):
+class Hankel(FieldMethod[Pupil]):
     r"""Gauss-Legendre quadrature of ``U(v) = int exp(i Phi) J0(v sqrt t) dt`` in t = rho^2, at every radius.
 
     Supports every pupil. Each distinct radius of the image is integrated on its own, without interpolation.
@@ -43,14 +41,16 @@ class Hankel(FieldMethod):
     Theorem 19.3 of Trefethen, *Approximation Theory and Approximation Practice* (2013).
     """
 
-    apodized: ClassVar[bool] = True
-    keeps_tol: ClassVar[bool] = False
+    apodized = True
+    keeps_tol = False
+    least_tol = 1e-15
+    most_tol = 1e-2
     tol: float = 1e-14
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-15, below=1e-2))
+        self._check_tol()
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v, with the bound of the quadrature and an estimate of the rounding."""
         from scipy.special import j0
 

@@ -4,25 +4,25 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Intensities
+from lommel.core.engine import gauss_error
 from lommel.methods.method import Method
-from lommel.methods.pixels.subpixel import gauss_pixel
 from lommel.methods.sampling import MAX_SAMPLES, pupil_functions, require_samples
 from lommel.optics.aperture.obstructions import cell_centers
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
+from lommel.special.legendre import gauss_legendre
 
 _MAX_FIELD = 2**27  # complex values held at once: 2 GiB
 
 
 @dataclass(frozen=True)
-class MatrixFourier(Method):
+class MatrixFourier(Method[Pupil]):
     r"""Fourier sum of the pupil on a Cartesian lattice, straight onto the pixels by two matrix products.
 
     Supports every pupil, as long as no light wraps around into the window. The transform is exact; what errs is the
@@ -55,9 +55,9 @@ class MatrixFourier(Method):
     propagation", Opt. Express 15, 15935 (2007), doi:10.1364/OE.15.015935.
     """
 
-    nonradial: ClassVar[bool] = True
-    apodized: ClassVar[bool] = True
-    any_aperture: ClassVar[bool] = True
+    nonradial = True
+    apodized = True
+    any_aperture = True
     samples: int = 256
     edge: str = "grey"
 
@@ -90,6 +90,29 @@ class MatrixFourier(Method):
         for image, given in zip(out, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True):
             field = to_rows @ given @ to_columns.T
             fine = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
-            shaped: NDArray[np.float64] = fine.reshape(grid.height, offset.size, grid.width, offset.size)
+            shaped: Array = fine.reshape(grid.height, offset.size, grid.width, offset.size)
             image[:] = np.einsum("yaxb,a,b->yx", shaped, weight, weight, optimize=True)
         return Intensities(out, None)
+
+
+def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:
+    """Return offsets in v and weights that average I over a pixel of `width` in v along one axis, erring by `error`.
+
+    The error is over ``sup|U|^2`` and holds for any pupil: U is of exponential type 1 along either axis.
+    """
+    x, w = gauss_legendre(pixel_nodes(width, error), -0.5, 0.5)
+    return width * x, w
+
+
+def pixel_error(width: float, nodes: int) -> float:
+    """Bound the error of the q-point average over a pixel of `width` in v, along one axis, over sup|U|^2."""
+    # The core bounds both axes, over half the range of I.
+    return 0.25 * gauss_error(width, nodes)
+
+
+def pixel_nodes(width: float, error: float) -> int:
+    """Return the fewest nodes along an axis for which :func:`pixel_error` is at most `error`."""
+    nodes = 1
+    while pixel_error(width, nodes) > error:
+        nodes += 1
+    return nodes

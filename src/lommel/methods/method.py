@@ -1,37 +1,54 @@
-"""The face every method has: what it supports, and the intensity it computes."""
+"""What every method has: the pupils it supports, the intensity it computes, and finished images with their bounds."""
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.core.answers import Declined, FieldValues, Images, Intensities, ToleranceError, Wanted, not_met
-from lommel.optics.base_pupil import imaged
+from lommel.base.arrays import Array
+from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, ToleranceError, Wanted, not_met
+from lommel.core.engine import Window, pixel_radii, pixel_values
+from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 from lommel.special.bessel import _radii
 
 if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
     from lommel.optics.colour.spectrum import Component
+    from lommel.optics.pupil import Pupil
 
-AnyPupil: TypeAlias = Any
-"""A :class:`lommel.optics.base_pupil.BasePupil`: each method narrows it to those that it supports."""
+    P = TypeVar("P", bound=BasePupil, default=Any)
+else:
+    from typing import TypeVar
 
-Shortcut = Callable[[Any, NDArray[Any]], tuple[NDArray[np.float64], float] | None]
+    P = TypeVar("P", bound=BasePupil)
+
+Shortcut = Callable[[Any, Pixels], tuple[Array, float] | None]
 """From a pupil and an array for its values to what these were multiplied by, and the largest bound; or None."""
 
+_AN = {"lens": "a lens", "objective": "an objective"}
+_LEVELS = range(3, 16)  # errors of 10^-level that tables of the compiled core may have
+_USUAL = 10
+_SCAN = 512
 
-class Method(ABC):
-    """A way to evaluate the diffraction integral.
+
+class Method(ABC, Generic[P]):
+    """A way to evaluate the diffraction integral of pupils of the type `P`.
 
     The field is normalised so that the unaberrated, unobscured aperture gives U(0) = 1, and I = abs(U)^2.
     Subclasses are frozen dataclasses: their fields are their options.
     """
+
+    pupils: ClassVar[str] = "lens"
+    """Whose pupils are supported: ``"lens"``, ``"objective"`` or ``"any"``."""
 
     sampling: ClassVar[str] = "center"
     """``"center"``: values sample the pixel centres; ``"pixel"``: they are averages over pixels."""
@@ -45,53 +62,42 @@ class Method(ABC):
     any_aperture: ClassVar[bool] = False
     """Whether apertures with a spider, vignetting or a mask are supported."""
 
-    layered: ClassVar[bool | None] = False
-    """Whether it is pupils of a microscope's objective that are supported, or, where None, both kinds."""
-
     keeps_tol: ClassVar[bool] = True
     """Whether a bound, where there is one, counts everything, storing included, and never exceeds `tol`."""
 
     least_tol: ClassVar[float] = 1e-12
     """The least tolerance that a method with one takes."""
 
+    most_tol: ClassVar[float] = 1e-1
+    """What its tolerance must be below."""
+
     tol: float = 1e-6
 
-    def unsupported(self, pupil: AnyPupil) -> str | None:
+    def _check_tol(self) -> None:  # called by the __post_init__ of dataclasses with a tolerance
+        tol = validation.real("tol", self.tol, least=self.least_tol, below=self.most_tol)
+        object.__setattr__(self, "tol", tol)
+
+    def unsupported(self, pupil: P) -> str | None:
         """Return why `pupil` is not supported, or None if it is: here, that every one is."""
         return None
 
     @abstractmethod
-    def intensity(self, pupil: AnyPupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
         """Return I on `grid` for the flattened stack of `pupil`, by at most so many `threads`.
 
         Shape ``(n, len(grid.radii))``, at the distinct radii, or ``(n, height, width)``.
         """
 
-    def unaberrated_peak(self, pupil: AnyPupil) -> float:
+    def unaberrated_peak(self, pupil: P) -> float:
         """Return the peak of the aperture of `pupil` without aberration, to which "strehl" relates."""
         return float(pupil.amplitude**2)
 
-    def stretch(self, pupil: AnyPupil) -> float:
+    def stretch(self, pupil: P) -> float:
         """Return the exponential type of U in v: how much faster than at the wavelength of `pupil` it varies."""
         return 1.0
 
     def with_tol(self, tol: float) -> Self:
-        """Return the same method with another tolerance.
-
-        Parameters
-        ----------
-        tol : float
-            As the method itself takes it.
-
-        Returns
-        -------
-        Method
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it has none, or takes none such.
-        """
+        """Return the same method with another `tol`; TypeError or ValueError if it has or takes none such."""
         if not self._has_tol:
             raise ValueError(
                 f"tol={validation.shown(tol)} must be left out for {type(self).__name__}, which has no tolerance; "
@@ -101,18 +107,7 @@ class Method(ABC):
         return changed
 
     def tightened(self, tol: float | None = None) -> Self:
-        """Return the same method with half the tolerance, or with another.
-
-        Parameters
-        ----------
-        tol : float, optional
-            The least there is where it is below that.
-
-        Returns
-        -------
-        Method
-            The method itself where no tolerance is kept.
-        """
+        """Return it with half the tolerance, or `tol`, but no less than the least; itself where it keeps none."""
         if not (self._has_tol and self.keeps_tol):
             return self
         return self.with_tol(max(0.5 * self.tol if tol is None else tol, self.least_tol))
@@ -121,47 +116,24 @@ class Method(ABC):
     def _has_tol(self) -> bool:
         return "tol" in getattr(self, "__dataclass_fields__", ())
 
-    def components(self, pupil: AnyPupil) -> list[Component]:
-        """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several.
-
-        Parameters
-        ----------
-        pupil : Pupil
-
-        Returns
-        -------
-        list of Component
-        """
+    def components(self, pupil: P) -> list[Component]:
+        """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several."""
         from lommel.optics.colour.spectrum import Component
 
         return [Component(1.0, 1.0, pupil)]
 
-    def along_radius(self, pupil: AnyPupil) -> RadialMethod | None:
+    def along_radius(self, pupil: P) -> RadialMethod[P] | None:
         """Return the method where a profile along the radius describes the whole PSF of `pupil`, else None."""
         return None
 
-    def images(self, pupil: AnyPupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack.
+    def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack of `pupil` on `grid`, as they are `wanted`.
 
-        Parameters
-        ----------
-        pupil, grid
-        wanted : Wanted
-
-        Returns
-        -------
-        Images
-
-        Raises
-        ------
-        ValueError
-            If derivatives are wanted of a method, or of a pupil, that has none.
-        ToleranceError
-            If the tolerance of the method cannot be met.
+        ValueError if derivatives are wanted that there are none of; ToleranceError if the tolerance cannot be met.
         """
         if wanted.powers or wanted.terms:
             raise ValueError(
-                f"derivatives are not available from {type(self).__name__}; use NijboerZernike or ChordalGauss"
+                f"derivatives are not available from {type(self).__name__}; leave method out for one that has them"
             )
         way = self
         made = way.intensity(pupil, grid, wanted.threads)
@@ -174,106 +146,178 @@ class Method(ABC):
             made = way.intensity(pupil, grid, wanted.threads)
         return painted(made, grid, wanted)
 
-    def plan(self, pupil: AnyPupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
-        """Return a shorter way to the images of further pupils, where there is one; here, there is none.
+    def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
+        """Return a shorter way to the images on `grid` of pupils that differ from `pupil` in their wavefronts alone.
 
-        Parameters
-        ----------
-        pupil, grid
-            One that is supported; further ones differ from it in their wavefronts alone, of one shape.
-        wanted : Wanted
-            Without `out` and `powers`.
-
-        Returns
-        -------
-        callable or None
-            Given such a pupil and an array for the values, returns what these were multiplied by, of the shape of the
-            pupil, and the largest bound on errors; or None where :meth:`images` has to be asked. Raises as that does.
+        `wanted` is without `out` and derivatives. The way takes such a pupil and an array for the values, and returns
+        what these were multiplied by, of the shape of the pupil, and the largest bound on errors; or None where
+        :meth:`images` has to be asked. Raises as that does. Here, there is none.
         """
         return None
 
-    def require(self, pupil: AnyPupil) -> None:
-        """Raise ValueError if `pupil` is not supported."""
-        if self.layered is not None and imaged(pupil).layered != self.layered:
-            fault = (
-                "supports the pupils of an Objective only; for a lens use NijboerZernike"
-                if self.layered
-                else "supports no pupils of an Objective, behind layers; use Stratified or DebyeWolf"
+    def require(self, pupil: P) -> None:
+        """Raise Declined, a ValueError, if `pupil` is not supported."""
+        if self.pupils not in (kind := "objective" if imaged(pupil).layered else "lens", "any"):
+            raise Declined(
+                f"{type(self).__name__} supports the pupils of {_AN[self.pupils]} only, got that of {_AN[kind]}; "
+                "leave method out for one that supports it"
             )
-            raise Declined(f"{type(self).__name__} {fault}")
         reason = self.unsupported(pupil)
         if reason is None and not (pupil.circular or self.any_aperture):
             reason = (
-                "supports plain discs and annuli only; for a spider, vignetting or a mask use NonuniformFFT, "
-                "MatrixFourier or Fraunhofer"
+                "supports circular and annular apertures only; for a spider, vignetting or a mask leave method out"
             )
         if reason is None and not (self.nonradial or pupil.radial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
-        if reason is None and not (self.apodized or pupil.illumination.uniform):
+        if reason is None and not (self.apodized or cast("Pupil", pupil).illumination.uniform):
             reason = "supports uniform illumination only; this pupil is apodized"
         if reason is not None:
             raise Declined(f"{type(self).__name__} {reason}")
 
     def to_dict(self) -> dict[str, Any]:
         """Return the method's name and options in plain types."""
-        return {"name": type(self).__name__} | describe_options(self)
+        return described(self)
 
 
-def describe_options(thing: Any) -> dict[str, Any]:
-    """Return the fields of a dataclass as plain types; nested dataclasses carry their ``"name"``."""
-    options: dict[str, Any] = {}
-    for item in fields(thing):
-        value = getattr(thing, item.name)
-        nested = hasattr(value, "__dataclass_fields__")
-        options[item.name] = {"name": type(value).__name__} | describe_options(value) if nested else value
-    return options
+def described(thing: Any) -> dict[str, Any]:
+    """Return the name and the fields of a dataclass as plain types, and likewise those of dataclasses in it."""
+    options = {item.name: getattr(thing, item.name) for item in fields(thing)}
+    nested = {name: described(value) for name, value in options.items() if hasattr(value, "__dataclass_fields__")}
+    return {"name": type(thing).__name__} | options | nested
 
 
-class RadialMethod(Method):
+class RadialMethod(Method[P]):
     """A method whose answer depends on the distance from the axis only, and is known at any distance."""
 
     @abstractmethod
-    def profile(self, pupil: AnyPupil, v: NDArray[np.float64]) -> Intensities:
+    def profile(self, pupil: P, v: Array) -> Intensities:
         """Return I at rising `v` for the flattened stack of `pupil`, shape ``(n, len(v))``.
 
         ValueError or ToleranceError where the method cannot answer as it promises.
         """
 
-    def along_radius(self, pupil: AnyPupil) -> RadialMethod | None:
+    def along_radius(self, pupil: P) -> RadialMethod[P] | None:
         """Return the method itself for a radial pupil, else None."""
         return self if pupil.radial else None
 
-    def intensity(self, pupil: AnyPupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
-            from lommel.methods.pixels.subpixel import subpixel_intensity
-
-            return subpixel_intensity(self, pupil, grid, threads)
+            return self.on_pixels(pupil, grid, threads)
         return self.profile(pupil, grid.v(pupil))
 
-    def images(self, pupil: AnyPupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see ``Method.images``."""
+    def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`Method.images`."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
-        from lommel.methods.pixels.subpixel import subpixel_intensity
-
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
-        made = subpixel_intensity(self, pupil, grid, wanted.threads, tol=aim, window=True)
-        return painted(made, grid, wanted)
+        return painted(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
+
+    def on_pixels(
+        self, pupil: P, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
+    ) -> Intensities:
+        """Return I at, or averaged over, each pixel of `grid` from the profile of `pupil`, by `threads` at most.
+
+        `tol` bounds the error over the peak, or over the largest value in the `window`; by default the method's own.
+        ToleranceError if it cannot be met; a method that keeps no tolerance is carried on without loss instead.
+        """
+        # I is band-limited (of exponential type 2 in v) and within half its largest value of a constant, which bounds
+        # what the weighted sums of the profile are off by: docs/certificate.md, section 9.
+        allowed, finer = self.tol if tol is None else tol, self
+        level = _level(0.2 * allowed * _likely_value(pupil, grid) / (0.5 * self.unaberrated_peak(pupil)))
+        if self.profile(pupil, np.zeros(1)).error is None:
+            level = _USUAL  # whatever the stack
+        elsewhere, looked = np.zeros(math.prod(pupil.shape)), window
+        while True:
+            made = _pixel_sums(finer, pupil, grid, level, threads)
+            top = made.values.max(axis=(1, 2))
+            if made.given is None:
+                return Intensities(made.values, None, top)
+            error = made.given + made.added
+            peak = np.maximum(top - error, elsewhere)
+            if not looked and np.any(error > allowed * peak):
+                elsewhere, looked = _peak_at_least(finer, pupil, grid, level, threads), True
+                peak = np.maximum(peak, elsewhere)
+            relative = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 1e-300)
+            worst = int(relative.argmax())
+            room = 0.2 * allowed * max(float(top[worst]), float(elsewhere[worst]), 1e-3 * float(error[worst]))
+            before = level, finer
+            if made.added[worst] > room:
+                level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(made.added[worst] / room))))
+            if made.given[worst] > room:
+                further = finer.tightened().tightened().tightened()  # about a tenth
+                finer = further if further.tol >= 1e-5 * self.tol else self
+            stuck = (level, finer) == before
+            if relative[worst] <= allowed or (stuck and not self.keeps_tol):
+                return Intensities(made.values, relative, peak)
+            if stuck:
+                raise ToleranceError(
+                    f"tol={self.tol:g} cannot be met: the error is bounded by {relative[worst]:.2g} of the "
+                    f"{'largest value in the window' if window else 'peak'}"
+                )
 
 
-class FieldMethod(RadialMethod):
+class _PixelSums(NamedTuple):
+    """Values of pixels, and what the profile and the sums add to the bound on their error."""
+
+    values: Array
+    given: Array | None
+    added: Array
+
+
+def _pixel_sums(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> _PixelSums:
+    # What varies faster than I is I of a larger window.
+    faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
+    window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
+    v, error, of_nodes, of_grid, rounding = pixel_radii(window, grid.integrate, level, threads)
+    profile = method.profile(pupil, v / faster)
+    values, penalties = pixel_values(window, profile.values, grid.integrate, level, threads)
+    # No average of an intensity is negative, and none less exact for it.
+    np.maximum(values, 0.0, out=values)
+    size = profile.values.max(axis=1)
+    # |I'| = 2 |U| |U'|, and |U'| < 1/2; radii, places in a pixel and pixels are off by a few roundings each.
+    slope = np.sqrt(of_nodes * size * max(1.0, ceiling))
+    places = float(v[-1]) * slope * (3.0 * of_grid * of_nodes + 6.0 * of_grid + 4.0)
+    added = 0.5 * ceiling * error + 2.0**-53 * (rounding * size + penalties + places)
+    if profile.error is None:
+        return _PixelSums(values, None, added)
+    peak = size if profile.peak is None else profile.peak
+    return _PixelSums(values, of_grid * of_nodes * profile.error * peak, added)
+
+
+def _likely_value(pupil: BasePupil, grid: Grid) -> float:
+    """Return what the largest value may be: the peak of I or, of pixels that hold all light, its average."""
+    side = grid.step(pupil) if grid.integrate else 0.0
+    return 1.0 / (1.0 / pupil.likely_peak + side**2 / (4.0 * math.pi * pupil.transmission))
+
+
+def _level(error: float) -> int:
+    return min(max(math.ceil(-math.log10(error)), _LEVELS[0]), _LEVELS[-1])
+
+
+def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> Array:
+    """Return what the largest value over the plane is at least, from the axis to where the last rays arrive."""
+    blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
+    pixel = grid.side if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.side
+    count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
+    line = Grid((1, count), pixel, center=(0.0, 0.0), integrate=grid.integrate)
+    made = _pixel_sums(method, pupil, line, level, threads)
+    assert made.given is not None
+    return np.asarray(made.values.max(axis=(1, 2)) - made.given - made.added)
+
+
+class FieldMethod(RadialMethod[P]):
     """A radial method that knows the complex field."""
 
     @abstractmethod
-    def evaluate(self, pupil: AnyPupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: P, v: Array) -> FieldValues:
         """Return U at rising `v` for the flattened `pupil`, shape ``(n, len(v))``, with a bound on its error.
 
         ValueError or ToleranceError where the method cannot answer as it promises.
         """
 
-    def field(self, pupil: AnyPupil, v: ArrayLike) -> NDArray[np.complex128]:
+    def field(self, pupil: P, v: ArrayLike) -> NDArray[np.complex128]:
         """Return the complex field U of a `pupil` at optical coordinates `v`, shape ``pupil.shape + v.shape``.
 
         TypeError or ValueError unless these are numbers, finite and >= 0.
@@ -283,7 +327,7 @@ class FieldMethod(RadialMethod):
         values, where = np.unique(_radii(at.ravel()), return_inverse=True)
         return self.evaluate(pupil, values).values[:, where].reshape(pupil.shape + at.shape)
 
-    def profile(self, pupil: AnyPupil, v: NDArray[np.float64]) -> Intensities:
+    def profile(self, pupil: P, v: Array) -> Intensities:
         """Return I = abs(U)^2 at rising v with the bound on its error relative to the largest value."""
         values, error = self.evaluate(pupil, v)
         intensity = values.real**2 + values.imag**2
@@ -291,11 +335,9 @@ class FieldMethod(RadialMethod):
         return Intensities(intensity, relative, intensity.max(axis=1))
 
 
-def relative_error(intensity: NDArray[np.float64], field_error: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Bound ``max|I - I_exact| / max I_exact`` from a bound e on abs(U - U_exact): ``(2 M e + e^2) / (M - e)^2``.
-
-    M is the largest abs(U) computed; the exact one may be smaller by e.
-    """
+def relative_error(intensity: Array, field_error: Array) -> Array:
+    """Bound ``max|I - I_exact| / max I_exact`` from a bound e on abs(U - U_exact): ``(2 M e + e^2) / (M - e)^2``."""
+    # M is the largest abs(U) computed; the exact one may be smaller by e.
     peak = np.sqrt(intensity.max(axis=1))
     exact = peak - field_error
     error = field_error * (2.0 * peak + field_error)
@@ -307,12 +349,12 @@ def storing(dtype: DTypeLike) -> float:
     return 6.0 * 2.0**-53 + (2.0**-24 if np.dtype(dtype) == np.float32 else 0.0)
 
 
-def stored(relative: NDArray[np.float64], dtype: DTypeLike) -> NDArray[np.float64]:
+def stored(relative: Array, dtype: DTypeLike) -> Array:
     """Bound the error of values that are off by `relative` of the peak before they are stored."""
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
-def once_stored(made: Intensities, wanted: Wanted) -> NDArray[np.float64] | None:
+def once_stored(made: Intensities, wanted: Wanted) -> Array | None:
     """Bound what images of intensities are off by once they are scaled, where by None to a peak of 1, and stored."""
     if made.error is None:
         return None
@@ -330,24 +372,17 @@ def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     return Images(values, scales, once_stored(made, wanted), None, made.peak)
 
 
-def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:
+def normalized_error(relative: Array) -> Array:
     """Bound the error of values divided by their own largest one, itself in error by `relative`."""
     safe = np.minimum(relative, 1.0 - 1e-9)
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
-def widened(made: Images, pupil: AnyPupil, method: Method, *, normalized: bool) -> Images:
-    """Return images whose bounds count what the terms of the wavefront and the powers of the apodization leave out.
-
-    A phase in error by e changes U by at most ``e int A dx dy / pi``, and a derivative of U by as much. At another
-    wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and
-    counts twice: what values are divided by, the peak without aberration or all light, is made of it too.
-
-    Raises
-    ------
-    ToleranceError
-        If the tolerance is not met any more.
-    """
+def widened(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
+    """Return images whose bounds count what the terms of wavefront and apodization leave out."""
+    # A phase in error by e changes U by at most e int A dx dy / pi, and a derivative of U by as much. At another
+    # wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and
+    # counts twice: what values are divided by, the peak without aberration or all light, is made of it too.
     of_phase, of_light = pupil.left_out
     if not (of_phase or of_light) or made.error is None:
         return made
@@ -368,7 +403,7 @@ def widened(made: Images, pupil: AnyPupil, method: Method, *, normalized: bool) 
     return made._replace(error=error, slopes=made.slopes._replace(error=made.slopes.error + further))
 
 
-def powers_cancel(pupil: AnyPupil) -> str | None:
+def powers_cancel(pupil: Pupil) -> str | None:
     """Return why the phase is not to be taken as powers of rho, or None where it may be."""
     from lommel.optics.wavefront.wavefront import MAX_HIGHER  # loaded with what has one
 
@@ -381,15 +416,12 @@ def powers_cancel(pupil: AnyPupil) -> str | None:
 
 
 def annulus(
-    disk: Callable[[NDArray[np.float64], NDArray[np.float64]], FieldValues],
-    pupil: AnyPupil,
-    v: NDArray[np.float64],
+    disk: Callable[[Array, Array], FieldValues],
+    pupil: Pupil,
+    v: Array,
 ) -> FieldValues:
-    """Build the field of an obscured aperture from that of full ones.
-
-    ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``, where the inner disk carries the phase of rho < eps, that is
-    coefficients ``c_k eps^(2k)``. `disk` maps coefficients and v to a field.
-    """
+    """Return the field of an obscured aperture from that of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
+    # The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
     coefficients = pupil.coefficients()
     outer = disk(coefficients, v)
     if pupil.obscuration == 0.0:

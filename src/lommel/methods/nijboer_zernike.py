@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
-from lommel.base import validation
-from lommel.core.answers import FieldValues, Images, Intensities, Wanted
+from lommel.base.arrays import Array
+from lommel.core.answers import FieldValues, Images, Intensities, Pixels, Wanted
 from lommel.core.engine import product, radial_fields, radial_images, radial_plan, radial_profiles, series_images
 from lommel.methods.method import FieldMethod, Shortcut
 from lommel.methods.terms import disk_images, radial_stack, window_of
@@ -20,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class NijboerZernike(FieldMethod):
+class NijboerZernike(FieldMethod["Pupil"]):
     r"""Series of Bessel functions, exact to a tolerance: the default.
 
     Supports every circular aperture, obscured or not, and every wavefront, up to about 5000 radians of phase if it is
@@ -58,24 +55,22 @@ class NijboerZernike(FieldMethod):
     J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003).
     """
 
-    apodized: ClassVar[bool] = True
-    nonradial: ClassVar[bool] = True
+    apodized = True
+    nonradial = True
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+        self._check_tol()
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
         return radial_fields(radial_stack(pupil), v, self.tol)
 
-    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
+    def profile(self, pupil: Pupil, v: Array) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
         return radial_profiles(radial_stack(pupil), v, self.tol)
 
-    def means(
-        self, pupil: Pupil, v: NDArray[np.float64], matrix: NDArray[np.float64], threads: int = 0
-    ) -> NDArray[np.float64]:
+    def means(self, pupil: Pupil, v: Array, matrix: Array, threads: int = 0) -> Array:
         """Return ``I(v) @ matrix`` for the flattened stack of a `pupil`, shape ``(n, sums)``.
 
         `v` rises, `matrix` has the shape ``(len(v), sums)``; by at most so many `threads`.
@@ -87,8 +82,7 @@ class NijboerZernike(FieldMethod):
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if pupil.radial and grid.symmetric:
             return super().intensity(pupil, grid, threads)
-        made = self.images(pupil, grid, Wanted(threads=threads))
-        return Intensities(made.values, made.error, made.peak)
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a shorter way to the images of further radial pupils around one axis; see :meth:`Method.plan`."""
@@ -97,7 +91,7 @@ class NijboerZernike(FieldMethod):
         window = window_of(pupil, grid)
         ask = radial_plan(radial_stack(pupil), pupil.shape, window, self.tol, wanted, integrate=grid.integrate)
 
-        def answer(further: Pupil, values: NDArray[Any]) -> tuple[NDArray[np.float64], float] | None:
+        def answer(further: Pupil, values: Pixels) -> tuple[Array, float] | None:
             wavefront = further.wavefront
             return None if wavefront.left_out else ask(wavefront.radial_terms, values)
 

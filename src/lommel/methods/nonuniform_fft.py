@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lommel.base import optional, validation
+from lommel.base import optional
+from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Intensities, ToleranceError
 from lommel.methods.method import Method
 from lommel.methods.pixels.averaging import filtered, filtered_by, least_average
@@ -19,14 +19,12 @@ from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-Array = NDArray[np.float64]
-
 _LEAST_EPS = 1e-14  # what FINUFFT reaches in double precision
 _BLOCK_DEGREE = 16  # degrees are rounded up to these, so that neighbours share their nodes
 
 
 @dataclass(frozen=True)
-class NonuniformFFT(Method):
+class NonuniformFFT(Method[Pupil]):
     r"""Gauss quadrature over the clear aperture, transformed onto the pixels by FINUFFT (type 1, two dimensions).
 
     Supports every pupil: any wavefront, spiders, vignetting, masks, apodization. Needs the optional library finufft,
@@ -61,14 +59,14 @@ class NonuniformFFT(Method):
     on an 'exponential of semicircle' kernel", SIAM J. Sci. Comput. 41, C479 (2019), doi:10.1137/18M120885X.
     """
 
-    nonradial: ClassVar[bool] = True
-    apodized: ClassVar[bool] = True
-    any_aperture: ClassVar[bool] = True
-    least_tol: ClassVar[float] = 1e-11
+    nonradial = True
+    apodized = True
+    any_aperture = True
+    least_tol = 1e-11
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+        self._check_tol()
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.

@@ -4,69 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Intensities, ToleranceError, Wanted, not_met
 from lommel.methods.choice import candidates, first_proven, of_profiles
 from lommel.methods.method import Method, RadialMethod, painted, storing
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component, Spectrum
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
 
 
 class Contract(NamedTuple):
-    """What is promised of every sum.
+    """The tolerance of every sum."""
 
-    Attributes
-    ----------
-    tol : float
-        Bound on the error over the peak of each sum, or over its largest value.
-    named : float
-        The tolerance that was asked for, which messages tell.
-    least : float
-        The least that parts can be asked for.
-    kept : bool
-        Whether the tolerance is one, of parts that have a bound.
-    window : bool
-        Whether errors relate to the largest value in the window.
-    """
-
-    tol: float
-    named: float
-    least: float
-    kept: bool
-    window: bool = False
+    tol: float  # over the peak of each sum, or over its largest value in the window
+    named: float  # the tolerance that messages name
+    least: float  # the least that parts can be asked for
+    kept: bool  # whether the tolerance is a contract, of parts that have a bound
+    window: bool = False  # whether errors relate to the largest value in the window
 
 
 def mixed(
     parts: Sequence[Component], shares: Array, ask: Callable[[Component, float], Intensities], contract: Contract
 ) -> list[Intensities]:
-    """Return sums of what is asked for each wavelength, every one to its tolerance.
-
-    Parameters
-    ----------
-    parts : sequence of Component
-        Their own shares do not count.
-    shares : ndarray, shape (sums, parts)
-        Of the light of each sum, >= 0.
-    ask : callable
-        From a part and a tolerance over its own peak to its intensities, all of one shape.
-    contract : Contract
-
-    Returns
-    -------
-    list of Intensities
-
-    Raises
-    ------
-    ToleranceError
-        If the tolerance cannot be met.
-    """
+    """Return sums of what is asked for each wavelength, every one to its tolerance."""
     weights, asked = shares * np.array([part.stretch**2 for part in parts]), contract.tol
     while True:
         try:
@@ -126,7 +91,7 @@ def _sums(
 
 
 @dataclass(frozen=True, init=False)
-class Polychromatic(Spectrum, RadialMethod):
+class Polychromatic(Spectrum, RadialMethod[BasePupil]):
     r"""Incoherent sum over a spectrum, each wavelength by another method.
 
     Supports pupils with a wavelength, the reference: their phases are optical path differences, which at another
@@ -157,10 +122,10 @@ class Polychromatic(Spectrum, RadialMethod):
     together would exceed the tolerance. ``normalize="strehl"`` is relative to the same spectrum without aberration.
     """
 
-    layered: ClassVar[bool | None] = None
-    apodized: ClassVar[bool] = True
-    nonradial: ClassVar[bool] = True
-    any_aperture: ClassVar[bool] = True
+    pupils = "any"
+    apodized = True
+    nonradial = True
+    any_aperture = True
     method: Method | None = None
     tol: float = Method.tol
 
@@ -195,7 +160,7 @@ class Polychromatic(Spectrum, RadialMethod):
         """That of the method."""
         return (self.method or Method).sampling
 
-    def unsupported(self, pupil: Pupil) -> str | None:
+    def unsupported(self, pupil: BasePupil) -> str | None:
         """Return the reason where the reference wavelength is unknown, or where the method gives one."""
         if pupil.wavelength is None:
             return "needs a pupil with a wavelength, to which the others are related"
@@ -208,20 +173,20 @@ class Polychromatic(Spectrum, RadialMethod):
             return f"sums {name}, which {reason}"
         return None
 
-    def unaberrated_peak(self, pupil: Pupil) -> float:
+    def unaberrated_peak(self, pupil: BasePupil) -> float:
         """Return the peak of the same spectrum without aberration."""
         return pupil.amplitude**2 * sum(part.weight for part in self.components(pupil))
 
-    def stretch(self, pupil: Pupil) -> float:
+    def stretch(self, pupil: BasePupil) -> float:
         """Return the reference wavelength over the shortest."""
         return max(part.stretch for part in self.components(pupil))
 
-    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+    def along_radius(self, pupil: BasePupil) -> RadialMethod | None:
         """Return the sum itself where method and pupil are radial, in every light."""
         radial = pupil.radial and isinstance(self.method, RadialMethod | None)
         return self if radial and all(part.pupil.radial for part in self.components(pupil)) else None
 
-    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
+    def profile(self, pupil: BasePupil, v: Array) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""
 
         def ask(part: Component, tol: float) -> Intensities:
@@ -235,11 +200,11 @@ class Polychromatic(Spectrum, RadialMethod):
         parts = self.components(pupil)
         return mixed(parts, np.array([self.weights]), ask, self.contract(self.tol))[0]
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: BasePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
         return self._recorded(pupil, grid, threads, self.tol)
 
-    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError(
@@ -251,7 +216,9 @@ class Polychromatic(Spectrum, RadialMethod):
         made = self._recorded(pupil, grid, wanted.threads, aim, window=wanted.scale is None)
         return painted(made, grid, wanted)
 
-    def _recorded(self, pupil: Pupil, grid: Grid, threads: int, tol: float, *, window: bool = False) -> Intensities:
+    def _recorded(
+        self, pupil: BasePupil, grid: Grid, threads: int, tol: float, *, window: bool = False
+    ) -> Intensities:
         return together((self,), pupil, grid, threads, tol, window=window)[0]
 
     def contract(self, tol: float, *, window: bool = False) -> Contract:
@@ -260,32 +227,9 @@ class Polychromatic(Spectrum, RadialMethod):
 
 
 def together(
-    sums: Sequence[Polychromatic], pupil: Any, grid: Grid, threads: int, tol: float, *, window: bool = False
+    sums: Sequence[Polychromatic], pupil: BasePupil, grid: Grid, threads: int, tol: float, *, window: bool = False
 ) -> list[Intensities]:
-    """Return the intensities of several sums, each wavelength computed once for all of them.
-
-    Parameters
-    ----------
-    sums : sequence of Polychromatic
-        By one method, to one tolerance.
-    pupil : Pupil
-    grid : Grid
-    threads : int
-    tol : float
-        Over the peak of each sum.
-    window : bool, default False
-        Whether over its largest value in the window instead.
-
-    Returns
-    -------
-    list of Intensities
-        At the distinct radii of `grid`, or on its pixels.
-
-    Raises
-    ------
-    ToleranceError
-        If the tolerance cannot be met.
-    """
+    """Return the intensities of several sums, each wavelength computed once for all of them."""
     places = {w: k for k, w in enumerate(dict.fromkeys(w for each in sums for w in each.wavelengths))}
     parts = Spectrum(tuple(places), np.ones(len(places))).components(pupil)
     shares = np.zeros((len(sums), len(parts)))

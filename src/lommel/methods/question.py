@@ -25,47 +25,22 @@ if TYPE_CHECKING:
 
 
 class Asked(NamedTuple):
-    """A question about pupils of some light.
+    """A window, methods and settings for all pupils that differ in their phase alone."""
 
-    Attributes
-    ----------
-    light : tuple
-        Whatever a pupil has but its phase, and whether that is radially symmetric.
-    grid : Grid
-    ways : tuple of Method
-        As they are tried, one by one.
-    named : bool
-        Whether the caller named one.
-    energy : bool
-        Whether values are fractions of all light.
-    wanted : Wanted
-        Without `out`, and without derivatives.
-    shape, flat : tuple of int
-        Of the values, and of those of the flattened stack.
-    shortcut : callable or None
-        See :meth:`Method.plan`.
-    """
-
-    light: tuple[Any, ...]
+    light: tuple[Any, ...]  # all of a pupil but its phase, and whether that is radially symmetric
     grid: Grid
-    ways: tuple[Method, ...]
-    named: bool
-    energy: bool
-    wanted: Wanted
-    shape: tuple[int, ...]
-    flat: tuple[int, ...]
-    shortcut: Shortcut | None
+    ways: tuple[Method, ...]  # as they are tried, one by one
+    named: bool  # whether the caller named the method
+    energy: bool  # whether values are fractions of all light
+    wanted: Wanted  # without `out`, and without derivatives
+    shape: tuple[int, ...]  # of the values
+    flat: tuple[int, ...]  # of those of the flattened stack
+    shortcut: Shortcut | None  # see Method.plan
 
     def images(
         self, pupil: BasePupil, names: tuple[Name, ...] = (), out: NDArray[Any] | None = None
     ) -> tuple[Method, Images, list[Slope]]:
-        """Return the method, images of a pupil of this light and their derivatives, without a shortcut.
-
-        Raises
-        ------
-        ValueError, ToleranceError
-            If the methods do not support the pupil, have no such derivatives, or cannot meet their tolerance.
-        """
+        """Return the method, images of a pupil of this light and their derivatives, without a shortcut."""
         self.ways[0].require(pupil)
         question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
         if names and pupil.layered:
@@ -98,13 +73,7 @@ def asked_about(
     dtype: np.dtype[Any],
     threads: int,
 ) -> Asked:
-    """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`.
-
-    Raises
-    ------
-    ValueError
-        If a method does not support the pupil, or the window is none that has an answer.
-    """
+    """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`."""
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
     ways = candidates(pupil, grid, tol) if method is None else (method,)
@@ -118,13 +87,7 @@ def asked_about(
 def wanted_on(
     grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: np.dtype[Any], threads: int
 ) -> Wanted:
-    """Return how images are wanted, once pupil and window are checked.
-
-    Raises
-    ------
-    ValueError
-        If the method does not support the pupil, or the window is none that has an answer.
-    """
+    """Return how images are wanted, once pupil and window are checked."""
     method.require(pupil)
     for pitch in grid.pitch:
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)

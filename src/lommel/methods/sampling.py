@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
@@ -40,7 +41,7 @@ def require_samples(method: Method, samples: int, pupil: Pupil, grid: Grid) -> N
         raise Declined(f"{type(method).__name__}(samples={samples}) would alias: {why} need {advice}")
 
 
-def pupil_functions(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -> Iterator[NDArray[np.complex128]]:
+def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[NDArray[np.complex128]]:
     """Yield the field in square cells of side ``2 half`` centred at ``(x, x)``, for each of the flattened stack."""
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
     amplitude = illuminated(pupil, x, transmission(pupil, x, half, edge))
@@ -49,7 +50,7 @@ def pupil_functions(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str
         yield amplitude * np.exp(1j * wavefronts[i].phase(rho, theta))
 
 
-def transmission(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -> NDArray[np.float64]:
+def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Array:
     """Return the amplitude, without apodization, of square cells of side ``2 half`` centred at ``(x, x)``.
 
     "binary": that at the centre of the cell. "grey": times the part of the cell that the aperture leaves clear; see
@@ -63,7 +64,7 @@ def transmission(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -
     return part if pupil.mask is None else part * pupil.mask.at(across, down)
 
 
-def illuminated(pupil: Pupil, x: NDArray[np.float64], part: NDArray[np.float64]) -> NDArray[np.float64]:
+def illuminated(pupil: Pupil, x: Array, part: Array) -> Array:
     """Return `part` times the apodization at ``(x, x)``."""
     if pupil.illumination.uniform:
         return part

@@ -9,7 +9,7 @@ import pytest
 from scipy.special import j0
 
 from lommel import _core
-from lommel.methods.pixels.subpixel import gauss_pixel, pixel_error, pixel_nodes
+from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from rendering import rendered
 
 ROUNDOFF = 2.0**-53

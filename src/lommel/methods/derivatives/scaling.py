@@ -45,25 +45,7 @@ def growth(
     threads: int = 0,
     ask: Ask = _images,
 ) -> tuple[Array, Array]:
-    """Return ``v . grad I``, or its averages, from the derivatives of I by the :data:`TILTS`.
-
-    Parameters
-    ----------
-    engine : Method
-        Of samples of any round pupil, with a bound.
-    pupil, grid
-    tilts : sequence of (ndarray, ndarray)
-        With bounds on their errors, absolute, shape (n,).
-    threads : int
-    ask : callable
-        How samples are asked for.
-
-    Returns
-    -------
-    values : ndarray, shape (n, height, width)
-    error : ndarray, shape (n,)
-        Bound on its error, absolute.
-    """
+    """Return ``v . grad I``, or its averages, from the derivatives of I by the :data:`TILTS`."""
     count, step = math.prod(pupil.shape), grid.step(pupil)
     total, error = np.zeros((count, *grid.shape)), np.zeros(count)
     across, down = (step / grid.side * part for part in grid.positions(pupil.shape))
@@ -101,22 +83,7 @@ def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask
 def tilted(
     engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0, ask: Ask = _images
 ) -> list[tuple[Array, Array]]:
-    """Return the derivatives of I by the :data:`TILTS`, ``-grad I``, from samples of I alone.
-
-    Parameters
-    ----------
-    engine : Method
-        Of samples, with a bound.
-    pupil, grid
-    threads : int
-    ask : callable
-        How samples are asked for.
-
-    Returns
-    -------
-    list of (ndarray, ndarray)
-        Each with bounds on its error, absolute, shape (n,).
-    """
+    """Return the derivatives of I by the :data:`TILTS`, ``-grad I``, from samples of I alone."""
     step = grid.step(pupil)
     response = max(1e-3 * engine.tol * (least_average(step) if grid.integrate else 1.0), 1e-13)
     slope = sloping(step, response, averages=grid.integrate)

@@ -46,22 +46,7 @@ _UNIT = 2.0**-53
 
 
 def by_obscuration(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
-    """Return the derivative of I by the obscuration, or its averages over pixels.
-
-    Parameters
-    ----------
-    pupil : Pupil
-        Round, with an obscuration above 0.
-    grid : Grid
-    error : float
-        What is aimed at, absolute.
-
-    Returns
-    -------
-    values : ndarray, shape (n, height, width)
-    error : ndarray, shape (n,)
-        Bound on its error, absolute.
-    """
+    """Return the derivative of I by the obscuration, or its averages over pixels."""
     count = math.prod(pupil.shape)
     if not grid.integrate:
         return _samples(pupil, grid, error)
@@ -153,24 +138,17 @@ _MOST_CANCELLED = 321.0
 
 
 class Slope(NamedTuple):
-    """A derivative of images.
+    """A derivative of images."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (n, height, width)
-    error : ndarray, shape (n,)
-        Bound on its error over the peak of the images.
-    """
-
-    values: NDArray[Any]
-    error: Array
+    values: NDArray[Any]  # (n, height, width)
+    error: Array  # (n,), bound over the peak of the images
 
 
 class Piece(NamedTuple):
-    """What a derivative is summed from, with a bound on its error, shape (n,), absolute."""
+    """A term of a derivative, in double precision."""
 
-    values: Array
-    error: Array
+    values: Array  # (n, height, width)
+    error: Array  # (n,), bound, absolute
 
 
 def differentiated(
@@ -183,37 +161,7 @@ def differentiated(
     *,
     energy: bool,
 ) -> tuple[Method, Images, list[Slope]]:
-    """Return images, their derivatives by checked names, and the method that made them.
-
-    Parameters
-    ----------
-    method : Method or None
-        None where none was named.
-    pupil : Pupil
-        That the method supports.
-    grid : Grid
-    names : sequence
-    wanted : Wanted
-        Of the images, with a scale.
-    tol : float
-        That of the method.
-    energy : bool
-        Whether values are fractions of all light.
-
-    Returns
-    -------
-    method : Method
-    images : Images
-    slopes : list of Slope
-        One for each name.
-
-    Raises
-    ------
-    ValueError
-        If the aperture, the method or the pupil has no such derivatives.
-    ToleranceError
-        If the tolerance cannot be met.
-    """
+    """Return images, their derivatives by checked names, and the method that made them."""
     if (rule := _rule_of_terms(method, pupil, names, tol)) is not None:
         terms = cast("tuple[Term, ...]", tuple(names))
         made = widened(rule.images(pupil, grid, wanted._replace(terms=terms)), pupil, rule, normalized=False)
@@ -252,28 +200,7 @@ def single_light(method: Method | None) -> Method | None:
 def engines(
     method: Method | None, pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts], tol: float
 ) -> tuple[Method, Method]:
-    """Return what makes images, and what makes their derivatives at each wavelength.
-
-    Parameters
-    ----------
-    method : Method or None
-        None where none was named.
-    pupil : Pupil
-    names : sequence
-    sums : sequence of Parts
-        What each is made of.
-    tol : float
-        Where none was named.
-
-    Returns
-    -------
-    (Method, Method)
-
-    Raises
-    ------
-    ValueError
-        If nothing has these derivatives, or not what was named.
-    """
+    """Return what makes images, and what makes their derivatives at each wavelength."""
     if not pupil.circular:
         raise ValueError(
             "derivatives are available of round apertures only; with a spider, vignetting or a mask take "
@@ -322,19 +249,7 @@ def _single(each: Parts, engine: Method) -> bool:
 
 
 def translated(phases: Mapping[Key, Any], *, powers: bool) -> dict[Key, Any]:
-    """Return factors by powers of rho as such by Zernike terms, whose sums these are, or the other way round.
-
-    Parameters
-    ----------
-    phases : mapping
-        As of :attr:`Parts.phases`.
-    powers : bool
-        Whether all are to be by powers.
-
-    Returns
-    -------
-    dict
-    """
+    """Return factors by powers of rho as such by Zernike terms, whose sums these are, or the other way round."""
     found: dict[Key, Any] = {}
     for key, factor in phases.items():
         shares: dict[Key, float] = {key: 1.0}

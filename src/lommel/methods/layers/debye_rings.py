@@ -85,8 +85,7 @@ class DebyeRings(LayeredMethod):
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I on the pixels of `grid`."""
-        made = self.images(pupil, grid, Wanted(threads=threads))
-        return Intensities(made.values, made.error, made.peak)
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
@@ -125,17 +124,9 @@ def _power_of_two(x: float) -> float:
 
 
 class Turn(NamedTuple):
-    """A factor of waves, ``(1 + amount (rate - middle)) / 2``, at most 1 for real rho.
+    """A factor of waves, ``(1 + amount (rate - middle)) / 2``, at most 1 for real rho."""
 
-    Attributes
-    ----------
-    which : int
-        1 for the rate of the phase by depth, 2 for that by focus.
-    amount : complex
-    middle : float
-    """
-
-    which: int
+    which: int  # 1 for the rate of the phase by depth, 2 for that by focus
     amount: complex
     middle: float
 

@@ -13,7 +13,6 @@ from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.layers.refinement import BRIGHT_RING, LEAST, LayeredMethod, settled
 from lommel.methods.method import RadialMethod, painted
 from lommel.methods.pixels.averaging import averaged_images
-from lommel.methods.pixels.subpixel import subpixel_intensity
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic
@@ -21,21 +20,14 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
 class Harmonics(NamedTuple):
-    """Orders of the azimuth at given radii, first axis the flattened stack.
+    """Orders of the azimuth of the intensity, first axis the flattened stack."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (orders, n, radii)
-    error : ndarray, shape (n,)
-        Bounds on the error of any intensity of these.
-    """
-
-    values: Array
-    error: Array
+    values: Array  # (orders, n, radii)
+    error: Array  # (n,), bounds on the error of any intensity of these
 
 
 @dataclass(frozen=True)
-class DebyeWolf(LayeredMethod, RadialMethod):
+class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     r"""Gauss-Legendre quadrature over the angles of the light of an objective, at every radius.
 
     Supports the pupils of :meth:`lommel.Objective.pupil` only. Each distinct distance from the axis is integrated on
@@ -71,10 +63,9 @@ class DebyeWolf(LayeredMethod, RadialMethod):
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if grid.integrate and pupil.radial:
-            return subpixel_intensity(self, pupil, grid, threads)
+            return self.on_pixels(pupil, grid, threads)
         if grid.integrate:
-            made = self.images(pupil, grid, Wanted(threads=threads))
-            return Intensities(made.values, made.error, made.peak)
+            return self.images(pupil, grid, Wanted(threads=threads)).intensities
         if grid.symmetric and pupil.radial:
             return self.profile(pupil, grid.v(pupil))
         return self._centres(pupil, grid, self.tol)

@@ -44,24 +44,12 @@ _HALFWAY = np.array([0.5])
 
 
 class DiscMeans(NamedTuple):
-    """Where to know an intensity, and what to make of it.
+    """Radii where an intensity has to be known, and the weights of its means over discs."""
 
-    Attributes
-    ----------
-    places : ndarray, shape (places,)
-        Rising v.
-    weights : tuple of scipy.sparse array, each of shape (places, radii)
-        ``values @ weights[m]`` are the means of the orders m and -m, for values of shape ``(n, places)``.
-    gain : float
-        How much errors of the values may grow.
-    error : float
-        Of the means, over the peak that the intensity would have without aberration.
-    """
-
-    places: Array
-    weights: tuple[Any, ...]
-    gain: float
-    error: float
+    places: Array  # rising v
+    weights: tuple[Any, ...]  # sparse (places, radii), of the orders m and -m for each m
+    gain: float  # factor by which errors of the values may grow
+    error: float  # of the means, over the peak of the intensity without aberration
 
     def of(self, values: NDArray[Any]) -> NDArray[Any]:
         """Return the means of the orders -M to M, ``(n, 2 M + 1, radii)``, of ``(n, 2 M + 1, places)``."""
@@ -71,22 +59,7 @@ class DiscMeans(NamedTuple):
 
 
 def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMeans:
-    """Return how to average an intensity over discs around points at radii `v`.
-
-    Parameters
-    ----------
-    v : ndarray, shape (radii,)
-    radius : float
-        Of the discs, in v.
-    error : float
-        At most so much.
-    order : int, default 0
-        The highest order of the azimuth.
-
-    Returns
-    -------
-    DiscMeans
-    """
+    """Return how to average an intensity over discs around points at radii `v`."""
     from scipy.sparse import coo_array
 
     step = table_step(error / 3.0)
@@ -152,19 +125,7 @@ def _radius_error(radius: float, across: int) -> float:
 
 
 def gauss_error(growth: Array, nodes: int) -> float:
-    """Bound the error of a mean by a Gauss rule of an analytic function.
-
-    Parameters
-    ----------
-    growth : ndarray
-        Logarithms of bounds on its modulus, on the ellipses of :func:`ellipses`.
-    nodes : int
-
-    Returns
-    -------
-    float
-        The rule is exact for degree ``2 nodes - 1``, and its weights are positive and sum to 1.
-    """
+    """Bound the error of a mean by a Gauss rule of an analytic function."""
     with np.errstate(over="ignore"):
         return float((4.0 * np.exp(growth - (2 * nodes - 1) * _ETA) / np.expm1(_ETA)).min())
 

@@ -27,18 +27,10 @@ _PIXELS = 2**21  # of all planes and orders, at once
 
 
 class Orders(NamedTuple):
-    """Light at radii.
+    """Light at radii as orders of the azimuth."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (n, 2 M + 1, radii)
-        F_-M first; complex, or of floats where M is 0.
-    error : ndarray, shape (n,)
-        What the sum is off by at most, at these radii and any azimuth.
-    """
-
-    values: NDArray[Any]
-    error: Array
+    values: NDArray[Any]  # (n, 2 M + 1, radii), F_-M first; complex, or real where M is 0
+    error: Array  # (n,), bound on the sum at these radii and any azimuth
 
     @property
     def most(self) -> Array:
@@ -129,18 +121,10 @@ def _summed(values: NDArray[Any], turn: NDArray[np.complex128]) -> Array:
 
 
 class Table(NamedTuple):
-    """Even radii, of which light is known at pixels by polynomials between twelve of them.
+    """Even radii, from which light at pixels is interpolated by polynomials between twelve of them."""
 
-    Attributes
-    ----------
-    places : ndarray of int
-        Which, in units of `step`; negative ones are beyond the axis.
-    step : float
-        In v.
-    """
-
-    places: NDArray[np.int64]
-    step: float
+    places: NDArray[np.int64]  # in units of step; negative ones are beyond the axis
+    step: float  # in v
 
     @classmethod
     def around(cls, radius: Array, error: float, faster: float) -> Table:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
-from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.layers.orders import Orders, Table
@@ -21,16 +20,16 @@ _LEAST = 1e-13
 _BRIGHT = np.array([0.0, BRIGHT_RING])  # where something is bright in most planes
 
 
-class ProvenMethod(RadialMethod):
+class ProvenMethod(RadialMethod[ObjectivePupil]):
     """A method for the pupils of objectives that knows orders of the azimuth; dataclasses of it have a `tol`."""
 
-    layered: ClassVar[bool | None] = True
-    apodized: ClassVar[bool] = True
-    nonradial: ClassVar[bool] = True
+    pupils = "objective"
+    apodized = True
+    nonradial = True
     tol: float
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+        self._check_tol()
 
     @abstractmethod
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
@@ -59,8 +58,7 @@ class ProvenMethod(RadialMethod):
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if self.along_radius(pupil) is not None:
             return super().intensity(pupil, grid, threads)
-        made = self.images(pupil, grid, Wanted(threads=threads))
-        return Intensities(made.values, made.error, made.peak)
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""

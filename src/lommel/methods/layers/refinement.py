@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
 
 import numpy as np
 
-from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Intensities, not_met
 from lommel.methods.method import Method
@@ -48,12 +46,12 @@ def settled(
         asked = max(least, asked * max(1e-4, min(0.5, 0.5 * tol / worst)))
 
 
-class LayeredMethod(Method):
+class LayeredMethod(Method[ObjectivePupil]):
     """A method for the pupils of objectives; dataclasses of it have a `tol`."""
 
-    layered: ClassVar[bool | None] = True
-    apodized: ClassVar[bool] = True
-    nonradial: ClassVar[bool] = True
+    pupils = "objective"
+    apodized = True
+    nonradial = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+        self._check_tol()

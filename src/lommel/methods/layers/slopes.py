@@ -42,15 +42,7 @@ Rates = Callable[[ObjectivePupil], Sequence[By]]
 
 
 class Sampled(NamedTuple):
-    """Images, with derivatives as these are stored.
-
-    Attributes
-    ----------
-    images : Images
-    values : ndarray, shape (k, n, height, width)
-    error : ndarray, shape (k, n)
-        Bounds over the peak of the images.
-    """
+    """Images, with derivatives as these are stored."""
 
     images: Images
     values: NDArray[Any]
@@ -58,27 +50,7 @@ class Sampled(NamedTuple):
 
 
 def sampled_slopes(method: Method, pupil: ObjectivePupil, grid: Grid, rates: Rates, wanted: Wanted) -> Sampled:
-    """Return images by DebyeRings or Stratified and their derivatives.
-
-    Parameters
-    ----------
-    method : Stratified or DebyeRings
-    pupil, grid
-    rates : callable
-    wanted : Wanted
-        With a scale.
-
-    Returns
-    -------
-    Sampled
-
-    Raises
-    ------
-    ValueError
-        If Stratified has no such windows.
-    ToleranceError
-        If the tolerance cannot be met.
-    """
+    """Return images by DebyeRings or Stratified and their derivatives."""
     by = rates(pupil)
     most = debye.steepest(pupil.layers, pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel())
     # What derivatives are divided by, so that their transfer functions are at most twice that of the aperture.
@@ -182,32 +154,7 @@ _OWN = ("z", "depth", "wavelength")
 def layered_slopes(
     method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, energy: bool
 ) -> tuple[Method, Images, list[Slope]]:
-    """Return the method, images and their derivatives by checked names.
-
-    Parameters
-    ----------
-    method : Method
-    pupil, grid
-    names : sequence
-    wanted : Wanted
-        With a scale.
-    energy : bool
-        Whether that is of fractions of all light.
-
-    Returns
-    -------
-    method : Method
-    images : Images
-    slopes : list of Slope
-        One for each name.
-
-    Raises
-    ------
-    ValueError
-        If the method has no such derivatives.
-    ToleranceError
-        If the tolerance cannot be met.
-    """
+    """Return the method, images and their derivatives by checked names."""
     if not known(pupil.light):
         raise ValueError(f"derivatives are not available of the light of {pupil.emitter!r}")
     if not isinstance(method, Stratified | DebyeRings):

@@ -94,19 +94,11 @@ class Stratified(DebyeWolf):
 
 
 class By(NamedTuple):
-    """A derivative that the engine makes: of :class:`lommel.core.layers.LayeredSlopes`.
-
-    Attributes
-    ----------
-    which : int
-    factor : float
-    own : ndarray or float
-        What I itself counts in it, of each plane.
-    """
+    """A derivative that the engine makes; see :class:`lommel.core.layers.LayeredSlopes`."""
 
     which: int
     factor: float = 1.0
-    own: Array | float = 0.0
+    own: Array | float = 0.0  # factor of I itself in it, of each plane
 
 
 class _Accuracy(NamedTuple):

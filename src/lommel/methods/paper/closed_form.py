@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues
 from lommel.methods.method import FieldMethod, annulus, powers_cancel
 from lommel.methods.nijboer_zernike import NijboerZernike
@@ -23,7 +24,7 @@ from lommel.special.piecewise import FITS, SPLITS, PiecewiseQuadratic, fit_quadr
 
 
 @dataclass(frozen=True)
-class ClosedForm(FieldMethod):
+class ClosedForm(FieldMethod[Pupil]):
     r"""Piecewise Bessel approximation integrated in closed form: approximate, with the paper's parameters.
 
     Supports every pupil: aberrations beyond defocus by piecewise quadratic phases, an obscuration by the difference
@@ -161,14 +162,14 @@ class ClosedForm(FieldMethod):
         """Return the reason where powers of rho do not hold the phase."""
         return powers_cancel(pupil)
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v; no bound is claimed."""
         result = annulus(self._disk, pupil, v)
         if self.truncate is not None:
             result.values[:, v > self.truncate] = 0.0
         return result
 
-    def sub_integrals(self, defocus: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def sub_integrals(self, defocus: float, v: Array) -> NDArray[np.complex128]:
         r"""Return the integrals of the appendix for a `defocus` C_d at `v` above 0; U is twice their sum.
 
         Their shape is ``(terms + 3, len(v))``.
@@ -190,7 +191,7 @@ class ClosedForm(FieldMethod):
         outer[:, beyond] = self._beyond(v[beyond], alpha, 0.0, split[beyond], 1.0)
         return np.concatenate([inner, outer])
 
-    def _disk(self, coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> FieldValues:
+    def _disk(self, coefficients: Array, v: Array) -> FieldValues:
         rows = []
         for c in coefficients:
             if np.any(c[1:]):
@@ -200,7 +201,7 @@ class ClosedForm(FieldMethod):
                 rows.append(2.0 * self.sub_integrals(0.5 * float(c[0]), v).sum(axis=0))
         return FieldValues(np.stack(rows), None)
 
-    def _piecewise(self, pieces: PiecewiseQuadratic, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def _piecewise(self, pieces: PiecewiseQuadratic, v: Array) -> NDArray[np.complex128]:
         """Return the sum of all integrals over segments with phases alpha R^2 + beta R + gamma (Eq. 17)."""
         with np.errstate(divide="ignore", over="ignore"):
             split = np.minimum(self.transition / v, 1.0)
@@ -218,9 +219,7 @@ class ClosedForm(FieldMethod):
             total += np.exp(1j * pieces.gamma[i]) * part
         return total
 
-    def _beyond(
-        self, v: NDArray[np.float64], alpha: float, beta: float, low: NDArray[np.float64], high: float
-    ) -> NDArray[np.complex128]:
+    def _beyond(self, v: Array, alpha: float, beta: float, low: Array, high: float) -> NDArray[np.complex128]:
         """Return the integrals of the asymptotic form (Eq. 7) with the tangent line (Eq. 9), in three parts."""
         a, b = tangent_line(self.tangent)
         parts = np.zeros((3, v.size), dtype=np.complex128)
@@ -229,9 +228,7 @@ class ClosedForm(FieldMethod):
             parts += 0.5 * np.exp(-0.25j * sign * math.pi) * np.stack([a * v * m[2], b * m[1], m[0] / v])
         return parts * math.sqrt(2.0 / math.pi) if self.variant == "corrected" else parts
 
-    def _within(
-        self, v: NDArray[np.float64], alpha: float, beta: float, low: float, high: NDArray[np.float64]
-    ) -> NDArray[np.complex128]:
+    def _within(self, v: Array, alpha: float, beta: float, low: float, high: Array) -> NDArray[np.complex128]:
         """Return the integral of the power series (Eq. 6) up to the transition, by quadrature of its moments."""
         span = (abs(alpha) * (low + high.max()) + abs(beta)) * float((high - low).max())
         x, w = gauss_panels(24 + self.terms // 2 + math.ceil(0.6 * span))

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import Intensities
 from lommel.methods.method import Method
 from lommel.methods.sampling import MAX_SAMPLES, pupil_functions, require_samples
@@ -20,7 +20,7 @@ _MAX_SIDE = 16384
 
 
 @dataclass(frozen=True)
-class Fraunhofer(Method):
+class Fraunhofer(Method[Pupil]):
     r"""Fast Fourier transform of the pupil on a Cartesian grid, its samples exactly on the requested pixels.
 
     Supports every pupil, as long as no light wraps around into the window. First order in the sample spacing
@@ -49,9 +49,9 @@ class Fraunhofer(Method):
     window that way, the call is refused. Averages over pixels multiply the spectrum of the intensity by sincs.
     """
 
-    nonradial: ClassVar[bool] = True
-    apodized: ClassVar[bool] = True
-    any_aperture: ClassVar[bool] = True
+    nonradial = True
+    apodized = True
+    any_aperture = True
     samples: int = 256
     padding: float = 4.0
     edge: str = "binary"
@@ -108,7 +108,7 @@ class Fraunhofer(Method):
         return stride, side, 2.0 * math.pi * stride / (side * step)
 
 
-def _averaged(intensity: NDArray[np.float64], stride: int) -> NDArray[np.float64]:
+def _averaged(intensity: Array, stride: int) -> Array:
     """Return averages over squares of `stride` samples around each: sincs on the spectrum."""
     from scipy.fft import irfft2, rfft2
 
@@ -116,7 +116,7 @@ def _averaged(intensity: NDArray[np.float64], stride: int) -> NDArray[np.float64
     across = np.sinc(stride / side * np.arange(side // 2 + 1))
     down = np.sinc(stride * np.fft.fftfreq(side))
     # No average of an intensity is negative, and none less exact for it.
-    averages: NDArray[np.float64] = irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape)
+    averages: Array = irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape)
     return np.maximum(averages, 0.0)
 
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import Intensities
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
@@ -20,7 +19,7 @@ _MAX_CELLS = 2**23
 
 
 @dataclass(frozen=True)
-class Geometric(Method):
+class Geometric(Method[Pupil]):
     r"""Density of the rays of the same wavefront, averaged over each pixel; conserves energy exactly.
 
     Supports every pupil. A ray through rho meets the sensor at ``v = |dPhi/drho|``: defocus makes a uniform disk
@@ -39,7 +38,7 @@ class Geometric(Method):
         If an argument is out of range.
     """
 
-    sampling: ClassVar[str] = "pixel"
+    sampling = "pixel"
     rings: int = 8
 
     def __post_init__(self) -> None:
@@ -74,7 +73,7 @@ class Geometric(Method):
             image = grid.unfold(image)
         return Intensities(image * (4.0 * math.pi * pupil.area / step**2), None)
 
-    def _light(self, terms: NDArray[np.float64], obscuration: float, width: float, count: int) -> NDArray[np.float64]:
+    def _light(self, terms: Array, obscuration: float, width: float, count: int) -> Array:
         """Return the fraction of all light in each of `count` rings of `width` in v."""
         rho = np.linspace(obscuration, 1.0, 4097)
         height = ray_height(terms[None], rho)[0]

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Intensities
 from lommel.core.engine import huygens_sum
 from lommel.methods.method import FieldMethod
@@ -29,7 +29,7 @@ _BLOCK = 2**22  # wavelets between two looks at the keyboard: well below a secon
 
 
 @dataclass(frozen=True)
-class HuygensFresnel(FieldMethod):
+class HuygensFresnel(FieldMethod[Pupil]):
     r"""Exhaustive sum of wavelets with exact path differences: no Fresnel approximation.
 
     Needs the physical distances, that is a pupil from :meth:`lommel.Lens.pupil`, and takes the lens at its model.
@@ -70,7 +70,7 @@ class HuygensFresnel(FieldMethod):
     pupil. M. Born and E. Wolf, *Principles of Optics*, 7th ed., section 8.8.
     """
 
-    apodized: ClassVar[bool] = True
+    apodized = True
     symmetry: bool = True
     nodes: tuple[int, int] | None = None
 
@@ -89,7 +89,7 @@ class HuygensFresnel(FieldMethod):
             return "needs the physical distances of a lens; make the pupil with Lens.pupil(object_distance)"
         return None
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v, each radius summed over one half of the aperture; no bound is claimed."""
         radii = v * pupil.scale / math.pi
         return FieldValues(self._sums(pupil, radii, np.zeros_like(radii), half=True), None)
@@ -106,15 +106,13 @@ class HuygensFresnel(FieldMethod):
             )
         return Intensities(self._samples(pupil, grid), None)
 
-    def _samples(self, pupil: Pupil, grid: Grid) -> NDArray[np.float64]:
+    def _samples(self, pupil: Pupil, grid: Grid) -> Array:
         grid.require_one_axis()
         y, x = (part.ravel() for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
         field = self._sums(pupil, x, y, half=False)
         return np.asarray(field.real**2 + field.imag**2).reshape(-1, *grid.shape)
 
-    def _sums(
-        self, pupil: Pupil, x: NDArray[np.float64], y: NDArray[np.float64], *, half: bool
-    ) -> NDArray[np.complex128]:
+    def _sums(self, pupil: Pupil, x: Array, y: Array, *, half: bool) -> NDArray[np.complex128]:
         geometry = pupil.geometry
         assert geometry is not None
         assert pupil.wavelength is not None
@@ -158,7 +156,7 @@ class HuygensFresnel(FieldMethod):
         return out
 
 
-def exact_phase(pupil: Pupil, geometry: Geometry, t: NDArray[np.float64]) -> NDArray[np.float64]:
+def exact_phase(pupil: Pupil, geometry: Geometry, t: Array) -> Array:
     """Return the phase in the aperture at ``rho^2 = t``, without the Fresnel approximation, shape ``(n, t)``."""
     assert pupil.wavelength is not None
     wavenumber = 2.0 * math.pi / pupil.wavelength
@@ -174,7 +172,7 @@ def exact_phase(pupil: Pupil, geometry: Geometry, t: NDArray[np.float64]) -> NDA
     return np.asarray(pupil.radial_phase(t) + (exact - parabolic))
 
 
-def _sag(vergence: NDArray[np.float64], square: NDArray[np.float64]) -> NDArray[np.float64]:
+def _sag(vergence: Array, square: Array) -> Array:
     """Return ``sqrt(s^2 + R^2) - s`` from 1/s (of either sign, or 0) and R^2, without cancellation."""
     return np.asarray(vergence * square / (1.0 + np.sqrt(1.0 + vergence**2 * square)))
 

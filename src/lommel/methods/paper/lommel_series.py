@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues
 from lommel.methods.method import FieldMethod, annulus
 from lommel.optics.pupil import Pupil
@@ -19,7 +20,7 @@ _SMALL = 1.0  # u below which the U series serves inside the shadow too
 
 
 @dataclass(frozen=True)
-class LommelSeries(FieldMethod):
+class LommelSeries(FieldMethod[Pupil]):
     r"""Lommel's functions U_n and V_n, for defocus alone; exact to rounding on both sides of u = v.
 
     Supports pupils without spherical or higher aberration. Obscured pupils are the difference of two disks.
@@ -44,12 +45,12 @@ class LommelSeries(FieldMethod):
             return "supports defocus only; this pupil has spherical aberration"
         return None
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v; no bound is claimed."""
         return annulus(_disk, pupil, v)
 
 
-def _disk(coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> FieldValues:
+def _disk(coefficients: Array, v: Array) -> FieldValues:
     values = np.empty((coefficients.shape[0], v.size), dtype=np.complex128)
     for row, slope in zip(values, coefficients[:, 0], strict=True):
         # coefficients[:, 0] = 2 C_d, u = 4 |C_d|
@@ -59,7 +60,7 @@ def _disk(coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> FieldVal
     return FieldValues(values, None)
 
 
-def _field(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+def _field(u: float, v: Array) -> NDArray[np.complex128]:
     """Return U = C + iS for C_d = u/4 >= 0."""
     out = np.empty(v.size, dtype=np.complex128)
     shadow = v >= max(u, 1e-3)
@@ -72,13 +73,13 @@ def _field(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
     return out
 
 
-def _from_u(u: float, u1: NDArray[np.float64], u2: NDArray[np.float64]) -> NDArray[np.complex128]:
+def _from_u(u: float, u1: Array, u2: Array) -> NDArray[np.complex128]:
     """Return the field from ``U_1 / u`` and ``U_2 / u``."""
     c, s = math.cos(0.5 * u), math.sin(0.5 * u)
     return np.asarray(2.0 * ((c * u1 + s * u2) + 1j * (s * u1 - c * u2)))
 
 
-def _shadow(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+def _shadow(u: float, v: Array) -> NDArray[np.complex128]:
     """Return the field for v >= u by U_1 and U_2, both divided by u."""
     out = np.empty(v.size, dtype=np.complex128)
     for block, u1, u2 in _sums(v, u / v, first=1):
@@ -86,7 +87,7 @@ def _shadow(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
     return out
 
 
-def _light(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+def _light(u: float, v: Array) -> NDArray[np.complex128]:
     """Return the field for v < u by V_0 and V_1."""
     out = np.empty(v.size, dtype=np.complex128)
     c, s = math.cos(0.5 * u), math.sin(0.5 * u)
@@ -96,7 +97,7 @@ def _light(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
     return out
 
 
-def _near_focus(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+def _near_focus(u: float, v: Array) -> NDArray[np.complex128]:
     """Return the field for v, u <= 1 by U_1 and U_2 without division by v."""
     from scipy.special import hyp0f1
 
@@ -107,9 +108,7 @@ def _near_focus(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
     return _from_u(u, sums[0], sums[1])
 
 
-def _sums(
-    v: NDArray[np.float64], ratio: NDArray[np.float64], first: int
-) -> Iterator[tuple[slice, NDArray[np.float64], NDArray[np.float64]]]:
+def _sums(v: Array, ratio: Array, first: int) -> Iterator[tuple[slice, Array, Array]]:
     """Yield slices of v and, there, ``sum_s (-1)^s ratio^(n + 2s - first) J_{n+2s}(v)`` for n = first, first + 1."""
     if not v.size:
         return

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Declined, FieldValues, Intensities, ToleranceError
 from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error
@@ -23,7 +22,7 @@ _MAX_SEGMENTS = 4096
 
 
 @dataclass(frozen=True)
-class TunedClosedForm(FieldMethod):
+class TunedClosedForm(FieldMethod[Pupil]):
     r"""The closed form with every approximation refined until a tolerance is met: slower than the default.
 
     Supports every pupil. It answers when, if ever, the closed form is the right choice: it reaches any practical
@@ -53,21 +52,21 @@ class TunedClosedForm(FieldMethod):
     Roundings and the Fresnel polynomial (1e-10) are estimated, not proven.
     """
 
-    least_tol: ClassVar[float] = 1e-6
+    least_tol = 1e-6
     tol: float = 1e-4
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+        self._check_tol()
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason where powers of rho do not hold the phase."""
         return powers_cancel(pupil)
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v with the bound on its error."""
         return self._fields(pupil, v, self._error(pupil))
 
-    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
+    def profile(self, pupil: Pupil, v: Array) -> Intensities:
         """Return I at rising v; the bound is checked against the peak that was found."""
         error = self._error(pupil)
         for _ in range(4):
@@ -89,16 +88,14 @@ class TunedClosedForm(FieldMethod):
         peak = max(float(np.abs(scan.values).max(axis=1).min()), pupil.area / (2.0 * phases + 1.0))
         return 0.2 * self.tol * peak
 
-    def _fields(self, pupil: Pupil, v: NDArray[np.float64], error: float) -> FieldValues:
-        def disk(coefficients: NDArray[np.float64], at: NDArray[np.float64]) -> FieldValues:
+    def _fields(self, pupil: Pupil, v: Array, error: float) -> FieldValues:
+        def disk(coefficients: Array, at: Array) -> FieldValues:
             rows = [_field(c, np.ascontiguousarray(at), error) for c in coefficients]
             return FieldValues(np.stack([row[0] for row in rows]), np.array([row[1] for row in rows]))
 
         return annulus(disk, pupil, v)
 
-    def _intensities(
-        self, pupil: Pupil, v: NDArray[np.float64], error: float
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _intensities(self, pupil: Pupil, v: Array, error: float) -> tuple[Array, Array]:
         """Return I and the bound on U; through pieces of degree 15, as NijboerZernike, where those are fewer."""
         reach = float(v[-1]) if v.size else 0.0
         width = 4.0 * (0.1 * error * math.factorial(_POINTS)) ** (1.0 / _POINTS)
@@ -119,9 +116,7 @@ class TunedClosedForm(FieldMethod):
         return intensity, 2.77 * bound + 2.0 * (0.25 * width) ** _POINTS / math.factorial(_POINTS)
 
 
-def _field(
-    coefficients: NDArray[np.float64], v: NDArray[np.float64], error: float
-) -> tuple[NDArray[np.complex128], float]:
+def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.complex128], float]:
     """Return U of one full disk and the bound on its error."""
     # Half for the amplitude: |f'''| h^3 / 192 for f = sqrt(a) on [a, r a] is 0.00196 (r - 1)^3 of it, and the slowly
     # varying P + iQ adds less than a third.

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
@@ -30,32 +31,13 @@ _FARTHEST = 1.27  # v between samples that two pixels share: of pi/2, where no f
 _WORTH = 0.85  # of the samples that whole ones a pixel take
 
 
-def fitted(response: Any, wave: Any, x: NDArray[Any]) -> tuple[NDArray[np.float64], float, float]:
-    """Return weights of samples at rising distances `x` on either side, a bound on what they are off by, their gain.
-
-    Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire, of
-    type ``T = x[-1]``; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 T + 48`` (its Chebyshev series
-    falls below ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value no faster
-    than ``cos(M s)`` (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938), and one of 2 M Chebyshev points is
-    within ``pi / (4 M)`` of that: it is at most sqrt(2) times as large as at these points.
-
-    Parameters
-    ----------
-    response : callable
-        What is wanted of angular frequencies in v, up to 2.
-    wave : callable
-        ``np.cos`` of even responses, ``np.sin`` of odd ones.
-    x : ndarray, shape (k,)
-        In v; a sample at 0 counts once.
-
-    Returns
-    -------
-    weights : ndarray, shape (k,)
-    error : float
-        At most this far is the response, for ``|w| <= 2``.
-    gain : float
-        Sum of the magnitudes of all weights.
-    """
+def fitted(response: Any, wave: Any, x: NDArray[Any]) -> tuple[Array, float, float]:
+    """Return weights of samples at distances `x` on either side, the error of their response, and their gain."""
+    # Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire,
+    # of type ``T = x[-1]``; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 T + 48`` (its Chebyshev
+    # series falls below ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value
+    # no faster than ``cos(M s)`` (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938), and one of 2 M
+    # Chebyshev points is within ``pi / (4 M)`` of that: it is at most sqrt(2) times as large as at these points.
     degree = math.ceil(2.36 * float(x[-1])) + 48
     w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
     times = np.where(x > 0.0, 2.0, 1.0)
@@ -69,21 +51,8 @@ def fitted(response: Any, wave: Any, x: NDArray[Any]) -> tuple[NDArray[np.float6
 
 
 def shared(step: float, error: float, across: int, sides: tuple[int, ...]) -> int:
-    """Return how many samples two pixels had best share along an axis; twice `across`, where that is as good.
-
-    Fewer samples take longer filters, and so more of them beyond the edges of a window of few pixels.
-
-    Parameters
-    ----------
-    step : float
-        Pitch in v.
-    error : float
-        Of the filter.
-    across : int
-        Samples a pixel that are known to do.
-    sides : tuple of int
-        Of the window, in pixels.
-    """
+    """Return how many samples two pixels had best share along an axis; twice `across`, where that is as good."""
+    # Fewer samples take longer filters, and so more of them beyond the edges of a window of few pixels.
 
     def samples(s: int) -> float:
         return math.prod(0.5 * s * side + 2.0 * _half(step, error, s) for side in sides)
@@ -98,24 +67,8 @@ def _half(step: float, error: float, s: int) -> int:
     return max(s // 4 + 2, int(0.25 * s + math.log(0.1 / error) / (3.4 * room)) - 2)
 
 
-def paired(response: Any, step: float, error: float, s: int) -> tuple[NDArray[np.float64], float, float]:
-    """Return weights for two pixels that share `s` samples, odd, off by `error`; both from the first sample on.
-
-    Parameters
-    ----------
-    response, error
-        As of :func:`fitted`.
-    step : float
-        Pitch in v.
-    s : int
-
-    Returns
-    -------
-    weights : ndarray, shape (2, 2 k + s // 2 + 1)
-        The middle of the first pixel is sample k; that of the second is half a step beyond sample ``k + s // 2``.
-    error, gain : float
-        The larger one of both.
-    """
+def paired(response: Any, step: float, error: float, s: int) -> tuple[Array, float, float]:
+    """Return weights for two pixels that share `s` samples, odd, off by `error`; both from the first sample on."""
     h, half = 2.0 * step / s, _half(step, error, s)
     while True:
         even, off, gain = fitted(response, np.cos, h * np.arange(half + 1))
@@ -142,38 +95,22 @@ Band = tuple[float, float]
 
 
 class Averages(NamedTuple):
-    """Averages over pixels of the flattened stack.
+    """Averages over pixels of the flattened stack."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (1 + k, n, height, width)
-        Of the intensity, then of its derivatives by k terms.
-    error : ndarray, shape (1 + k, n)
-        Bounds over `peak`; that of the intensity for values once they are stored.
-    peak : ndarray, shape (n,)
-    """
-
-    values: NDArray[np.float64]
-    error: NDArray[np.float64]
-    peak: NDArray[np.float64]
+    values: Array  # (1 + k, n, height, width), of I, then of its derivatives by k terms
+    error: Array  # (1 + k, n), bounds over peak; that of I for values once they are stored
+    peak: Array  # (n,)
 
 
 def averaged(
     sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
 ) -> Averages:
-    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as is wanted.
-
-    The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
-    divided by the largest average in the window. Derivatives by Zernike terms follow: their transfer function is at
-    most twice what that of the aperture is without aberration, for terms are at most 1. Of light that is made of
-    others `band` tells how much faster than the intensity it varies, and the integral of the modulus of its transfer
-    function.
-
-    Raises
-    ------
-    ToleranceError
-        If the bound stays above `tol`.
-    """
+    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once it is stored."""
+    # The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
+    # divided by the largest average in the window. Derivatives by Zernike terms follow: their transfer function is at
+    # most twice what that of the aperture is without aberration, for terms are at most 1. Of light that is made of
+    # others `band` tells how much faster than the intensity it varies, and the integral of the modulus of its
+    # transfer function.
     band = band or (1.0, pupil.amplitude**2)
     try:
         return _averaged(sample, pupil, grid, tol, wanted, band, _WIDEST)
@@ -260,25 +197,12 @@ def least_average(step: float) -> float:
 
 
 class Taps(NamedTuple):
-    """A filter that averages over pixels, along one axis.
+    """A filter that averages over pixels, along one axis."""
 
-    Attributes
-    ----------
-    stride : int
-        Samples a pixel, or of two that share an odd number of them.
-    weights : ndarray, shape (2 k + 1,), or (2, 2 k + stride // 2 + 1)
-        Of the samples from k before to k after the middle of the pixel; or of two pixels, as
-        :func:`lommel.methods.pixels.averaging.paired` has them.
-    error : float
-        Bound on how far the response is from that which is wanted, for ``|w| <= 2``.
-    gain : float
-        Sum of the magnitudes of the weights: what errors of samples are multiplied by at most.
-    """
-
-    stride: int
-    weights: NDArray[np.float64]
-    error: float
-    gain: float
+    stride: int  # samples a pixel, or of two that share an odd number of them
+    weights: Array  # (2 k + 1,) from k samples before to k after the middle; or of two pixels, see paired()
+    error: float  # bound on the error of the response for abs(w) <= 2
+    gain: float  # sum of the magnitudes of the weights: the factor of errors of samples
 
     @property
     def pixels(self) -> int:
@@ -308,14 +232,14 @@ def filtered_by(step: float, error: float, widest: float = _WIDEST, *, growing: 
     Where the pixel is `growing`, the response is the derivative by ln a, ``cos(a w / 2) - sinc(a w / 2)``.
     """
 
-    def response(w: NDArray[np.float64]) -> NDArray[np.float64]:
+    def response(w: Array) -> Array:
         mean = _pixel(step)(w)
         return np.cos(0.5 * step * w) - mean if growing else mean
 
     return _fitted(response, np.cos, step, error, widest, 3.0 if growing else 1.5)
 
 
-def _pixel(step: float) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
+def _pixel(step: float) -> Callable[[Array], Array]:
     return lambda w: np.sinc(0.5 * step / math.pi * w)
 
 
@@ -335,7 +259,7 @@ def sloping(step: float, error: float, *, averages: bool, widest: float = _WIDES
     The response, but for a factor i, is ``w sinc(a w / 2)`` or w.
     """
 
-    def response(w: NDArray[np.float64]) -> NDArray[np.float64]:
+    def response(w: Array) -> Array:
         return w * np.sinc(0.5 * step / math.pi * w) if averages else w
 
     return _fitted(response, np.sin, step, error, widest, 6.0)
@@ -360,7 +284,7 @@ def _lost(taps: Taps) -> float:
 
 def _filtered(
     sample: Sample, pupil: BasePupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted, dark: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+) -> tuple[Array, Array, Array]:
     """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`.
 
     Where samples are at most `dark` times the peak they are summed in single precision.
@@ -390,11 +314,11 @@ def _filtered(
 
 def filtered(
     samples: Callable[[Grid], Sequence[NDArray[Any]]],
-    out: NDArray[np.float64],
+    out: Array,
     grid: Grid,
     taps: Taps,
     threads: int = 0,
-) -> NDArray[np.float64]:
+) -> Array:
     """Write averages over the pixels of `grid` to `out`, shape (k, n, height, width), some rows at once; return it.
 
     The first of the k is an intensity, the others need not be positive.
@@ -405,23 +329,23 @@ def filtered(
     return out
 
 
-def _sets(taps: Taps) -> NDArray[np.float64]:
+def _sets(taps: Taps) -> Array:
     """Return the weights as the core takes them, those of each pixel that has its own."""
     return np.atleast_2d(taps.weights)
 
 
-def _strips_of(out: NDArray[np.float64], grid: Grid, taps: Taps) -> Iterator[tuple[Grid, NDArray[np.float64]]]:
+def _strips_of(out: Array, grid: Grid, taps: Taps) -> Iterator[tuple[Grid, Array]]:
     """Return the samples that some rows of (..., n, height, width) take at once, and these."""
     return ((_fine(grid, y, rows.shape[-2], taps), rows) for y, rows in _strips(out, taps))
 
 
 def averaged_gradient(
-    gradient: Callable[[Any, Grid, float, NDArray[np.float64]], NDArray[np.float64]],
+    gradient: Callable[[Any, Grid, float, Array], Array],
     pupil: BasePupil,
     grid: Grid,
     tol: float,
-    weights: NDArray[np.float64],
-) -> NDArray[np.float64]:
+    weights: Array,
+) -> Array:
     """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
 
     By the transpose of the filter: `gradient` is asked about samples, with a tolerance and weights for these. The
@@ -429,7 +353,7 @@ def averaged_gradient(
     """
     finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 
-    def by(widest: float) -> NDArray[np.float64]:
+    def by(widest: float) -> Array:
         taps = filtered_by(grid.step(pupil), response, widest)
         found = []
         for part, one, pixels in blocks(pupil, grid, taps):
@@ -455,10 +379,10 @@ def _strips(values: NDArray[Any], taps: Taps) -> Iterator[tuple[int, NDArray[Any
         yield y, values[..., y : y + most, :]
 
 
-def spread_out(weights: NDArray[np.float64], taps: Taps) -> NDArray[np.float64]:
+def spread_out(weights: Array, taps: Taps) -> Array:
     """Return the weights that samples have in weighted sums of averages, shape (n, samples, samples)."""
 
-    def matrix(pixels: int) -> NDArray[np.float64]:
+    def matrix(pixels: int) -> Array:
         made = np.zeros((_samples(pixels, taps), pixels))
         for pixel in range(pixels):
             made[pixel * taps.stride :, pixel][: taps.weights.size] = taps.weights
@@ -468,7 +392,7 @@ def spread_out(weights: NDArray[np.float64], taps: Taps) -> NDArray[np.float64]:
     return np.ascontiguousarray(matrix(height) @ weights @ matrix(width).T)
 
 
-def weighed(samples: NDArray[np.float64], rows: Taps, columns: Taps, threads: int = 0) -> NDArray[np.float64]:
+def weighed(samples: Array, rows: Taps, columns: Taps, threads: int = 0) -> Array:
     """Return sums of finer samples, shape (n, h, w), by as many taps along each axis; of any sign."""
     sides = ((side - rows.weights.size) // rows.stride + 1 for side in samples.shape[1:])
     out = np.empty((len(samples), *sides))

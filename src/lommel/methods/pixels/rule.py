@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.special.legendre import gauss_legendre
 
@@ -25,8 +26,8 @@ class PixelRule(NamedTuple):
     matrix : ndarray, shape (n, cells)
     """
 
-    radii: NDArray[np.float64]
-    matrix: NDArray[np.float64]
+    radii: Array
+    matrix: Array
 
 
 @lru_cache(maxsize=16)
@@ -48,7 +49,7 @@ def octant(half: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return column, row
 
 
-def sums_of_windows(means: NDArray[np.float64], half: int) -> NDArray[np.float64]:
+def sums_of_windows(means: Array, half: int) -> Array:
     """Return the sum over 0, 1, 2, ... pixels from the middle, shape ``(n, half + 1)`` from ``(n, cells)``.
 
     Parameters
@@ -66,7 +67,7 @@ def sums_of_windows(means: NDArray[np.float64], half: int) -> NDArray[np.float64
     return np.asarray(np.cumsum(np.add.reduceat(means * alike, rings, axis=1), axis=1))
 
 
-def cells_alike(half: int) -> NDArray[np.float64]:
+def cells_alike(half: int) -> Array:
     """Return how many pixels of a window each cell of the octant stands for, shape ``(cells,)``.
 
     Parameters
@@ -82,7 +83,7 @@ def cells_alike(half: int) -> NDArray[np.float64]:
 
 
 @lru_cache(maxsize=16)
-def _rings(half: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+def _rings(half: int) -> tuple[Array, NDArray[np.int64]]:
     """Return how many pixels of the window each cell of the octant stands for, and where its columns begin."""
     column, row = octant(half)
     alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
@@ -155,9 +156,7 @@ def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     return PixelRule(reach * np.cos(at), engine.product(transform, moments, 1))
 
 
-def _moments(
-    twice: NDArray[np.float64], weights: NDArray[np.float64], starts: NDArray[np.int64], count: int
-) -> NDArray[np.float64]:
+def _moments(twice: Array, weights: Array, starts: NDArray[np.int64], count: int) -> Array:
     """Return the sums over each cell of weights times ``T_0, T_2, ..., T_{2 count - 2}``, by their recurrence."""
     moments = np.empty((count, starts.size))
     before, now = 0.5 * twice * weights, weights
@@ -167,7 +166,7 @@ def _moments(
     return moments
 
 
-def _nodes(half: int, step: float, margin: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
+def _nodes(half: int, step: float, margin: int) -> tuple[Array, Array, NDArray[np.int64]]:
     """Return radii (in pixels) and weights for the integrals over all cells, and where the nodes of each begin."""
     column, row = octant(half)
     # Pixels on an axis are cut in half there, the middle one in four.
@@ -190,7 +189,7 @@ def _nodes(half: int, step: float, margin: int) -> tuple[NDArray[np.float64], ND
     r = np.sqrt(edge.ravel()[place] ** 2 + u * u)
     inverse = 1.0 / r
 
-    def angle(arc: Any, at: NDArray[Any]) -> NDArray[np.float64]:
+    def angle(arc: Any, at: NDArray[Any]) -> Array:
         return np.asarray(arc(np.minimum(1.0, at[cell] * inverse)))
 
     first = np.where(piece < 2, angle(np.arcsin, y0), angle(np.arccos, x1))

@@ -71,15 +71,16 @@ NB_MODULE(_core, m) {
     // Python keeps what its users hold to the end of the process, plans among it, and that is no fault here.
     nb::set_leak_warnings(false);
     main_thread.id = this_or_main_thread();
-    // The exception is set, by the handler that raised it.
+    // Of a call that was stopped the exception is set, by the handler that raised it. A phase or a window too large is a
+    // ValueError of its own: the next method is tried after it, but not after a fault of the code.
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
         try {
             std::rethrow_exception(thrown);
         } catch (const lommel::Stopped&) {
+        } catch (const lommel::PhaseTooLarge& failure) {
+            PyErr_SetString(nb::module_::import_("lommel.core.answers").attr("Declined").ptr(), failure.what());
         }
     });
-    // A ValueError of its own: who chooses a method tries the next one after it, but not after a fault of the code.
-    nb::exception<lommel::PhaseTooLarge>(m, "Declined", PyExc_ValueError);
     m.doc() = "Compiled core of lommel: the spectral engine, Bessel sequences, rendering, Huygens' sum.";
     define_special(m);
     define_pixels(m);

@@ -8,9 +8,6 @@ import numpy
 from numpy.typing import NDArray
 
 
-class Declined(ValueError):
-    pass
-
 def bessel_sequence(v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], count: int) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]:
     """J_0 .. J_{count-1} at each v >= 0."""
 

@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import _core
 from lommel.base.arrays import Array
 
-Declined = _core.Declined
-"""A ValueError for a pupil or window beyond what a method takes, where another method may serve."""
+
+class Declined(ValueError):  # noqa: N818 (no fault: another method is tried)
+    """A pupil or a window is beyond what a method takes; the compiled core raises it too."""
 
 
 Pixels = NDArray[Any]

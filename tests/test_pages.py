@@ -21,6 +21,7 @@ import pytest
 import tifffile
 from PIL import Image
 
+import api
 import lommel as lm
 from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
@@ -254,3 +255,70 @@ def test_every_method_has_a_row_in_the_tables_of_methods():
     text = (ROOT / "docs" / "choose.md").read_text(encoding="utf-8")
     for kind in METHODS.values():
         assert re.search(rf"^\| .*{kind.__name__}", text, flags=re.MULTILINE), kind
+
+
+def test_the_reference_is_written_from_the_public_names():
+    assert (ROOT / "docs" / "api.md").read_text(encoding="utf-8") == api.page()
+
+
+# What people type into the search of the documentation, and the page that must come first: Sphinx ranks pages with a
+# main entry in the index above all others.
+SEARCHES = {
+    "phase retrieval": "retrieve",
+    "phase diversity": "retrieve",
+    "deconvolution": "microscopes",
+    "deblurring": "restore",
+    "deblur": "restore",
+    "circle of confusion": "imaging",
+    "bokeh": "imaging",
+    "Nyquist": "microscopes",
+    "Cramer-Rao": "estimation",
+    "photutils": "formats",
+    "napari": "formats",
+    "Fiji": "formats",
+    "Gibson-Lanni": "microscopes",
+    "depth from defocus": "depth",
+    "dataset": "scale",
+    "MTF": "numbers",
+    "JAX": "differentiable",
+}
+
+
+def test_a_search_for_a_term_of_the_field_finds_its_page_first():
+    found: dict[str, list[str]] = {}
+    for path in PAGES:
+        text = path.read_text(encoding="utf-8")
+        for terms in re.findall(r"^```\{index\} (.+)$", text, flags=re.MULTILINE):
+            for term in terms.split(", "):
+                found.setdefault(term.removeprefix("! "), []).append(path.stem)
+    assert {term: pages for term, pages in found.items() if len(pages) > 1} == {}
+    assert {term: found.get(term, [None])[0] for term in SEARCHES} == SEARCHES
+
+
+def anchors(path: Path) -> set[str]:
+    """Return the anchors of a page's headings, as MyST makes them."""
+    text = re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    titles = re.findall(r"^#+ (.+)$", text, flags=re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", re.sub(r"\]\(.*?\)", "", title).lower()).replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_the_links_of_a_page_lead_to_pages_and_headings_that_exist(path):
+    text = re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
+    for target in re.findall(r"\]\(([^)\s]+)\)", text):
+        name, _, anchor = target.partition("#")
+        if "//" in target or name.startswith("gallery/") or "_generated" in name:
+            continue
+        page = path.parent / name if name else path
+        assert page.exists(), target
+        if anchor:
+            assert anchor in anchors(page), target
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_the_names_that_a_page_refers_to_are_in_the_reference(path):
+    listed = set(re.findall(r"^   ([\w.]+)$", api.page(), flags=re.MULTILINE))
+    for target in re.findall(
+        r"\{(?:py:)?(?:class|func|meth|attr)\}`(?:[^`<]*<)?~?lommel\.([\w.]+)>?`", path.read_text("utf-8")
+    ):
+        assert target in listed or target.rpartition(".")[0] in listed, target

@@ -1,0 +1,188 @@
+"""Writes docs/api.md: the public names of the package by subject, from `lommel.__init__.pyi` and each `__all__`."""
+
+from __future__ import annotations
+
+import ast
+from importlib import import_module
+from pathlib import Path
+from typing import NamedTuple
+
+HERE = Path(__file__).resolve().parent
+STUB = HERE.parent / "src" / "lommel" / "__init__.pyi"
+
+
+class Section(NamedTuple):
+    """A list of names under a heading: those of `lommel` defined in `modules`, a package's `__all__`, and `more`."""
+
+    title: str
+    text: str
+    modules: tuple[str, ...] = ()
+    package: str = ""
+    more: str = ""
+
+
+# A name of `lommel` goes to the first section with a module that its own begins with.
+SECTIONS = [
+    Section(
+        "PSFs",
+        "",
+        ("psf", "optics.grid", "core.caches"),
+        more="traced.plan_function.Twin traced.module.module",
+    ),
+    Section("Blur of sensors and the atmosphere", "See [](sensor.md).", ("blur",)),
+    Section(
+        "Colour",
+        "See [](colour.md).",
+        ("channel_psf", "lensfiles.channel_files", "optics.colour"),
+        more="io.colour_files.save show.colours.plot optics.colour.spectrum.Spectrum"
+        " optics.colour.spectrum.Component",
+    ),
+    Section(
+        "Lenses, pupils, apertures",
+        "See [](conventions.md) for signs and units, [](command-line.md) for lens files.",
+        (
+            "optics.lens",
+            "optics.pupil",
+            "optics.aperture",
+            "optics.wavefront.wavefront",
+            "lensfiles.instrument",
+            "lensfiles.lens",
+        ),
+        more="lensfiles.toml_files.LensFileError optics.wavefront.aplanatic.path optics.wavefront.aplanatic.expansion"
+        " optics.aperture.opening.Opening optics.aperture.opening.Rule optics.aperture.opening.degree_needed",
+    ),
+    Section(
+        "Measured wavefronts and Zernike tables",
+        "See [](formats.md#measured-wavefronts).",
+        ("optics.wavefront", "io.opd_files", "io.zernike_tables", "lensfiles.zernike_files"),
+        more="io.opd_files.OPDFileError lensfiles.zernike_files.ZernikeFileError",
+    ),
+    Section(
+        "Microscope objectives",
+        "See [](microscopes.md).",
+        ("optics.layers", "lensfiles.microscope"),
+        more="optics.layers.objective_pupil.ObjectivePupil optics.layers.objective.Focus"
+        " optics.layers.objective.FocalField optics.layers.objective.ScalarField optics.layers.objective.Nyquist"
+        " measures.axial.axial_fwhm measures.axial.stage",
+    ),
+    Section(
+        "Scanning microscopes, beads, deconvolution",
+        "See [](microscopes.md#confocal-two-photon-light-sheet-beads).",
+        package="microscopy",
+        more="methods.Confocal methods.TwoPhoton methods.Sted methods.Bead",
+    ),
+    Section(
+        "PSFs over the field",
+        "See [](field.md).",
+        ("field",),
+        more="io.field_files.save lensfiles.field_tables.read_rows lensfiles.field_tables.read_csv"
+        " lensfiles.field_tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.field_map"
+        " adapters.rayoptics.pupil adapters.rayoptics.field_map",
+    ),
+    Section("Stacks larger than memory", "See [](scale.md).", ("stacks",)),
+    Section(
+        "Methods",
+        "A method is a frozen object whose fields are its options; [](choose.md) compares them. Your own method is a"
+        " subclass of `Method`, or of `RadialMethod` if a radial profile is enough.",
+        ("methods", "core.answers"),
+        more="methods.RadialMethod methods.FieldMethod",
+    ),
+    Section("Error functions of ClosedForm", "", ("special",)),
+    Section(
+        "Measures",
+        "See [](numbers.md).",
+        ("measures",),
+        more="measures.energy.encircled_energy measures.energy.ensquared_energy measures.energy.radial_energy"
+        " measures.energy.window_energy measures.energy.encircled measures.energy.Encircled"
+        " measures.energy.image_centroid measures.energy.window_centroid measures.spot.peak_position"
+        " measures.spot.axis_strehl measures.spot.peak_strehl measures.spot.fwhm measures.spot.energy_diameter"
+        " measures.transfer.image_otf measures.transfer.sampled_otf measures.transfer.sampled_spectrum"
+        " measures.pullback.pullback psf.Measured",
+    ),
+    Section(
+        "Fisher information and phase retrieval",
+        "See [](estimation.md) and [](retrieve.md).",
+        ("estimation",),
+        more="estimation.pixel_transfer.pixel_transfer",
+    ),
+    Section(
+        "Imaging",
+        "See [](imaging.md), [](restore.md) and [](depth.md).",
+        package="imaging",
+        more="imaging.settings.Settings traced.depth_blur.TracedBlur imaging.field.bank.FieldBank"
+        " imaging.field.nodes.Nodes imaging.occlusion.occlude imaging.defocus.depth.depth_by imaging.bank.build_bank"
+        " imaging.bank.Bank imaging.sensor_light.SensorLight imaging.remainder.Remainder"
+        " methods.pixels.rule.pixel_rule methods.pixels.rule.PixelRule methods.pixels.rule.octant"
+        " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"
+        " base.encoding.from_light base.encoding.clipped_share io.frames.write_frames",
+    ),
+    Section("Live page", "See [](live.md).", ("page",)),
+    Section(
+        "Plots",
+        "See [](pictures.md).",
+        more="show.plot.plot show.plot.sections show.plot.compare show.pupils.pupil show.pupils.wavefront"
+        " show.plot.difference show.curves.mtf show.curves.encircled_energy show.rays.spots"
+        " show.focus.through_focus show.focus.focus_curves show.rays.ray_positions show.focus.moved"
+        " show.focus.Moved show.focus.section",
+    ),
+    Section(
+        "Files and units",
+        "See [](formats.md).",
+        more="io.psf_files.save io.psf_files.describe io.psf_files.FileError io.registry.Format io.registry.register"
+        " base.units.parse_length base.units.parse_angle base.units.parse_radius base.units.format_length",
+    ),
+    Section(
+        "Special functions",
+        "Each documents its published source.",
+        more="special.bessel.bessel_sequence special.bessel.legendre_transforms special.bessel.j0_series"
+        " special.bessel.j0_asymptotic special.bessel.tangent_line special.erf.chirp_moments"
+        " special.erf.disk_moments special.erf.unit_moments special.disk.disk_overlap special.erf.Erf"
+        " special.erf.fresnel_auxiliary special.legendre.gauss_legendre special.piecewise.PiecewiseQuadratic"
+        " special.piecewise.split_edges special.piecewise.fit_quadratics special.zernike.name"
+        " special.zernike.polynomial special.zernike.rms_factor",
+    ),
+]
+
+HEAD = """# API reference
+
+Written by `python docs/api.py` from the public names; do not edit. Names without a dot are names of `lommel`:
+`import lommel as lm`, then `lm.psf`. Lengths are in metres and phases in radians unless stated otherwise.
+"""
+
+
+def public() -> dict[str, str]:
+    """Return the names of `lommel` and the module of each, without the prefix of the package."""
+    found = {}
+    for node in ast.parse(STUB.read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.ImportFrom) and node.module != "lommel":
+            found |= {alias.name: str(node.module).removeprefix("lommel.") for alias in node.names}
+    return found
+
+
+def section_of(module: str) -> Section:
+    """Return the first section that takes the names of a module."""
+    for section in SECTIONS:
+        if any(f"{module}.".startswith((f"{prefix}.", f"{prefix}_")) for prefix in section.modules):
+            return section
+    raise ValueError(f"no section of docs/api.py takes the names of lommel.{module}")
+
+
+def page() -> str:
+    """Return the page as Markdown."""
+    parts, names = [HEAD], public()
+    for section in SECTIONS:
+        listed = [name for name, module in names.items() if section_of(module) is section]
+        if section.package:
+            package = import_module(f"lommel.{section.package}")
+            listed += [f"{section.package}.{n}" for n in package.__all__ if callable(getattr(package, n))]
+        listed += section.more.split()
+        rows = "\n".join(f"   {name}" for name in dict.fromkeys(listed))
+        text = f"\n{section.text}\n" if section.text else ""
+        module = ".. currentmodule:: lommel\n\n" if section is SECTIONS[0] else ""
+        head = f"## {section.title}\n{text}\n```{{eval-rst}}\n{module}.. autosummary::\n   :toctree: api\n"
+        parts.append(f"{head}\n{rows}\n```\n")
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    (HERE / "api.md").write_text(page(), encoding="utf-8")

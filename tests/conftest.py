@@ -8,6 +8,7 @@ import os
 # each other four times as long as one takes for all.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+import gc
 import signal
 import subprocess
 import sys
@@ -21,6 +22,10 @@ from hypothesis import HealthCheck, Phase, settings
 import lommel as lm
 
 mpl.use("Agg")
+
+# Nothing that is collected (tests, their modules, the libraries that these import) goes before the end: to look for
+# garbage among it takes as long as to collect it.
+gc.disable()
 
 # A shell starts what it runs in the background deaf to Ctrl-C, and so would be what the tests start and interrupt.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -36,6 +41,12 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
 ROOT = Path(__file__).resolve().parent.parent
 TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COLUMNS", "LINES")
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
+
+
+def pytest_collection_finish() -> None:
+    """Look for garbage, but among what the tests make alone."""
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.fixture(params=LENSES, ids=lambda path: path.stem)

@@ -43,6 +43,7 @@ LESS = {
     "depth_of_field": [("45.0, 60)", "45.0, 9)")],
     "field_blur": [("iter_lim=30", "iter_lim=3")],
     "fit_defocus": [("range(300)", "range(60)")],
+    "hubble": [("shape=401", "shape=101"), ("2.0, 401)", "2.0, 21)")],
     "methods_compared": [('"shape": 129', '"shape": 33'), ("(96, 128, 256, 512, 1024)", "(96, 128)")],
     "restoration": [
         ("left, _, disparity = stereo_motorcycle()", HALF),
@@ -50,6 +51,7 @@ LESS = {
         ("[20:170, 60:210]", "[5:55, 5:65]"),
     ],
     "seeing": [("shape=101", "shape=51")],
+    "zernike_terms": [("range(1, 16)", "range(1, 6)"), ("subplots(6,", "subplots(2,")],
 }
 SCRIPT = pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 

@@ -7,12 +7,13 @@ import io
 import re
 from html.parser import HTMLParser
 
+import matplotlib as mpl
 import numpy as np
 import pytest
 from PIL import Image
 
 import lommel as lm
-from lommel.show import notebook, png
+from lommel.show import notebook
 
 CAMERA = {"wavelength": 550e-9, "f_number": 4.0}
 WAVEFRONT = lm.Wavefront(1.0, nonradial={(3, 1): 1.5})
@@ -21,6 +22,10 @@ LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=
 OBJECTIVE = lm.Objective(
     NA=1.2, magnification=60, immersion=1.333, working_distance=0.28e-3, coverslip=lm.Layer(1.52, 170e-6), sample=1.36
 )
+
+
+def colored(values: np.ndarray) -> np.ndarray:
+    return mpl.colormaps["magma"](values, bytes=True)
 
 
 class Told(HTMLParser):
@@ -101,7 +106,7 @@ def test_the_picture_of_a_psf_is_the_square_root_of_its_values(shown):
     psf = shown["PSF"]
     rows, (picture,), _ = told(psf)
     shares = np.sqrt(np.maximum(psf.values, 0.0) / psf.values.max())
-    np.testing.assert_array_equal(picture, png.colored(shares, "light"))
+    np.testing.assert_array_equal(picture, colored(shares))
     assert (picture[..., 3] == 255).all()
     assert rows["pixels"] == "33 × 33 of 1 µm, averaged over each pixel"
     assert rows["largest value"] == f"{psf.values.max():.4g}"
@@ -155,7 +160,7 @@ def test_of_what_is_large_a_part_is_looked_at(monkeypatch):
     off = lm.psf(lm.Pupil(lm.Wavefront(2.0)), 33, 0.25, center=(30, 3))
     _, (picture,), _ = told(off)
     shares = off.values[25:33, :8] / off.values[25:33, :8].max()
-    np.testing.assert_array_equal(picture, png.colored(np.sqrt(np.maximum(shares, 0.0)), "light"))
+    np.testing.assert_array_equal(picture, colored(np.sqrt(np.maximum(shares, 0.0))))
 
 
 @pytest.mark.parametrize(
@@ -176,33 +181,30 @@ def test_wavefronts_of_very_many_terms_are_drawn_coarser():
     assert rows["rms"] == f"{0.01 * np.sqrt(230.0) / (2.0 * np.pi):.3g} waves"
 
 
-def test_a_picture_is_a_png_that_others_read():
+def test_what_is_blocked_is_grey_and_what_is_between_pictures_clear():
     values = np.random.default_rng(0).random((5, 7))
-    values[1, 2], values[3, 4] = np.nan, np.inf
-    pixels = png.colored(values, "phase")
-    with Image.open(io.BytesIO(png.encoded(pixels))) as read:
-        assert read.mode == "RGBA"
-        np.testing.assert_array_equal(np.asarray(read), pixels)
+    values[1, 2], values[3, 4], values[0, 0], values[0, 1] = np.nan, np.inf, 0.0, 1.0
+    (pixels,) = Told(notebook._image(values, "RdBu_r", "", 7)).pictures
+    shades = pixels[..., 3] != 255
+    assert {tuple(map(int, at)) for at in np.argwhere(shades)} == {(1, 2), (3, 4)}
     assert 0 < pixels[1, 2, 3] < 255
     assert pixels[3, 4, 3] == 0
-    np.testing.assert_array_equal(
-        png.colored(np.array([[0.0, 1.0]]), "light")[0, :, :3], [[0, 0, 4], [252, 253, 191]]
-    )
 
 
 def test_large_pictures_are_averaged_over_squares():
     values = np.arange(24.0).reshape(4, 6)
-    np.testing.assert_array_equal(png.smaller(values, 3), [[3.5, 5.5, 7.5], [15.5, 17.5, 19.5]])
-    assert png.smaller(values, 6) is values
-    assert png.smaller(np.ones((1, 400)), 160).shape == (1, 133)
+    np.testing.assert_array_equal(notebook._smaller(values, 3), [[3.5, 5.5, 7.5], [15.5, 17.5, 19.5]])
+    np.testing.assert_array_equal(notebook._smaller(values, 6), values)
+    assert notebook._smaller(np.ones((1, 400)), 160).shape == (1, 133)
 
 
-def test_neither_matplotlib_nor_pillow_is_needed():
+def test_without_matplotlib_there_are_the_numbers():
     import subprocess
     import sys
 
     code = "import sys, lommel as lm\nfor name in ('matplotlib', 'PIL'): sys.modules[name] = None\n"
     code += "p = lm.Pupil(lm.Wavefront(3.0))\n"
-    code += "print(all('<img' in x._repr_html_() for x in (p, p.wavefront, lm.psf(p, 9, 0.5))))"
+    code += "pages = [x._repr_html_() for x in (p, p.wavefront, lm.psf(p, 9, 0.5))]\n"
+    code += "print(all('<table' in x and '<img' not in x and '<small' not in x and '<i>' not in x for x in pages))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300)
     assert done.stdout == "True\n"

@@ -1,14 +1,16 @@
-"""What notebooks show of things: a small picture beside a table of numbers, in the colours of the page, at once.
+"""What notebooks show: a table of numbers, beside a small picture where matplotlib is installed.
 
-Nothing here may take long or raise, for a notebook asks without being asked to: of large stacks and windows a part is
-looked at, and what cannot be told is told why.
+Nothing here may take long or raise: of large stacks and windows a part is shown, and an error as its message.
 """
 
 from __future__ import annotations
 
+import base64
+import io
 import math
 from collections.abc import Callable, Sequence
 from html import escape
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -25,7 +27,6 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show import png
 from lommel.show.drawing import HOW, MEANING
 from lommel.show.labels import few, few_of, of_pupils
 from lommel.show.pupils import across
@@ -35,6 +36,7 @@ _TILES = 4  # of a stack that are shown
 _WINDOW = 1024  # pixels a side that are looked at
 _MANY = 2**21  # values that are looked at
 _TERMS = 8
+_SIDE = 160  # pixels of a picture
 _RASTER = 80
 _SUMS = 100 * _RASTER**2  # values of terms that are added up
 
@@ -66,7 +68,7 @@ def psf(answer: PSFLike) -> str:
 
     def picture() -> str:
         most = 160 if len(seen) == 1 else 110
-        return _beside([_lit(png.smaller(part, most)) for part in seen], "light", "the square root of the values")
+        return _beside([_lit(_smaller(part, most)) for part in seen], "magma", "the square root of the values")
 
     return _html(
         _count("PSF", stack), rows, picture, "square root" + (", each over its largest" if len(seen) > 1 else "")
@@ -81,9 +83,9 @@ def grid(thing: PSFGridLike) -> str:
 
     def picture() -> str:
         at_rows, at_columns = few(list(range(rows)), 5), few(list(range(columns)), 7)
-        parts = [[_lit(png.smaller(_window(one, (i, j, *first)), 48)) for j in at_columns] for i in at_rows]
+        parts = [[_lit(_smaller(_window(one, (i, j, *first)), 48)) for j in at_columns] for i in at_rows]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
-        return png.image(values, "light", "square roots of the values over the largest of each", 280)
+        return _image(values, "magma", "square roots of the values over the largest of each", 280)
 
     high, wide = (_length(side, thing.unit) for side in thing.sensor)
     told: list[Row] = [
@@ -140,20 +142,12 @@ def lens(thing: Lens) -> str:
 
 
 def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
-    """Return the first image of those that a wavefront was found behind, the model of it, and what was found.
-
-    Parameters
-    ----------
-    images, model : ndarray, shape (n, height, width)
-        NaN where left out.
-    rows : sequence of (str, str or callable)
-        What is said, or what makes it.
-    """
+    """Return the first of the images, shape (n, height, width), its model, and what was found."""
 
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
         both = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
-        return _beside([png.smaller(part) for part in both], "light", "the first image as measured, and its model")
+        return _beside([_smaller(part) for part in both], "magma", "the first image as measured, and its model")
 
     return _html("Retrieval", rows, picture, "measured, and the model")
 
@@ -168,19 +162,21 @@ def _phase(pupil: Any) -> str:
     side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
     seen = [across(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
     top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in seen) or 1.0
-    return _beside([0.5 + 0.5 * part / top for part in seen], "phase", "the phase across the pupil")
+    return _beside([0.5 + 0.5 * part / top for part in seen], "RdBu_r", "the phase across the pupil")
 
 
 def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: str) -> str:
-    """Return a picture with its caption, where there is one, beside a table; what raises is told in its place."""
+    """Return a table, beside a picture with its caption; an error is shown in its place."""
     cells = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{_cell(work)}</td></tr>'
         for name, work in rows
     )
-    shown = _cell(picture, markup=True)
+    drawn = ""
+    if find_spec("matplotlib") is not None:
+        drawn = f"<br>{_cell(picture, markup=True)}<br><small>{escape(caption)}</small>"
     return (
         '<div style="display:flex;gap:1em;align-items:flex-start;background:transparent;color:currentColor">'
-        f'<div style="text-align:center"><b>{escape(title)}</b><br>{shown}<br><small>{escape(caption)}</small></div>'
+        f'<div style="text-align:center"><b>{escape(title)}</b>{drawn}</div>'
         f'<table style="background:transparent;color:currentColor">{cells}</table></div>'
     )
 
@@ -209,15 +205,39 @@ def _lit(values: Array) -> Array:
     return np.asarray(np.sqrt(np.clip(values / (float(values.max()) or 1.0), 0.0, 1.0)))
 
 
-def _beside(parts: Sequence[Array], kind: str, words: str) -> str:
+def _beside(parts: Sequence[Array], cmap: str, words: str) -> str:
     """Return pictures side by side, in two rows from four on, with clear pixels between them."""
     if len(parts) == 1:
-        return png.image(parts[0], kind, words, 160)
+        return _image(parts[0], cmap, words, _SIDE)
     gap = max(1, max(parts[0].shape) // 40)
     edge = ((0, gap), (0, gap))
     lines = [parts[:2], parts[2:]] if len(parts) == _TILES else [parts]
     rows = [np.concatenate([np.pad(part, edge, constant_values=np.inf) for part in line], axis=1) for line in lines]
-    return png.image(np.concatenate(rows), kind, words, 110 * len(lines[0]))
+    return _image(np.concatenate(rows), cmap, words, 110 * len(lines[0]))
+
+
+def _smaller(values: Array, most: int = _SIDE) -> Array:
+    """Return values averaged over squares of pixels, so that no side is longer than `most`."""
+    times = -(-max(values.shape) // most)
+    height, width = (max(side // times, 1) for side in values.shape)
+    parts = values[: height * times, : width * times]
+    tall, wide = (min(times, side) for side in parts.shape)
+    return np.asarray(parts.reshape(height, tall, width, wide).mean(axis=(1, 3)))
+
+
+def _image(values: Array, cmap: str, words: str, side: int) -> str:
+    """Return an HTML picture of values from 0 to 1, `side` pixels long; NaN is grey, infinity transparent."""
+    import matplotlib as mpl
+    from matplotlib.image import imsave
+
+    # A half transparent grey is seen on light and on dark pages.
+    colours = mpl.colormaps[cmap].with_extremes(bad=(0.5, 0.5, 0.5, 0.275), over=(0.0, 0.0, 0.0, 0.0))
+    data = io.BytesIO()
+    imsave(data, colours(values), format="png")
+    height, width = (max(round(side * size / max(values.shape)), 1) for size in values.shape)
+    encoded = base64.b64encode(data.getvalue()).decode()
+    style = f"width:{width}px;height:{height}px;image-rendering:pixelated"
+    return f'<img alt="{words}" style="{style}" src="data:image/png;base64,{encoded}">'
 
 
 def _terms(wavefront: Wavefront) -> list[Row]:

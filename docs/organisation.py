@@ -75,6 +75,16 @@ def imported(tree: ast.AST) -> list[tuple[int, str]]:
     return found
 
 
+def named(tree: ast.AST) -> list[tuple[int, str]]:
+    """Return the modules named in strings, as ``"lommel.show.plot:psf"`` names one, each with its line."""
+    found = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            whole = re.fullmatch(r"(lommel(?:\.\w+)+)\.?(?::\w+)?", node.value)
+            found += [(node.lineno, _module(whole[1]))] if whole else []
+    return [(line, module) for line, module in found if module != "__init__"]  # other names, as of entry points
+
+
 def _module(name: str) -> str:
     """Return the path of the module that a dotted name belongs to."""
     path = PACKAGE.joinpath(*name.split(".")[1:])

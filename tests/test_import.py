@@ -113,7 +113,8 @@ def test_the_version_is_that_of_the_metadata():
 
 
 def upward(here: str, tree: ast.AST) -> list[str]:
-    return organisation.upward(organisation.ORDER, here, [other for _, other in organisation.imported(tree)])
+    needs = [*organisation.imported(tree), *organisation.named(tree)]
+    return organisation.upward(organisation.ORDER, here, [other for _, other in needs])
 
 
 def test_the_files_that_are_read_are_those_that_are_imported():
@@ -170,6 +171,8 @@ def test_the_list_of_files_describes_every_module_and_header():
         "import lommel as lm",
         "from lommel import imaging",
         "from lommel.imaging import bank, depth_of_field",
+        "import_module('lommel.imaging')",
+        "{'plot': 'lommel.show.plot:field'}",
     ],
 )
 def test_an_import_that_runs_upward_is_found_wherever_it_stands(statement):

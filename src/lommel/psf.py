@@ -429,7 +429,7 @@ class PSF(Measured):
     pupil : Pupil
     method : Method
     normalize : str
-        "energy", "strehl" or "peak".
+        "energy", "emitted", "strehl" or "peak", as of :func:`psf`.
     error_bound : float or None
         Bound on the largest error over the peak, the largest of the stack; None where the method has none.
     scale : ndarray, shape ``pupil.shape``
@@ -439,7 +439,7 @@ class PSF(Measured):
     derivative_bounds : dict of (str or (int, int)) to float
         Bounds on their errors over the peak of the values, the largest of the stack, in the unit of each.
     blur : tuple of Blur
-        What spreads the light beside the pupil.
+        Blur besides the diffraction of the pupil.
 
     Raises
     ------

@@ -37,19 +37,10 @@ def write(target: Path, data: bytes) -> None:
 
 @contextmanager
 def together(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
-    """Yield what takes paths and contents; at the end all files are moved into place, or after an error none.
-
-    Until then they are in a `room`, a folder, by default each beside its place.
-
-    A link is followed, and what it names is replaced. A file that was there hands on its permissions, a new one has
-    what the umask allows; a hard link is cut, since the other name keeps the old contents. Contents are on the disk
-    before a name is given to them. What a killed process left is removed, a day later, by the next write there.
-
-    Raises
-    ------
-    OSError
-        If a file cannot be written, with the name that was asked for; also if there is something else than a file.
-    """
+    """Yield a writer of paths and contents; at the end all files move into place, or none after an error."""
+    # Links are followed, permissions kept; a hard link is cut, since the other name keeps the old contents. Contents
+    # are on the disk before a name is given to them. Remains of a killed process are removed a day later, by the
+    # next write.
     made: list[tuple[Path, Path]] = []
     if room is not None:
         _sweep(room)
@@ -82,10 +73,7 @@ def together(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memor
 
 
 def write_by(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
-    """Write a file that `fill` makes at the path it is given, such as one larger than memory.
-
-    One that was there is replaced, or if it is to be `new` kept, with a FileExistsError, whenever it has come.
-    """
+    """Write a file through `fill`, which gets a temporary path; FileExistsError if `new` and there is one."""
     with told_as(target):
         place = _place(target)
         temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
@@ -213,15 +201,7 @@ _held: set[int] = set()
 
 @contextmanager
 def in_use(path: Path, *, alone: bool = False) -> Iterator[None]:
-    """Hold a file, as one of several who do, or alone.
-
-    Raises
-    ------
-    BlockingIOError
-        If somebody holds it, and one of both alone.
-    OSError
-        If there is no such file that may be written, or the file system knows nothing like this.
-    """
+    """Hold a file, shared or alone; BlockingIOError if another process holds it."""
     if sys.platform == "win32" and alone:
         yield  # nothing takes the place of a file that is open, not even who holds it
         return

@@ -11,10 +11,7 @@ if TYPE_CHECKING or sys.version_info >= (3, 12):
 else:
 
     class cached_property(functools.cached_property):  # noqa: N801 (as that one is called)
-        """A property computed once, by two threads at once if need be.
-
-        With a lock, a child forked while another thread computes one would wait for ever.
-        """
+        """A property computed once, by two threads at once if need be."""
 
         def __get__(self, instance: Any, owner: Any = None) -> Any:
             """Return the value, computed at the first access."""

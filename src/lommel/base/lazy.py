@@ -9,10 +9,7 @@ from typing import Any
 
 
 def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return what a `package` takes as its ``__getattr__`` and ``__dir__``: its files by their names.
-
-    And the names in ``__all__`` of the one that `exports` them for it.
-    """
+    """Return ``__getattr__`` and ``__dir__`` of a package: its modules, and the names that one `exports`."""
 
     def attribute(name: str) -> Any:
         if not name.startswith("_"):

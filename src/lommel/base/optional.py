@@ -12,22 +12,7 @@ _TO_INSTALL = {"PIL": "pillow", "dask": '"dask[array]"'}
 
 
 def library(name: str, user: str, extra: str) -> Any:
-    """Return an optional module.
-
-    Parameters
-    ----------
-    name : str
-        Of the module, such as "PIL.Image".
-    user : str
-        What needs it, with its verb: "plots need".
-    extra : str
-        Which extra of this package brings it; "" if none does.
-
-    Raises
-    ------
-    ImportError
-        If it is missing; the message says how to get it.
-    """
+    """Return an optional module; ImportError that names its `user` and the `extra` that installs it."""
     try:
         return import_module(name)
     except ImportError:

@@ -14,22 +14,7 @@ _Door = TypeVar("_Door", bound=Callable[..., Any])
 
 
 def shares(keywords: type, source: type, **defaults: object) -> Callable[[_Door], _Door]:
-    """Show shared options in the signature of what takes them as ``**options``, and their text in its docstring.
-
-    Parameters
-    ----------
-    keywords : type
-        A TypedDict whose keys are the options, for type checkers.
-    source : type
-        A class with a default and, in the section Parameters of its docstring, a text for each of them.
-    **defaults
-        Those of this function, where they differ.
-
-    Returns
-    -------
-    callable
-        Decorates a function or a class; a line ``{options}`` of its docstring becomes the text.
-    """
+    """Return a decorator that lists the options of `keywords` in a signature and its docstring (``{options}``)."""
 
     def show(door: _Door) -> _Door:
         made: Any = door.__init__ if isinstance(door, type) else door  # type: ignore[misc]

@@ -370,10 +370,7 @@ def hdf5(data: bytes) -> Any:
 
 
 def hdf5_values(found: Any, size: int) -> NDArray[Any]:
-    """Return an array of a file of `size` bytes; ValueError if it is not in the file itself, or more than that holds.
-
-    A chunk may be compressed once, by deflate.
-    """
+    """Return an array of an HDF5 file; ValueError if it is outside the file, or larger than `size` bytes can hold."""
     import h5py
 
     if not isinstance(found, h5py.Dataset) or found.external or found.is_virtual or found.dtype.kind not in "iufS":

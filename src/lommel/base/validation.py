@@ -97,15 +97,7 @@ def real(
     infinite: bool = False,
     unit: str = "",
 ) -> float:
-    """Return `value` as a float that is ``> above``, ``>= least`` and ``< below``.
-
-    Raises
-    ------
-    TypeError
-        If `value` is not a real number.
-    ValueError
-        If it is NaN, infinite (unless `infinite`) or out of range.
-    """
+    """Return `value` as a finite float ``> above``, ``>= least``, ``< below``; else TypeError or ValueError."""
     if isinstance(value, float):
         number = float(value)
     elif isinstance(value, numbers.Real | np.ndarray | np.generic) and _is_real_scalar(value):

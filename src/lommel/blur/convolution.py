@@ -23,14 +23,7 @@ _U = 2.0**-53
 
 
 class Short(NamedTuple):
-    """What ends: Gaussians and lines together, in v.
-
-    Attributes
-    ----------
-    covariance : ndarray, shape (2, 2)
-        Of (x, y).
-    streaks : ndarray, shape (k, 2)
-    """
+    """The Gaussian covariance (x, y) and the streaks, shape (k, 2), of blur of finite extent, in v."""
 
     covariance: Array
     streaks: Array
@@ -67,36 +60,16 @@ class Short(NamedTuple):
 
 
 class Spread(NamedTuple):
-    """A lattice, and what spreads on it.
-
-    Attributes
-    ----------
-    response : complex or real ndarray, shape (rows, columns // 2 + 1)
-        Of the lattice that is transformed, which is padded.
-    size : (int, int)
-        Of that.
-    gain : float
-        Sum of the moduli of the kernel.
-    norm : float
-        Root of the sum of its squares.
-    error : float
-        Bound on how far the response is off for ``abs(w) <= 2``.
-    missing : float
-        Bound on the kernel, in v, where it would reach light beyond the lattice; 0 if it has no halo.
-    off : float
-        Bound on how far the kernel, in v, is off anywhere.
-    blind : float
-        Bound on the sum of moduli of the kernel beyond its reach, of what wraps around and of what is not there.
-    """
+    """The response of blur on a lattice, shape (rows, columns // 2 + 1), with bounds on its errors."""
 
     response: NDArray[np.generic]
-    size: tuple[int, ...]
-    gain: float
-    norm: float
-    error: float
-    missing: float
-    off: float
-    blind: float
+    size: tuple[int, ...]  # of the padded lattice
+    gain: float  # sum of the moduli of the kernel
+    norm: float  # root of the sum of its squares
+    error: float  # bound on the error of the response for abs(w) <= 2
+    missing: float  # bound on the kernel, in v, where it would reach light beyond the lattice
+    off: float  # bound on the error of the kernel, in v
+    blind: float  # bound on the sum of its moduli beyond its reach, wrapped around or absent
 
     def on(self, samples: Array, threads: int) -> Array:
         """Return a stack of samples, shape (n, rows, columns), spread."""
@@ -122,22 +95,7 @@ class Spread(NamedTuple):
 
 
 def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> Spread:
-    """Return what spreads samples on a lattice.
-
-    Parameters
-    ----------
-    short : Short
-    halo : Halo
-    least : (int, int)
-        Rows and columns that are transformed, or a few more: of a halo so many that nothing that is read is reached
-        around the other way.
-    margin : float
-        How far what is read lies from the ends of the lattice at least, in v, besides the reach of the others.
-
-    Returns
-    -------
-    Spread
-    """
+    """Return the response on a lattice of at least `least` samples, `margin` (v) wider than what is read."""
     from scipy import fft
 
     gate, seen = halo.gate, bool(halo.several)
@@ -163,10 +121,7 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> S
 
 
 def short_of(gate: Gate) -> float:
-    """Bound the sum of moduli of a kernel that ends, beyond its reach and that of the gate, twice.
-
-    All but `Gate.error` of the light lies within the reach; what the gate smears of that is beyond along x or y.
-    """
+    """Bound the sum of moduli of a kernel of finite extent beyond its reach and that of the gate, twice."""
     return 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
 
 

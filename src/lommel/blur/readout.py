@@ -20,18 +20,7 @@ from lommel.special.legendre import gauss_legendre
 
 
 class Readout(NamedTuple):
-    """A matrix from samples along an axis to pixels.
-
-    Attributes
-    ----------
-    matrix : scipy.sparse array, shape (pixels, samples)
-    first : int
-        Where the samples begin, in steps of the lattice from the axis.
-    error : float
-        Bound on how far the response is off, for ``abs(w) <= 2``.
-    gain : float
-        Largest sum of moduli of the weights of a pixel.
-    """
+    """A sparse matrix from samples, from `first` on, to pixels; `error` bounds its response for ``abs(w) <= 2``."""
 
     matrix: Any
     first: int

@@ -31,20 +31,7 @@ _AT_ONCE = 2**24
 
 
 class Asked(NamedTuple):
-    """What is asked of the samples.
-
-    Attributes
-    ----------
-    method : Method or None
-        The one that was named.
-    threads : int
-    tol : float
-        Of samples over their peak.
-    error : float
-        That responses may be off by.
-    margin : float
-        How far a lattice reaches beyond what is read where there is a halo, in v.
-    """
+    """Method, threads, tolerance of samples, error of responses, and margin of the lattice for turbulence, in v."""
 
     method: Method | None
     threads: int
@@ -54,24 +41,12 @@ class Asked(NamedTuple):
 
 
 class Made(NamedTuple):
-    """Images of the flattened stack, with parts of the bounds on their errors, or None.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n, height, width)
-    given : ndarray, shape (n,), or None
-        What samples are off by.
-    response : ndarray, shape (n,)
-        What responses are off by, and rounding.
-    missing : ndarray, shape (n,)
-        What a halo would bring from beyond the lattice.
-    method : Method
-    """
+    """Images of the flattened stack and parts of their error bounds, or None, each of shape (n,)."""
 
     values: Array
-    given: Array | None
-    response: Array
-    missing: Array
+    given: Array | None  # error of the samples
+    response: Array  # error of the responses, and rounding
+    missing: Array  # light that turbulence would bring from beyond the lattice
     method: Method
 
 
@@ -221,31 +196,7 @@ _TRIES = 7
 def recorded_images(
     method: Method | None, tol: float, pupil: Any, grid: Grid, several: tuple[Blur, ...], wanted: Wanted
 ) -> tuple[Method, Images]:
-    """Return the method that sampled, and finished images of a stack on `grid`, spread by what is named.
-
-    Parameters
-    ----------
-    method : Method or None
-        That is to sample; None for what serves the pupil.
-    tol : float
-        Over the largest value in the window or around the axis; of values divided by their own, over that.
-    pupil, grid
-    several : tuple of Blur
-    wanted : Wanted
-        Without derivatives.
-
-    Returns
-    -------
-    method : Method
-    images : Images
-
-    Raises
-    ------
-    ToleranceError
-        If the bound stays above `tol`.
-    ValueError
-        If the method does not support the pupil, or has no point values.
-    """
+    """Return the method that sampled, and the blurred images of a stack, to `tol` over the largest value."""
     if method is not None and method.sampling == "pixel":
         raise ValueError(
             f"method must have point values for blur, fill and pixels that are not square, got "
@@ -343,26 +294,7 @@ def recorded(
     asked: tuple[Method | None, float, str, Any, int],
     out: Any = None,
 ) -> dict[str, Any]:
-    """Return the parts of the answer for `pupil` on `grid`, as :class:`lommel.Plan` puts them together.
-
-    Parameters
-    ----------
-    pupil, grid
-    several : tuple of Blur
-    asked : tuple
-        Method or None, tolerance, normalisation, type of the values and threads.
-    out : ndarray, optional
-        Where the values go.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    TypeError, ValueError, ToleranceError
-        As :func:`recorded_images`; also if a blur is in another unit than the pupil, or `out` does not fit.
-    """
+    """Return the attributes of the PSF of `pupil` on `grid`, for :class:`lommel.Plan`."""
     method, tol, normalize, dtype, threads = asked
     if grid.stack:
         grid = grid.broadcast(pupil.shape)

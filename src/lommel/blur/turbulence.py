@@ -24,16 +24,7 @@ _DARK = 1e-22
 
 
 class Gate(NamedTuple):
-    """A response that is 1 up to ``w = 2`` and 0 from ``2 pi / h - 2`` on, but for `error` of both.
-
-    Attributes
-    ----------
-    h : float
-        Distance of samples in v.
-    middle, width : float
-        Of the fall, in w.
-    error : float
-    """
+    """A response of 1 up to ``w = 2`` and 0 from ``2 pi / h - 2`` on, but for `error` of both."""
 
     h: float
     middle: float
@@ -65,16 +56,7 @@ class Gate(NamedTuple):
 
 
 class Halo(NamedTuple):
-    """Rotationally symmetric blur as a kernel.
-
-    Attributes
-    ----------
-    several : tuple of Seeing
-    scale : float
-        One lambda*N, in the unit of the blur.
-    wavelength : float or None
-    gate : Gate
-    """
+    """Rotationally symmetric blur by turbulence as a kernel."""
 
     several: tuple[Seeing, ...]
     scale: float
@@ -107,12 +89,10 @@ class Halo(NamedTuple):
         return _table(self, far, error)
 
     def bound(self, far: float) -> float:
-        r"""Bound the kernel from the radius `far` on.
-
-        Seeing is a mixture of Gaussians, and so is b: it falls with r, and a Gaussian of the variance t is at R at
-        most ``1 / (1 - 2 s / R^2)`` times what one of the variance ``t + s`` is there. So b(R) is bounded by the
-        transform of ``T exp(-s w^2 / 2)``, which ends soon; c is b, smeared by the transform g of the gate.
-        """
+        """Bound the kernel beyond the radius `far`."""
+        # Seeing is a mixture of Gaussians, and so is b: it falls with r, and a Gaussian of the variance t is at R at
+        # most 1 / (1 - 2 s / R^2) times one of the variance t + s. So b(R) is bounded by the transform of
+        # T exp(-s w^2 / 2), which ends soon; c is b convolved with the transform g of the gate.
         near = far - min(0.25 * far, 45.0)
         s = min(2.0, 0.02 * near * near)
         w, weight = _rule(self, near, gated=False)

@@ -157,10 +157,7 @@ def _variance(pupil: Pupil) -> Array:
 
 
 def _polynomial_rule(pupil: Pupil, power: float) -> tuple[Array, Array, Array]:
-    """Return rho, theta and weights, shape (points,), exact for the square of the phase or of its gradient.
-
-    The weights are those of the amplitude to the `power`, and sum to 1.
-    """
+    """Return rho, theta and weights of sum 1, exact for squares of the phase or of its gradient."""
     terms = pupil.wavefront.nonradial
     degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])

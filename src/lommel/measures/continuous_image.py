@@ -65,16 +65,7 @@ _CELLS = 512
 
 
 class ImageModel(NamedTuple):
-    """What makes an image.
-
-    Attributes
-    ----------
-    pupil : BasePupil
-    method : Method
-    blur : tuple of Blur
-    active : (float, float)
-        Height and width that pixels average over; zeros for points.
-    """
+    """Optics, blur and active pixel (height, width; zeros for points) whose image is evaluated."""
 
     pupil: BasePupil
     method: Method
@@ -157,18 +148,7 @@ class ImageModel(NamedTuple):
 
 @dataclass(frozen=True)
 class CartesianImage:
-    """One image as a sum of waves on a lattice of frequencies; lengths are in lambda*N.
-
-    Attributes
-    ----------
-    table : complex ndarray, shape (rows, columns)
-        Of the half plane fx >= 0, so that its sums have a real part that is the image's.
-    fy, fx : ndarray, shapes (rows,) and (columns,)
-    band : float
-        Where the transfer function of the image ends.
-    error : float or None
-        Bound on the error of the light per area; None where the method has none.
-    """
+    """An image as a sum of plane waves on a lattice of frequencies; lengths in lambda*N."""
 
     table: NDArray[np.complex128]
     fy: Array
@@ -219,25 +199,9 @@ class CartesianImage:
 
 
 def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage]:
-    """Yield the images of a flattened stack, good up to `reach` from the axis.
-
-    Parameters
-    ----------
-    model : ImageModel
-    reach : float
-        Along each axis, in lambda*N.
-
-    Returns
-    -------
-    iterator of CartesianImage
-        Off by less than 2e-8 of all light within a circle, besides the errors of samples; with seeing, whose light
-        has no end, by up to about 1e-5.
-
-    Raises
-    ------
-    ValueError
-        If that takes more than 6144 samples a side.
-    """
+    """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis along x and y."""
+    # Besides the errors of the samples less than 2e-8 of all light within a circle is missing; with seeing, whose
+    # light extends without limit, up to about 1e-5.
     pupil, band = model.pupil, model.band
     finest = model.method.stretch(pupil)
     pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
@@ -291,22 +255,10 @@ def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> Value
 
 
 def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.complex128]:
-    """Return the transfer function of images whose pupil has none that is known, shape ``(n, len(fx))``.
-
-    Parameters
-    ----------
-    model : ImageModel
-    fx, fy : ndarray, shape (k,)
-        Cycles per lambda*N.
-
-    Returns
-    -------
-    complex ndarray, shape (n, k)
-        From samples up to 64 lambda*N beyond the :attr:`ImageModel.extent`, the outer ones of which count less and
-        less, and what is known of the light farther out: how much it is, and that behind a hard edge its mean falls
-        as the cube of the distance. 1 at frequency 0, off by up to 1e-3 below a fifth of the cutoff (3e-4 where the
-        aperture has no straight edges), and by 1e-4 above.
-    """
+    """Return the transfer function from samples of the image at cycles per lambda*N, shape ``(n, len(fx))``."""
+    # Samples reach 64 lambda*N beyond `ImageModel.extent` with weights that fall to 0; farther out the mean behind a
+    # hard edge falls as the cube of the distance. The error is below 1e-3 up to a fifth of the cutoff (3e-4 without
+    # straight edges) and 1e-4 above.
     far = model.extent + _FAR
     finest = model.method.stretch(model.pupil)
     pitch, pupil = 0.25 / finest, model.pupil
@@ -341,10 +293,7 @@ def _cut_off(f: Array, band: float) -> Array:
 
 
 def _sampled(pupil: Any, method: Method, grid: Grid, *, whole: bool) -> Images:
-    """Return samples of the intensity, of all light or, unless `whole`, of a pupil in light of one wavelength.
-
-    By the method of a PSF or, where that serves small windows only or is chosen for each pupil, by another.
-    """
+    """Return samples of the intensity, of all light or, unless `whole`, of a pupil at one wavelength."""
     one = method.method if isinstance(method, Polychromatic) and not whole else method
     ways: tuple[Method, ...] = () if one is None else (one,)
     if one is None or isinstance(one, NijboerZernike | ChordalGauss):
@@ -357,15 +306,7 @@ def _sampled(pupil: Any, method: Method, grid: Grid, *, whole: bool) -> Images:
 
 
 class PolarImage(NamedTuple):
-    """One image of a radially symmetric lens as a sum of waves, by length and direction; lengths are in lambda*N.
-
-    Attributes
-    ----------
-    model : ImageModel
-    parts : list of (ndarray, ndarray, float or None)
-        Of each wavelength: lengths of frequencies; the transfer function of the optics there, times the weights of a
-        quadrature of f df; the wavelength.
-    """
+    """An image of a radially symmetric lens as a sum of waves by length and direction; lengths in lambda*N."""
 
     model: ImageModel
     parts: list[tuple[Array, Array, float | None]]
@@ -402,15 +343,7 @@ class PolarImage(NamedTuple):
 
 
 class RayImage(NamedTuple):
-    """The light of rays in square cells, which a circle or a rectangle covers in part; lengths are in lambda*N.
-
-    Attributes
-    ----------
-    light : ndarray, shape (cells, cells)
-        Of each, as a fraction of all.
-    side : float
-        Of a cell.
-    """
+    """The light of rays in square cells, in fractions of all light; lengths in lambda*N."""
 
     light: Array
     side: float
@@ -436,19 +369,7 @@ class RayImage(NamedTuple):
 
 
 def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
-    """Yield the images of a flattened stack that :class:`lommel.Geometric` makes, up to `reach` lambda*N.
-
-    Parameters
-    ----------
-    model : ImageModel
-        Its pixels are square, as this method takes them.
-    reach : float
-
-    Returns
-    -------
-    iterator of RayImage
-        In cells of a 512th of the square that reaches so far.
-    """
+    """Yield the geometric images of a flattened stack, in cells of a 512th of the square up to `reach` lambda*N."""
     from scipy.ndimage import uniform_filter
 
     pupil = model.pupil
@@ -483,19 +404,8 @@ def polar(model: ImageModel) -> bool:
 
 
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
-    """Yield the images of a flattened stack for which :func:`polar` holds, good up to `reach` from the axis.
-
-    Parameters
-    ----------
-    model : ImageModel
-    reach : float
-        In lambda*N.
-
-    Returns
-    -------
-    iterator of PolarImage
-        Off by about 1e-9 of all light.
-    """
+    """Yield the images of a flattened stack of radial lenses, valid up to `reach` lambda*N from the axis."""
+    # The error is about 1e-9 of all light.
     band, (short, _) = model.band, model.spread
     pupil: Any = model.pupil
     blur = float(np.max(pupil.geometric_radius(), initial=0.0)) / pupil.scale

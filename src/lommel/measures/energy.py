@@ -296,10 +296,7 @@ def _rectangles(method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[f
 
 
 def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
-    """Return nodes v and weights that integrate a radial function over the rectangle [0, a] x [0, b].
-
-    The function is of exponential type ``2 stretch``.
-    """
+    """Return nodes v and weights for radial functions of exponential type ``2 stretch`` over [0, a] x [0, b]."""
     near, far = min(a, b), max(a, b)
     pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
     nodes, weights = [], []

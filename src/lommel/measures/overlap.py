@@ -113,11 +113,8 @@ def _radial_product(pupil: Pupil, s: Array, t: Array) -> NDArray[Any]:
 
 
 def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[NDArray[Any], ...]:
-    """Return the lines of constant y > 0 that cover the overlaps: frequency, y, begin in u, length, weight in y.
-
-    Each overlap is symmetric in y, and its upper half covered with twice the weight. Within a panel its ends are
-    analytic functions of the angle.
-    """
+    """Return lines of constant y > 0 that cover the overlaps: frequency, y, start in u, length, weight in y."""
+    # Overlaps are symmetric in y, so the upper half counts twice. Within a panel the ends are analytic in the angle.
     end = 2.0 * np.arcsin(np.sqrt(0.5 * (1.0 - shift)))  # arccos(shift), exact near 1
     top = np.sqrt((1.0 - shift) * (1.0 + shift))
     found = [_panel(np.arcsin(np.minimum(eps, top)), end, 1.0, shift, eps, x, w)]
@@ -175,10 +172,7 @@ _CUT_CHUNK = 2**19  # pupil values held at once
 
 
 def cut_autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack.
-
-    ToleranceError where `tol` takes more than 4096 panels at once, or as many nodes along a line.
-    """
+    """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
     values = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
     # OTF(-f) is the conjugate of OTF(f), and nothing changes nearer to 0 than rounding of the edges.
     mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))

@@ -81,10 +81,8 @@ def _by_phase(each: Parts) -> bool:
 
 
 def _unnamed(method: Method) -> Method | None:
-    """Return the method without what it names for one wavelength, where others have more derivatives.
-
-    Images are the same within the tolerance, whoever makes them.
-    """
+    """Return the method with its default choice for one wavelength, where others have more derivatives."""
+    # The images are equal within the tolerance.
     if not isinstance(single_light(method), NijboerZernike | ChordalGauss):
         return method
     if isinstance(method, Polychromatic):

@@ -237,10 +237,7 @@ def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -
 
 
 def _end(image: CartesianImage, values: Array, places: Array, half: float, sign: float, *, turned: bool) -> float:
-    """Return how far along x, or y if `turned`, light of at least `half` reaches in the direction of `sign`.
-
-    There the light is `half` and does not change sideways: Newton's method from a linear interpolation of samples.
-    """
+    """Return how far along x, or y if `turned`, light of at least `half` reaches in the direction of `sign`."""
     lines = (values.T if turned else values)[:, :: int(sign)]
     at = places[:: int(sign)]
     last = lines.shape[1] - 1 - np.argmax((lines >= half)[:, ::-1], axis=1)
@@ -264,12 +261,9 @@ def _end(image: CartesianImage, values: Array, places: Array, half: float, sign:
 
 
 def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
-    """Return the full width at half of the largest intensity of a radial pupil, as :func:`lommel.measures.spot.fwhm`.
-
-    The profile is tabulated in steps of 0.15 in v and interpolated by polynomials of degree 11. As I is
-    of exponential type 2 (of one wavelength) this adds less than 2e-11 of the peak of the same aperture without
-    aberration.
-    """
+    """Return the full width at half maximum of a radial pupil from its interpolated profile."""
+    # Polynomials of degree 11 through steps of 0.15 in v: I is of exponential type 2 at one wavelength, so this adds
+    # less than 2e-11 of the peak of the aperture without aberration.
     require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)

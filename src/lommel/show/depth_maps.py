@@ -20,24 +20,7 @@ _UNKNOWN = "0.55"  # the colour of what is not known
 
 
 def maps(depth: Array, deviation: Array, light: NDArray[Any] | None) -> Figure:
-    """Draw depth, its deviation, and the light of the sharp image, beside one another.
-
-    Parameters
-    ----------
-    depth, deviation : ndarray, shape (height, width)
-        Metres; what is not known is grey.
-    light : ndarray, shape (height, width) or (height, width, 3), or None
-        In proportion to light; drawn up to what all but 0.5 % reach, as sRGB.
-
-    Returns
-    -------
-    matplotlib Figure
-
-    Raises
-    ------
-    ImportError
-        If matplotlib is not installed.
-    """
+    """Draw depth and its standard deviation (metres, NaN grey), and the light of the sharp image, side by side."""
     pyplot: Any = library("matplotlib.pyplot", "plots need", "plot")
     height, width = depth.shape
     count = 2 if light is None else 3
@@ -72,23 +55,7 @@ def maps(depth: Array, deviation: Array, light: NDArray[Any] | None) -> Figure:
 
 
 def precision(distance: Array, curves: Mapping[str, Array], title: str) -> Axes:
-    """Draw deviations of depth over the distance, metres, on a logarithmic scale; infinite ones are gaps.
-
-    Parameters
-    ----------
-    distance : ndarray, shape (n,)
-    curves : mapping of str to ndarray, shape (n,)
-    title : str
-
-    Returns
-    -------
-    matplotlib Axes
-
-    Raises
-    ------
-    ImportError
-        If matplotlib is not installed.
-    """
+    """Draw standard deviations of depth over the distance (metres, logarithmic); infinite ones are gaps."""
     pyplot: Any = library("matplotlib.pyplot", "plots need", "plot")
     figure = pyplot.figure(figsize=(7.0, 4.4), layout="constrained")
     axes: Axes = figure.subplots()

@@ -95,28 +95,7 @@ def at_most(shape: tuple[int, ...]) -> None:
 def tiles(
     shape: tuple[int, ...], draw: Callable[[Any, Axes], Any], titles: list[str], title: str, label: str
 ) -> NDArray[Any]:
-    """Draw a stack side by side in a new figure, with one bar; those of shape (rows, columns) so, others by eight.
-
-    Parameters
-    ----------
-    shape : tuple of int
-        Of the stack.
-    draw : callable
-        Of an index and axes; returns what the bar is of, on the same scale for all.
-    titles : list of str
-        One for each.
-    title, label : str
-        Of the figure and of the bar.
-
-    Returns
-    -------
-    ndarray of matplotlib Axes, of the shape of the stack
-
-    Raises
-    ------
-    ValueError
-        For more than 64.
-    """
+    """Draw a stack side by side in a new figure with one colour bar; `draw` takes an index and axes."""
     at_most(shape)
     count = int(np.prod(shape))
     columns = shape[1] if len(shape) == 2 else min(count, 8)

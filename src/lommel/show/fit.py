@@ -19,28 +19,7 @@ _SIGMAS = 4.0
 def fit(
     images: Array, model: Array, residual: Array, found: tuple[list[str], list[float], list[float]], title: str
 ) -> Figure:
-    """Draw images (n, height, width), a model of them, the residual over the noise, and what was found with its bars.
-
-    Images and model share the scale of the square root of their values in each column; only the first eight are
-    drawn.
-
-    Parameters
-    ----------
-    images, model, residual : ndarray, shape (n, height, width)
-        NaN where left out.
-    found : (list of str, list of float, list of float)
-        Names, values and standard deviations, radians.
-    title : str
-
-    Returns
-    -------
-    matplotlib Figure
-
-    Raises
-    ------
-    ImportError
-        If matplotlib is not installed.
-    """
+    """Draw images (n, height, width), their model, the residual over the noise, and the fitted terms."""
     names, values, deviations = found
     count = min(len(images), _MOST)
     bars = max(3.0, 0.42 * len(names))

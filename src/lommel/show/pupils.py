@@ -26,13 +26,7 @@ _BLOCKED = "0.55"  # the colour of where no light passes
 
 
 class Across(NamedTuple):
-    """A pupil on a raster: rows from the top, y rising downwards, from -1 to 1 both ways.
-
-    Attributes
-    ----------
-    phase, amplitude : ndarray, shape (n, side, side)
-        Radians, less the mean over the raster where light passes, and NaN elsewhere; the amplitude there 0.
-    """
+    """Phase (radians, NaN where no light passes) and amplitude on a raster from -1 to 1, shape (n, side, side)."""
 
     phase: Array
     amplitude: Array

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 import lommel as lm
 from lommel.estimation.pixel_transfer import multiplicity, pixel_transfer, squared_frequency
-from lommel.imaging.defocus.depth import DefocusDepth, depth_by
+from lommel.imaging import DefocusDepth, depth_from_defocus
 
 Array = NDArray[Any]
 PIXEL, ELECTRONS, CONTRAST, WINDOW = 4e-6, 1e4, 0.35, 4.0
@@ -114,9 +114,9 @@ def solve(
     images: Sequence[Array], f_number: float, between: tuple[float, float] = BETWEEN, model: str = "exact"
 ) -> DefocusDepth:
     """Find the depth by one of the models, of 61 candidates."""
-    return depth_by(
-        MODELS[model], images, pair(f_number), PIXEL, encoding="linear", noise=NOISE, between=between, window=WINDOW,
-        candidates=61,
+    return depth_from_defocus(
+        images, pair(f_number), PIXEL, encoding="linear", noise=NOISE, between=between, window=WINDOW, candidates=61,
+        transfer=MODELS[model],
     )  # fmt: skip
 
 

@@ -27,8 +27,8 @@ from scipy.special import erf
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
-from lommel.imaging.restoration.observed import Observed
-from lommel.imaging.scene import fill_missing
+from lommel.imaging.observed import Observed
+from lommel.imaging.photograph import fill_missing
 
 Array = NDArray[np.float64]
 

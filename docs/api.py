@@ -109,9 +109,8 @@ SECTIONS = [
         "Imaging",
         "See [](imaging.md), [](restore.md) and [](depth.md).",
         package="imaging",
-        more="imaging.settings.Settings traced.depth_blur.TracedBlur imaging.field.bank.FieldBank"
-        " imaging.field.nodes.Nodes imaging.occlusion.occlude imaging.defocus.depth.depth_by imaging.bank.build_bank"
-        " imaging.bank.Bank imaging.sensor_light.SensorLight imaging.remainder.Remainder"
+        more="imaging.settings.Settings traced.depth_blur.TracedBlur imaging.field_bank.FieldBank"
+        " imaging.bank.Bank"
         " methods.pixels.rule.pixel_rule methods.pixels.rule.PixelRule methods.pixels.rule.octant"
         " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"
         " base.encoding.from_light base.encoding.clipped_share io.frames.write_frames",

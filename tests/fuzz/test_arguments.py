@@ -200,7 +200,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("FocusPlan", imaging.FocusPlan, **blur, occlusion=True, keep=2),
         tagged("FocusPlan()", PLAN, focus_distance=2.0, f_number=5.6, out=None),
         tagged("depth_of_field", imaging.depth_of_field, **blur, occlusion=False),
-        tagged("by_tiles", imaging.depth_of_field_by_tiles, **blur, side=16, out=None, progress=None),
+        tagged("by_tiles", imaging.depth_of_field, **blur, tile=16, depths=None, out=None, progress=None),
         tagged("read_depth", imaging.read_depth, path=folder / "depth.npy", scale=0.5, zero_is_unknown=False),
         tagged("read_photo", imaging.read_photo, path=folder / "photo.png", encoding="srgb"),
         tagged("write_photo", imaging.write_photo, path=folder / "p.png", light=SQUARE, encoding="srgb",

@@ -11,8 +11,6 @@ from lommel.imaging import (
     FocusPlan,
     Occlusion,
     depth_of_field,
-    depth_of_field_by_tiles,
-    depth_of_field_of_chunks,
 )
 
 PIXEL = 6e-6
@@ -314,11 +312,9 @@ def test_a_plan_makes_the_same_photograph_bit_for_bit(occlusion):
 
 def test_tiles_and_chunks_refuse_what_reaches_all_of_the_image():
     image, depth = scene(10, (24, 30))
-    message = "energy must be below 1 for tiles and chunks, .* ask for 0.9999, or for the whole image at once"
+    message = "energy must be below 1 for tiles and chunks, .* give energy=0.9999, or the whole image at once"
     with pytest.raises(ValueError, match=message):
-        depth_of_field_by_tiles(image, depth, lens(), PIXEL, encoding="linear", energy=1.0)
+        depth_of_field(image, depth, lens(), PIXEL, encoding="linear", energy=1.0, tile=16)
     da = pytest.importorskip("dask.array")
     with pytest.raises(ValueError, match=message):
-        depth_of_field_of_chunks(
-            da.from_array(image), da.from_array(depth), lens(), PIXEL, encoding="linear", energy=1.0
-        )
+        depth_of_field(da.from_array(image), da.from_array(depth), lens(), PIXEL, encoding="linear", energy=1.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.imaging.borders import folded, gathered
+from lommel.imaging.linear import folded, gathered
 
 
 @pytest.mark.parametrize(("beyond", "count"), [(0, 3), (2, 5), (5, 5), (7, 5), (13, 4), (6, 1)])

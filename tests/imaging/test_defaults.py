@@ -25,9 +25,7 @@ EXCEPTIONS: dict[tuple[str, str], str] = {
     ("normalize", "bead"): "is emission, in shares of its light; scanned images are relative to the focus",
     ("normalize", "light_sheet"): "as of beads",
     ("offset", "light_sheet"): "is a distance of sheet and focus, not a value of pixels",
-    ("threads", "depth_of_field_of_chunks"): "chunks are computed side by side",
     ("largest", "traced_blur"): "there is no image yet, half of whose side it could be",
-    ("side", "depth_of_field_of_chunks"): "chunks stay as they are",
     ("saturation", "restore_with"): "its light has no white that pixels could be full at",
     ("steps", "TotalVariation"): "counts steps of another kind than those of Richardson and Lucy",
     ("steps", "lommel restore"): "None takes that of the method",
@@ -92,8 +90,7 @@ DEFAULTS = defaults()
 def test_all_ways_are_found():
     found = {name for name, _ in functions()} | {name for name, _ in photo_commands()}
     known = {
-        "depth_of_field", "depth_of_field_by_tiles", "depth_of_field_of_chunks", "FocusPlan", "restore",
-        "restore_by_tiles", "restore_with", "DepthBlur", "FieldBlur", "traced_blur", "TileBlur", "Settings",
+        "depth_of_field", "FocusPlan", "restore", "restore_with", "DepthBlur", "FieldBlur", "traced_blur", "Settings",
         "depth_from_defocus", "deconvolve", "StackBlur", "bead", "confocal", "sted", "light_sheet", "two_photon",
         "lommel blur", "lommel focus-pull", "lommel restore", "lommel depth",
     }  # fmt: skip
@@ -115,4 +112,4 @@ def test_exceptions_are_none_but_those_that_differ():
 
 def test_near_things_hide_far_ones_wherever_photographs_are_made():
     assert set(map(repr, DEFAULTS["occlusion"].values())) == {"True"}
-    assert len(DEFAULTS["occlusion"]) >= 10
+    assert len(DEFAULTS["occlusion"]) >= 7

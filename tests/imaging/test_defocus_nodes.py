@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
+from lommel.imaging.sensor_light import DefocusNodes, Parabola
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.pixels.rule import pixel_rule
 from lommel.optics.wavefront import aplanatic

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -14,10 +15,8 @@ from lommel.imaging import (
     DepthBlur,
     FocusPlan,
     depth_of_field,
-    depth_of_field_by_tiles,
-    depth_of_field_of_chunks,
 )
-from lommel.imaging.scene import fill_missing
+from lommel.imaging.photograph import fill_missing
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6
@@ -166,10 +165,10 @@ def test_arguments_out_of_range_are_refused_by_name(change, error, message):
 def _chunks(image, depth, lens, pixel, **options):
     dask = pytest.importorskip("dask.array")
     arrays = (dask.from_array(a) if isinstance(a, np.ndarray) else a for a in (image, depth))
-    return depth_of_field_of_chunks(*arrays, lens, pixel, **options)
+    return depth_of_field(*arrays, lens, pixel, **options)
 
 
-WAYS = [depth_of_field, FocusPlan, depth_of_field_by_tiles, _chunks]
+WAYS = [depth_of_field, FocusPlan, partial(depth_of_field, tile=32), _chunks]
 
 
 @pytest.mark.parametrize("way", [*WAYS, lambda i, d, lens, p, **_: DepthBlur(d, lens, p)])

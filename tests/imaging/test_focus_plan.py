@@ -75,7 +75,7 @@ def test_missing_depths_are_filled_once():
     [
         ({"out": np.zeros((40, 50), np.uint8)}, ValueError, r"out must have the shape of the image, \(40, 50, 3\)"),
         ({"out": np.zeros((40, 50, 3))}, TypeError, "out must have the type of the image, uint8, got float64"),
-        ({"out": [1]}, TypeError, "out must be an array, got list"),
+        ({"out": [1]}, TypeError, r"out must be an array, got \[1\]"),
         ({"out": np.broadcast_to(np.uint8(0), (40, 50, 3))}, ValueError, "out must be writeable"),
         ({"focus_distance": 0.04}, ValueError, "focus_distance must exceed the focal length"),
         ({"focus_distance": np.nan}, ValueError, "focus_distance must be finite, got nan"),

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import DepthBlur, depth_of_field
-from lommel.imaging.occlusion import MOST_LAYERS, _behind, _layers, occlude
+from lommel.imaging import DepthBlur, Occlusion, depth_of_field
+from lommel.imaging.occlusion import MOST_LAYERS, _behind, _layers
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DONUT = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, obscuration=0.6)
@@ -38,7 +38,7 @@ def edge(blur: DepthBlur, distance: float) -> np.ndarray:
 def test_a_plane_is_what_it_is_without_occlusion(border, dtype, allowed):
     light = np.random.default_rng(0).random((20, 26)).astype(dtype)
     blur = DepthBlur(np.full((20, 26), 1.7), LENS, PIXEL, border=border, dtype=dtype)
-    assert np.abs(occlude(blur, light) - blur.forward(light)).max() <= allowed
+    assert np.abs(Occlusion(blur).forward(light) - blur.forward(light)).max() <= allowed
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_a_white_scene_stays_white_whatever_its_depth(lens, border, seed):
     depth = bar(1.3, 4.0) + 0.3 * rng.random((HEIGHT, WIDTH)) ** (seed + 1)
     depth[5:9, 3:50] = np.inf
     blur = DepthBlur(depth, lens, PIXEL, border=border, dtype=np.float64, channels=(620e-9, 450e-9))
-    assert np.abs(occlude(blur, np.ones((HEIGHT, WIDTH, 2))) - 1.0).max() < 1e-12
+    assert np.abs(Occlusion(blur).forward(np.ones((HEIGHT, WIDTH, 2))) - 1.0).max() < 1e-12
     assert np.abs(blur.forward(np.ones((HEIGHT, WIDTH, 2))) - 1.0).max() > 0.1
 
 
@@ -61,7 +61,7 @@ def test_a_sharp_foreground_is_not_touched_by_the_highlights_behind_it():
     own = int(np.flatnonzero(blur.banks[0].used(LENS.defocus(2.0))[blur.banks[0].half])[-1]) - blur.banks[0].half
     inside = slice(BAR.start + own, BAR.stop - own)
     assert own <= 2
-    assert np.abs(occlude(blur, light)[:, inside] - 0.4).max() < 1e-6
+    assert np.abs(Occlusion(blur).forward(light)[:, inside] - 0.4).max() < 1e-6
     assert np.abs(blur.forward(light)[:, inside] - 0.4).max() > 0.1
 
 
@@ -69,7 +69,7 @@ def test_a_uniform_background_is_not_darker_beside_a_sharp_foreground():
     light = np.full((HEIGHT, WIDTH), 0.7)
     light[:, BAR] = 0.1
     blur = DepthBlur(bar(2.0, 8.0), LENS, PIXEL, dtype=np.float64)
-    seen = occlude(blur, light)
+    seen = Occlusion(blur).forward(light)
     assert np.abs(seen[:, : BAR.start - 2] - 0.7).max() < 1e-6
     assert blur.forward(light)[:, BAR.start - 3].max() < 0.6
 
@@ -82,7 +82,7 @@ def test_a_blurred_foreground_covers_a_sharp_background_by_the_part_of_the_apert
     cover = edge(blur, front)
     assert 0.3 < cover[BAR.start] < 0.7
     # What diffraction brings from beyond the rim of the geometric blur is not extended: 2 % of the difference of 0.7.
-    assert np.abs(occlude(blur, light) - (0.2 + 0.7 * cover)).max() < 0.02 * 0.7
+    assert np.abs(Occlusion(blur).forward(light) - (0.2 + 0.7 * cover)).max() < 0.02 * 0.7
 
 
 def test_a_surface_that_hides_nothing_is_as_without_occlusion():
@@ -98,7 +98,7 @@ def test_a_surface_that_hides_nothing_is_as_without_occlusion():
     white = blur.forward(np.ones((40, 90)))
     assert 0.02 < np.abs(white - 1.0).max() < 0.07
     added = blur.forward(light) / white
-    seen = occlude(blur, light)
+    seen = Occlusion(blur).forward(light)
     assert np.abs(seen - added).max() < 0.015 * added.max()
     assert seen.sum() == pytest.approx(added.sum(), rel=1e-3)
 
@@ -111,14 +111,19 @@ def test_a_slanted_foreground_is_not_transparent():
     blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
     assert len(np.unique(_layers(blur)[0][:, BAR])) > 5
     middle = (BAR.start + BAR.stop) // 2
-    assert occlude(blur, light)[:, middle].max() < 0.05
+    assert Occlusion(blur).forward(light)[:, middle].max() < 0.05
 
 
 def test_occlusion_is_linear_in_light():
     rng = np.random.default_rng(4)
     blur = DepthBlur(bar(1.4, 3.0) + 0.2 * rng.random((HEIGHT, WIDTH)), LENS, PIXEL, dtype=np.float64)
     a, b = rng.random((2, HEIGHT, WIDTH))
-    assert np.abs(occlude(blur, a + 3.0 * b) - occlude(blur, a) - 3.0 * occlude(blur, b)).max() < 1e-12
+    assert (
+        np.abs(
+            Occlusion(blur).forward(a + 3.0 * b) - Occlusion(blur).forward(a) - 3.0 * Occlusion(blur).forward(b)
+        ).max()
+        < 1e-12
+    )
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -178,7 +183,7 @@ def test_occlusion_is_asked_for_by_a_truth_value():
 def test_light_that_does_not_fit_is_refused(light, error, message):
     blur = DepthBlur(np.full((5, 6), 2.0), LENS, PIXEL)
     with pytest.raises(error, match=message):
-        occlude(blur, light)
+        Occlusion(blur).forward(light)
 
 
 def test_photographs_are_taken_with_and_without_it():

@@ -7,7 +7,7 @@ import pytest
 
 from lommel import _core
 from lommel.base.encoding import clipped_share, from_light, to_light
-from lommel.imaging.scene import stored
+from lommel.imaging.photograph import stored
 
 
 def around(values: np.ndarray, ulps: int) -> np.ndarray:

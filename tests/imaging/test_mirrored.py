@@ -7,8 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.imaging.bank import build_bank
-from lommel.imaging.beyond_windows import MirroredKernels
-from lommel.imaging.remainder import Remainder
+from lommel.imaging.remainder import MirroredKernels, Remainder
 from lommel.imaging.sensor_light import SensorLight
 
 

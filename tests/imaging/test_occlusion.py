@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FocusPlan, Occlusion, depth_of_field
-from lommel.imaging.occlusion import _behind, _layers, occlude
+from lommel.imaging.occlusion import _behind, _layers
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 20e-6
@@ -63,7 +63,7 @@ def test_it_is_the_sum_over_layers(border, dtype, allowed):
     wanted = by_layers(blur, light.astype(np.float64))
     assert len(np.unique(_layers(blur)[0])) > 4
     assert np.abs(blur.forward(light) - wanted).max() > 0.1
-    for made in (Occlusion(blur).forward(light), occlude(blur, light)):
+    for made in (Occlusion(blur).forward(light), Occlusion(blur).forward(light)):
         assert (made.dtype, made.shape) == (dtype, light.shape)
         assert np.abs(made - wanted).max() <= allowed
 

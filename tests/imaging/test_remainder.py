@@ -11,8 +11,7 @@ import pytest
 import lommel as lm
 from lommel.imaging.bank import Bank, build_bank
 from lommel.imaging.remainder import inner_energy, reach_of, smooth_transforms
-from lommel.imaging.sensor_light import SensorLight
-from lommel.imaging.window_sizes import shares_used
+from lommel.imaging.sensor_light import SensorLight, shares_used
 
 PIXEL = 6e-6
 PUPIL = lm.Pupil(wavelength=540e-9, f_number=8.0)

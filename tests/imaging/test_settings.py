@@ -10,16 +10,13 @@ import pytest
 
 import lommel as lm
 from lommel.cli.photo_commands import blur, focus_pull
-from lommel.imaging import DepthBlur, FocusPlan, depth_of_field, depth_of_field_by_tiles, depth_of_field_of_chunks
+from lommel.imaging import DepthBlur, FocusPlan, depth_of_field
+from lommel.imaging.photograph import TileBlur
 from lommel.imaging.settings import BlurKeywords, Keywords, Settings
-from lommel.imaging.tiles import TileBlur
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 IMAGE, DEPTH = np.random.default_rng(0).random((20, 24)).astype(np.float32), np.full((20, 24), 2.1)
-WHOLE, PARTS = (depth_of_field, FocusPlan), (TileBlur, depth_of_field_by_tiles, depth_of_field_of_chunks)
 DEFAULTS = {field.name: field.default for field in fields(Settings)}
-# What a door has by its nature: chunks are computed side by side.
-OWN = {door: {} for door in (DepthBlur, *WHOLE, *PARTS)} | {depth_of_field_of_chunks: {"threads": 1}}
 
 
 def options(door):
@@ -32,10 +29,10 @@ def test_type_checkers_know_every_setting_by_its_type():
     assert known == {field.name: field.type for field in fields(Settings)}
 
 
-@pytest.mark.parametrize("door", OWN)
+@pytest.mark.parametrize("door", [DepthBlur, FocusPlan, depth_of_field])
 def test_a_door_shows_every_setting_with_its_default_and_its_text(door):
     wanted = DEFAULTS if door is not DepthBlur else {name: DEFAULTS[name] for name in BlurKeywords.__annotations__}
-    assert options(door) == wanted | OWN[door]
+    assert options(door) == wanted
     text = inspect.getdoc(door)
     assert "{options}" not in text
     assert [name for name in wanted if text.count(f"\n{name} : ") != 1] == []
@@ -52,13 +49,12 @@ def test_the_command_line_has_the_defaults_of_python(command, needed):
 def doors(**given):
     yield lambda: depth_of_field(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", **given)
     yield lambda: FocusPlan(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", **given)
-    yield lambda: TileBlur(IMAGE.shape, (2.0, 2.2), LENS, 8e-6, encoding="linear", **given)
-    yield lambda: depth_of_field_by_tiles(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", **given)
+    yield lambda: depth_of_field(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", tile=16, **given)
     if not given.keys() & {"occlusion", "missing", "wavelengths"}:
         yield lambda: DepthBlur(DEPTH, LENS, 8e-6, **given)
     da = pytest.importorskip("dask.array")
     image, depth = da.from_array(IMAGE), da.from_array(DEPTH)
-    yield lambda: depth_of_field_of_chunks(image, depth, LENS, 8e-6, encoding="linear", **given)
+    yield lambda: depth_of_field(image, depth, LENS, 8e-6, encoding="linear", **given)
 
 
 @pytest.mark.parametrize(
@@ -89,20 +85,20 @@ def test_every_door_refuses_the_same_in_the_same_words(given, error, message):
 
 def test_every_door_takes_what_settings_takes():
     given = {"border": "zero", "energy": 0.9, "tol": 1e-3, "largest": 9, "dtype": np.float64, "threads": 1}
-    assert sum(make() is not None for make in doors(**given)) == 6
-    assert sum(make() is not None for make in doors(**given, occlusion=False, wavelengths=[5e-7])) == 5
+    assert sum(make() is not None for make in doors(**given)) == 5
+    assert sum(make() is not None for make in doors(**given, occlusion=False, wavelengths=[5e-7])) == 4
 
 
 def test_chunks_are_computed_by_one_thread_each_unless_told_otherwise(monkeypatch):
     da, seen = pytest.importorskip("dask.array"), []
 
-    def tile(*arguments, **options):
-        seen.append(options["threads"])
-        return TileBlur(*arguments, **options)
+    def tile(*arguments):
+        seen.append(arguments[-1].threads)
+        return TileBlur(*arguments)
 
-    monkeypatch.setattr("lommel.imaging.chunks.TileBlur", tile)
+    monkeypatch.setattr("lommel.imaging.photograph.TileBlur", tile)
     for given in ({}, {"threads": 2}):
-        depth_of_field_of_chunks(da.from_array(IMAGE), da.from_array(DEPTH), LENS, 8e-6, encoding="linear", **given)
+        depth_of_field(da.from_array(IMAGE), da.from_array(DEPTH), LENS, 8e-6, encoding="linear", **given)
     assert seen == [1, 2]
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from lommel import _core
 from lommel.imaging.bank import Bank
-from lommel.imaging.window_sizes import shares_used
+from lommel.imaging.sensor_light import shares_used
 
 LEVELS = ["portable", "avx2", "avx512"]
 SIZES = [(1, 1, 0), (1, 7, 1), (9, 1, 3), (5, 4, 8), (40, 3, 2), (33, 35, 5), (2, 70, 17), (137, 2, 70)]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import depth_of_field, depth_of_field_by_tiles, depth_of_field_of_chunks
+from lommel.imaging import depth_of_field
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6
@@ -37,7 +37,7 @@ def in_one_piece(channels, border):
 def test_tiles_make_the_same_photograph_as_one_piece(border, side, channels):
     image, depth = scene(channels)
     whole, options = in_one_piece(channels, border)
-    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **options)
+    tiled = depth_of_field(image, depth, LENS, PIXEL, tile=side, **options)
     assert np.abs(tiled.values - whole.values).max() < 2e-6
     assert (tiled.lost, tiled.error) == pytest.approx((whole.lost, whole.error), rel=1e-9)
     assert tiled.window == whole.window
@@ -48,7 +48,7 @@ def test_tiles_agree_to_double_precision_where_that_is_asked_for():
     image, depth = scene(dtype=np.float64)
     options = {"encoding": "linear", "dtype": np.float64}
     whole = depth_of_field(image, depth, LENS, PIXEL, **options)
-    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=20, **options)
+    tiled = depth_of_field(image, depth, LENS, PIXEL, tile=20, **options)
     assert np.abs(tiled.values - whole.values).max() < 1e-14
 
 
@@ -58,7 +58,7 @@ def test_objects_at_infinity_and_holes_are_tiled_too():
     lens = lm.Lens(focal_length=20e-3, f_number=8.0, focus_distance=4.0, wavelength=550e-9)
     options = {"encoding": "srgb", "missing": "infinity"}
     whole = depth_of_field(image, depth, lens, PIXEL, **options)
-    tiled = depth_of_field_by_tiles(image, depth, lens, PIXEL, side=32, **options)
+    tiled = depth_of_field(image, depth, lens, PIXEL, tile=32, **options)
     assert np.abs(tiled.values.astype(int) - whole.values).max() <= 1
     assert np.mean(tiled.values != whole.values) < 1e-3
 
@@ -81,10 +81,10 @@ def test_tiles_hide_what_the_whole_hides(border, side, dtype, allowed):
     image = image.astype(dtype)
     options = {"encoding": "linear", "border": border, "occlusion": True, "dtype": dtype}
     whole = depth_of_field(image, depth, LENS, PIXEL, **options)
-    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **options)
+    tiled = depth_of_field(image, depth, LENS, PIXEL, tile=side, **options)
     assert np.abs(tiled.values - whole.values).max() <= allowed
     if side == 33:
-        added = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **{**options, "occlusion": False})
+        added = depth_of_field(image, depth, LENS, PIXEL, tile=side, **{**options, "occlusion": False})
         assert np.abs(added.values - whole.values).max() > 0.1
 
 
@@ -95,7 +95,7 @@ def test_tiles_hide_what_the_whole_hides_wherever_edges_are_as_near(seed):
     image, depth = rng.random((40, 53)), 1.7 + 1.5 * (rng.random((40, 53)) > 0.7)
     options = {"encoding": "linear", "occlusion": True, "dtype": np.float64}
     whole = depth_of_field(image, depth, LENS, PIXEL, **options)
-    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=16, **options)
+    tiled = depth_of_field(image, depth, LENS, PIXEL, tile=16, **options)
     assert np.abs(tiled.values - whole.values).max() <= 1e-13
 
 
@@ -107,7 +107,7 @@ def test_holes_are_filled_as_in_the_whole(missing, occlusion):
     lens = lm.Lens(focal_length=20e-3, f_number=4.0, focus_distance=2.5, wavelength=550e-9)
     options = {"encoding": "linear", "missing": missing, "occlusion": occlusion}
     whole = depth_of_field(image, depth, lens, PIXEL, **options)
-    tiled = depth_of_field_by_tiles(image, depth, lens, PIXEL, side=16, **options)
+    tiled = depth_of_field(image, depth, lens, PIXEL, tile=16, **options)
     assert np.abs(tiled.values - whole.values).max() < 4e-6
 
 
@@ -117,13 +117,13 @@ def test_files_go_in_and_out_and_progress_is_told(tmp_path):
     np.save(tmp_path / "depth.npy", depth)
     out = np.lib.format.open_memmap(tmp_path / "out.npy", mode="w+", dtype=np.uint8, shape=image.shape)
     told: list[tuple[int, int]] = []
-    made = depth_of_field_by_tiles(
+    made = depth_of_field(
         np.load(tmp_path / "image.npy", mmap_mode="r"),
         np.load(tmp_path / "depth.npy", mmap_mode="r"),
         LENS,
         PIXEL,
         encoding="srgb",
-        side=40,
+        tile=40,
         out=out,
         progress=lambda done, tiles: told.append((done, tiles)),
     )
@@ -133,19 +133,49 @@ def test_files_go_in_and_out_and_progress_is_told(tmp_path):
     assert np.abs(out.astype(int) - whole).max() <= 1
 
 
+@pytest.mark.parametrize("which", ["image", "depth", "out"])
+def test_memory_maps_are_done_by_tiles_of_a_side_that_is_chosen(tmp_path, monkeypatch, which):
+    monkeypatch.setattr("lommel.imaging.photograph.TILE", 40)
+    image, depth = scene()
+    given, told = {"image": image, "depth": depth, "out": np.empty_like(image)}, []
+    np.save(tmp_path / "a.npy", given[which])
+    given[which] = np.load(tmp_path / "a.npy", mmap_mode="r+")
+    made = depth_of_field(**given, lens=LENS, pixel=PIXEL, encoding="linear", progress=lambda *at: told.append(at))
+    assert made.values is given["out"]
+    assert told[-1] == (6, 6)
+    by_hand = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", tile=40)
+    assert np.array_equal(made.values, by_hand.values)
+
+
+def test_the_whole_takes_what_tiles_take():
+    image, depth = scene()
+    whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values
+    out, told = np.empty_like(image), []
+    made = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", out=out, progress=lambda *at: told.append(at))
+    assert made.values is out
+    assert np.array_equal(out, whole)
+    assert told == [(1, 1)]
+    # As windows are those of the depths that are named, one tile is the whole.
+    same = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", depths=(depth.min(), depth.max()))
+    assert np.array_equal(same.values, whole)
+    wider = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", depths=(1.6, 2.6), occlusion=False)
+    added = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", occlusion=False)
+    assert 0.0 < np.abs(wider.values - added.values).max() < 1e-3
+
+
 def test_memory_is_that_of_a_tile_whatever_the_image():
     code = """
 import json, tracemalloc
 import numpy as np
 import lommel as lm
-from lommel.imaging import depth_of_field_by_tiles
+from lommel.imaging import depth_of_field
 lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 height, width = 1200, 1600
 image = np.random.default_rng(0).integers(0, 200, (height, width, 3), dtype=np.uint8)
 depth = np.linspace(1.7, 2.4, height * width, dtype=np.float32).reshape(height, width)
 out = np.empty_like(image)
 tracemalloc.start()
-depth_of_field_by_tiles(image, depth, lens, 8e-6, encoding="srgb", side=256, out=out)
+depth_of_field(image, depth, lens, 8e-6, encoding="srgb", tile=256, out=out)
 print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
 """
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300, check=True)
@@ -156,10 +186,12 @@ print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
-        ({"side": 8}, ValueError, "side must be from 16 to 16384, got 8"),
+        ({"tile": 8}, ValueError, "tile must be from 16 to 16384, got 8"),
         ({"missing": "nearest", "depth": np.full((70, 90), np.nan)}, ValueError, "depth is NaN everywhere"),
-        ({"out": np.zeros((70, 90, 3))}, ValueError, "out must be an array of the shape and type of the image"),
-        ({"image": [[1.0]]}, ValueError, "image must be an array of the shape"),
+        ({"out": np.zeros((70, 90, 3))}, TypeError, "out must have the type of the image, float32, got float64"),
+        ({"out": np.zeros((70, 90), "f4")}, ValueError, "out must have the shape of the image"),
+        ({"progress": 3}, TypeError, "progress must be callable, got 3"),
+        ({"image": [1.0]}, ValueError, "image must have the shape"),
         ({"depth": np.ones((7, 9))}, ValueError, r"depth must have the shape of the image, \(70, 90\), got \(7, 9\)"),
         ({"depth": np.full((70, 90), np.nan)}, ValueError, "depth is NaN"),
         ({"depth": np.full((70, 90), -1.0)}, ValueError, "depth must be > 0 metres, got -1.0"),
@@ -171,15 +203,15 @@ print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
 )
 def test_what_cannot_be_tiled_is_refused_by_name(change, error, message):
     image, depth = scene()
-    given = {"image": image, "depth": depth, "lens": LENS, "pixel": PIXEL, "encoding": "linear"} | change
+    given = {"image": image, "depth": depth, "lens": LENS, "pixel": PIXEL, "encoding": "linear", "tile": 16} | change
     with pytest.raises(error, match=message):
-        depth_of_field_by_tiles(**given)
+        depth_of_field(**given)
 
 
 def test_the_result_must_not_go_where_the_image_is():
     image, depth = scene()
     with pytest.raises(ValueError, match="must not share memory"):
-        depth_of_field_by_tiles(image, depth, LENS, PIXEL, encoding="linear", out=image)
+        depth_of_field(image, depth, LENS, PIXEL, encoding="linear", tile=32, out=image)
 
 
 class TestChunks:
@@ -193,7 +225,7 @@ class TestChunks:
     def test_chunks_make_the_same_photograph_wherever_they_are_computed(self, da, scheduler):
         image, depth = scene()
         whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values
-        lazy = depth_of_field_of_chunks(
+        lazy = depth_of_field(
             da.from_array(image, chunks=(40, 30, 1)),
             da.from_array(depth, chunks=(70, 45)),
             LENS,
@@ -210,10 +242,10 @@ class TestChunks:
         image, depth = scene(1)
         whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", occlusion=False).values
         arrays = (da.from_array(a, chunks=chunk) for a in (image, depth))
-        given = {"encoding": "linear", "occlusion": False, "depths": (1.6, 2.5), "side": None}
-        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, **given)
+        given = {"encoding": "linear", "occlusion": False, "depths": (1.6, 2.5), "tile": None}
+        made = depth_of_field(*arrays, LENS, PIXEL, **given)
         lazy = (da.from_array(a) for a in (image, depth))
-        alike = depth_of_field_of_chunks(*lazy, LENS, PIXEL, encoding="linear", occlusion=False)
+        alike = depth_of_field(*lazy, LENS, PIXEL, encoding="linear", occlusion=False)
         # A wider range makes other windows, within tol of these.
         assert np.abs(made.compute() - whole).max() < 1e-3
         assert np.abs(alike.rechunk(chunk).compute() - whole).max() < 2e-6
@@ -227,7 +259,7 @@ class TestChunks:
         options = {"encoding": "linear", "missing": "nearest", "occlusion": True}
         whole = depth_of_field(image, depth, LENS, PIXEL, **options).values
         arrays = (da.from_array(a, chunks=chunk) for a in (image, depth))
-        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, **options)
+        made = depth_of_field(*arrays, LENS, PIXEL, **options)
         assert np.abs(made.compute(scheduler="synchronous") - whole).max() < 4e-6
 
     def test_chunks_may_reach_beyond_the_whole(self, da):
@@ -236,13 +268,13 @@ class TestChunks:
         options = {"encoding": "linear", "occlusion": True}
         whole = depth_of_field(image, depth, LENS, PIXEL, **options).values
         arrays = (da.from_array(a, chunks=8) for a in (image, depth))
-        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, **options)
+        made = depth_of_field(*arrays, LENS, PIXEL, **options)
         assert np.abs(made.compute(scheduler="synchronous") - whole).max() < 4e-6
 
     def test_the_image_is_cut_as_asked(self, da):
         image, depth = scene(dtype=np.uint8)
         arrays = (da.from_array(a, chunks=10) for a in (image, depth))
-        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, encoding="srgb", side=48, missing="infinity")
+        made = depth_of_field(*arrays, LENS, PIXEL, encoding="srgb", tile=48, missing="infinity")
         assert made.chunks == ((48, 22), (48, 42), (3,))
         whole = depth_of_field(image, depth, LENS, PIXEL, encoding="srgb").values
         assert np.abs(made.compute().astype(int) - whole).max() <= 1
@@ -250,7 +282,7 @@ class TestChunks:
     def test_a_depth_beyond_those_named_is_refused_when_it_is_met(self, da):
         image, depth = scene()
         arrays = (da.from_array(a, chunks=40) for a in (image, depth))
-        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, encoding="linear", depths=(1.9, 2.0))
+        made = depth_of_field(*arrays, LENS, PIXEL, encoding="linear", depths=(1.9, 2.0))
         with pytest.raises(ValueError, match="as the depths named for the whole image"):
             made.compute(scheduler="synchronous")
 
@@ -259,9 +291,16 @@ class TestChunks:
         depth[3, 4] = np.nan
         arrays = (da.from_array(a, chunks=40) for a in (image, depth))
         with pytest.raises(ValueError, match="depth is NaN at some points"):
-            depth_of_field_of_chunks(*arrays, LENS, PIXEL, encoding="linear")
+            depth_of_field(*arrays, LENS, PIXEL, encoding="linear")
 
-    def test_arrays_of_numpy_are_refused(self, da):
+    def test_arrays_of_numpy_beside_them_are_refused(self, da):
         image, depth = scene()
-        with pytest.raises(TypeError, match="image must be a dask array, got ndarray"):
-            depth_of_field_of_chunks(image, depth, LENS, PIXEL, encoding="linear")
+        for arrays in ((da.from_array(image), depth), (image, da.from_array(depth))):
+            with pytest.raises(TypeError, match=r"image and depth must both be dask arrays if one is, got"):
+                depth_of_field(*arrays, LENS, PIXEL, encoding="linear")
+
+    @pytest.mark.parametrize("given", [{"out": np.zeros((70, 90, 3))}, {"progress": print}])
+    def test_what_chunks_cannot_have_names_the_way_that_dask_has(self, da, given):
+        arrays = (da.from_array(a) for a in scene())
+        with pytest.raises(ValueError, match=r"use dask.array.store\(result, out\) and dask.diagnostics.ProgressBar"):
+            depth_of_field(*arrays, LENS, PIXEL, encoding="linear", **given)

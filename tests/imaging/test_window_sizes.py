@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.imaging.window_sizes import cut, find_cuts, ring_shares, shares_used, sums_of_quarters
+from lommel.imaging.sensor_light import cut, find_cuts, ring_shares, shares_used, sums_of_quarters
 from lommel.methods.pixels.rule import octant, sums_of_windows
 
 

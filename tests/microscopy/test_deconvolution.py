@@ -172,15 +172,15 @@ class _Terminal(io.StringIO):
 
 @pytest.mark.parametrize("terminal", [True, False])
 def test_a_long_job_shows_where_it_is_in_terminals_only(monkeypatch, terminal):
-    from lommel.imaging.restoration import restore_with
+    from lommel.imaging import restoration
 
     shown = _Terminal() if terminal else io.StringIO()
     monkeypatch.setattr(sys, "stderr", shown)
     stack, way = np.full((3, 12, 12), 200.0), lm.imaging.RichardsonLucy(steps=3, target=0.0)
     lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
     assert shown.getvalue() == ""  # it was too quick to be worth a word
-    monkeypatch.setattr(restore_with, "_QUIET", 0.0)
-    monkeypatch.setattr(restore_with, "_PAUSE", 0.0)
+    monkeypatch.setattr(restoration, "_QUIET", 0.0)
+    monkeypatch.setattr(restoration, "_PAUSE", 0.0)
     lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
     if terminal:
         lines = shown.getvalue().split("\r")

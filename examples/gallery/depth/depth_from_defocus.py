@@ -20,8 +20,7 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import to_light
 from lommel.estimation.pixel_transfer import pixel_transfer, squared_frequency
-from lommel.imaging.defocus.depth import depth_by
-from lommel.imaging.scene import fill_missing
+from lommel.imaging.photograph import fill_missing
 
 left, _, disparity = stereo_motorcycle()
 part = np.s_[60:380, 180:620]
@@ -104,7 +103,7 @@ def gauss(x):
 models = {"PSF of the lens": pixel_transfer, "disc": imitated(disc), "Gaussian": imitated(gauss)}
 figure, places = plt.subplots(2, 3, figsize=(11, 5.2), layout="constrained", sharex=True, sharey=True)
 for column, (name, model) in zip(places.T, models.items(), strict=True):
-    other = depth_by(model, photographs, lenses, pixel, **camera)
+    other = lm.imaging.depth_from_defocus(photographs, lenses, pixel, transfer=model, **camera)
     error = 1e3 * (other.depth - truth)
     column[0].set_facecolor("0.55")
     shown = column[0].imshow(error, cmap="RdBu_r", vmin=-150, vmax=150)

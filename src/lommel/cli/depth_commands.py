@@ -23,7 +23,7 @@ from lommel.cli.parts import (
 from lommel.cli.progress import progress
 
 if TYPE_CHECKING:
-    from lommel.imaging.defocus.depth import DefocusDepth
+    from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.optics.lens import Lens
 
 _MISFIT = 2.0

@@ -17,7 +17,7 @@ from lommel.cli.progress import progress
 from lommel.io.photos import find, write_photo
 
 if TYPE_CHECKING:
-    from lommel.imaging.restoration.restore_with import Restoration
+    from lommel.imaging.restoration import Restoration
 
 _METHODS = ("richardson-lucy", "total-variation")
 
@@ -72,7 +72,7 @@ def restore(
       lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """  # noqa: D301 (\b is meant)
     from lommel.estimation.noise import Noise
-    from lommel.imaging.restoration.restore import restore as restored
+    from lommel.imaging.restoration import restore as restored
 
     request = Request.of(options)
     find(output, "--output")

@@ -1,18 +1,16 @@
-"""A bank of pixel-averaged PSFs over defocus, close enough for what lies between to be interpolated."""
+"""A bank of pixel-integrated PSFs over defocus, close enough to interpolate those between."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from lommel.imaging.defocus_nodes import DefocusNodes
+from lommel.base.arrays import Array, Values
 from lommel.imaging.remainder import Remainder, fit, inner_energy, reach_of
-from lommel.imaging.sensor_light import SensorLight
-from lommel.imaging.window_sizes import cut, find_cuts, shares_used, sums_of_quarters
+from lommel.imaging.sensor_light import DefocusNodes, SensorLight, cut, find_cuts, shares_used, sums_of_quarters
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
@@ -49,13 +47,13 @@ class Bank:
 
     start: float
     spacing: float
-    windows: NDArray[np.floating[Any]]
-    cuts: NDArray[np.float64]
-    energies: NDArray[np.float64]
+    windows: Values
+    cuts: Array
+    energies: Array
     lost: float
     error: float
     remainder: Remainder | None = None
-    filled: NDArray[np.floating[Any]] | None = None
+    filled: Values | None = None
 
     @property
     def count(self) -> int:
@@ -78,83 +76,45 @@ class Bank:
         """Rows and columns that the compiled core needs beyond the image, on either side."""
         return self.half, self.windows.shape[2]
 
-    def positions(self, defocus: ArrayLike) -> NDArray[np.float64]:
-        """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second.
-
-        Parameters
-        ----------
-        defocus : array_like
-            Radians at the wavelength of the lens.
-
-        Returns
-        -------
-        ndarray
-        """
+    def positions(self, defocus: ArrayLike) -> Array:
+        """Return the position in the bank of a `defocus` C_d in radians, 0 at the first window, 1 at the second."""
         positions = np.asarray(defocus, dtype=np.float64) - self.start
         positions /= self.spacing
         return positions
 
-    def used(self, defocus: float) -> NDArray[np.float64]:
-        """Return how much of each pixel is used for one defocus, 0 to 1 but for the cubics, shape (side, side).
-
-        Parameters
-        ----------
-        defocus : float
-            C_d, radians at the wavelength of the lens.
-
-        Returns
-        -------
-        ndarray
-        """
+    def used(self, defocus: float) -> Array:
+        """Return the share used of each pixel, about 0 to 1, at one `defocus` C_d (radians), shape (side, side)."""
         first, weights = self._mixture(defocus)
         return self._spread_out(np.tensordot(weights, shares_used(self.cuts, self.half)[first : first + 4], axes=1))
 
-    def window(self, defocus: float) -> NDArray[np.float64]:
-        """Return the window that the compiled core makes of the bank for one defocus, shape (side, side).
-
-        Parameters
-        ----------
-        defocus : float
-            C_d, radians at the wavelength of the lens.
-
-        Returns
-        -------
-        ndarray
-        """
+    def window(self, defocus: float) -> Array:
+        """Return the window that the compiled core interpolates at a `defocus` C_d in radians, shape (side, side)."""
         first, weights = self._mixture(defocus)
         made = self._spread_out(np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1))
         return made / (weights @ self.energies[first : first + 4])
 
-    def holding(self, kernels: NDArray[np.float64], cuts: NDArray[np.float64] | None = None) -> Bank:
-        """Return a bank of other PSFs at the same defocus, for comparisons.
-
-        Parameters
-        ----------
-        kernels : ndarray, shape (count, side, side)
-            Alike in their four quadrants.
-        cuts : ndarray, shape (count,), optional
-            Where they end; by default as here.
-
-        Returns
-        -------
-        Bank
-            Whose `error` and `lost` are still those of this one.
-        """
+    def holding(self, kernels: Array, cuts: Array | None = None) -> Bank:
+        """Return a bank of other `kernels` (count, side, side) that end at `cuts`, by default as here."""
         ends = self.cuts if cuts is None else cuts
         quarter = kernels[:, self.half :, self.half :] * shares_used(ends, self.half)
         windows, energies = stored_windows(quarter, self.windows.dtype), sums_of_quarters(quarter)
         return replace(self, windows=windows, cuts=ends, energies=energies)
 
-    def _mixture(self, defocus: float) -> tuple[int, NDArray[np.float64]]:
-        """Return the first of the four windows between which one defocus is interpolated, and their weights."""
+    def apart(self) -> tuple[Bank, Bank]:
+        """Return banks of the PSF within its windows, and of the remainder there."""
+        assert self.filled is not None
+        return replace(self, windows=self.windows + self.filled), replace(self, windows=self.filled)
+
+    def _mixture(self, defocus: float) -> tuple[int, Array]:
+        """Return the first of the four windows that one defocus is interpolated from, and their weights."""
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
         interval = min(int(position), self.count - 2)
         first = min(max(interval - 1, 0), self.count - 4)
         t = position - first
         return first, np.array([math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)])
 
-    def _spread_out(self, quarter: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return all quadrants of what is stored as one."""
+    def _spread_out(self, quarter: Array) -> Array:
+        """Return all quadrants of one that is stored."""
         away = np.abs(np.arange(-self.half, self.half + 1))
         return quarter[away[:, None], away]
 
@@ -166,32 +126,9 @@ def build_bank(
     tol: float,
     energy: float,
     largest: int,
-    dtype: DTypeLike = np.float32,
+    dtype: type[np.floating] | np.dtype[np.floating] = np.float32,
 ) -> Bank:
-    """Compute the bank of one channel.
-
-    Parameters
-    ----------
-    light : SensorLight
-    defocus : (float, float)
-        Range of C_d, radians at the wavelength of the pupil.
-    tol : float
-        Windows are put closer together until interpolation errs by less, over the peak.
-    energy : float
-        Share of light that the pixels used must hold; 1 for as much as is best, and a remainder that holds the rest.
-    largest : int
-        Largest half width allowed, pixels.
-    dtype : float32 or float64
-
-    Returns
-    -------
-    Bank
-
-    Raises
-    ------
-    ValueError
-        If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
-    """
+    """Return the bank of one channel over a range of C_d; ValueError if it would be too large."""
     low, high = defocus
     assert light.pupil.wavelength is not None
     per_radian = light.pupil.wavelength / min(wavelength for wavelength, _ in light.spectrum)
@@ -235,34 +172,24 @@ def build_bank(
         cells = (used + 1) * (used + 2) // 2
         exact, middle = exact[:, :cells], together[3:-3:2, :cells]
         remainder, within = fit(everywhere, start, spacing, exact, middle, cuts, reach, tol)
-        windows, filled = (stored_windows(cut(part, cuts), dtype) for part in (exact - within, within))
+        windows, filled = (stored_windows(cut(part, cuts), np.dtype(dtype)) for part in (exact - within, within))
         return Bank(start, spacing, windows, cuts, np.ones(count), 0.0, error, remainder, filled)
     quarter = cut(exact, cuts)
     energies = sums_of_quarters(quarter)
     between = (9.0 * (energies[1:-2] + energies[2:-1]) - energies[:-3] - energies[3:]) / 16.0
     held = min(float(energies.min()), float(between.min()))
-    return Bank(start, spacing, stored_windows(quarter, dtype), cuts, energies, 1.0 - held, error)
+    return Bank(start, spacing, stored_windows(quarter, np.dtype(dtype)), cuts, energies, 1.0 - held, error)
 
 
-def stored_windows(quarter: NDArray[np.float64], dtype: DTypeLike) -> NDArray[Any]:
-    """Return windows as the compiled core takes them, with the room that it needs.
-
-    Parameters
-    ----------
-    quarter : ndarray, shape (count, half + 1, half + 1)
-    dtype : float32 or float64
-
-    Returns
-    -------
-    ndarray, shape (count + 1, half + 1, stride)
-    """
+def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
+    """Return windows, shape (count + 1, half + 1, stride), with the padding that the compiled core needs."""
     count, side, _ = quarter.shape
-    windows = _at_cache_lines((count + 1, side, ((side - 1) // 16 + 1) * 16), np.dtype(dtype))
+    windows = _at_cache_lines((count + 1, side, ((side - 1) // 16 + 1) * 16), dtype)
     windows[:-1, :, :side] = quarter
     return windows
 
 
-def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[np.floating]) -> Values:
     """Return zeros whose rows begin at cache lines where the stride lets them: vectors then are loaded faster."""
     size = math.prod(shape) * dtype.itemsize
     room = np.zeros(size + 64, dtype=np.uint8)
@@ -270,7 +197,7 @@ def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any
     return room[first : first + size].view(dtype).reshape(shape)
 
 
-def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:
+def _interpolation_error(exact: Array, middle: Array) -> float:
     """Return the largest difference half-way between windows, over the peak there; not in the first and last gap."""
     off = exact[1:-2] + exact[2:-1]
     off *= 9.0

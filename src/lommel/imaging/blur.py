@@ -1,43 +1,41 @@
-"""Blur that varies with depth, as a linear operator: every point spreads the PSF of its own distance."""
+"""Blur by depth as a linear operator, every point spreading the PSF of its own distance, and its derivatives."""
 
 from __future__ import annotations
 
+import copy
+import math
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, NamedTuple, Unpack
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.core import engine
-from lommel.imaging.bank import Bank, build_bank
-from lommel.imaging.beyond_windows import Beyond
-from lommel.imaging.borders import folded, gathered
-from lommel.imaging.linear import LinearBlur
-from lommel.imaging.sensor_light import SensorLight
+from lommel.imaging.bank import Bank, build_bank, stored_windows
+from lommel.imaging.linear import LinearBlur, folded, gathered
+from lommel.imaging.remainder import Beyond
+from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
+
+if TYPE_CHECKING:
+    from scipy.sparse.linalg import LinearOperator
+
 
 _BAND = 2**17  # points that are spread in one go where somebody watches
 
 
 class Points(NamedTuple):
-    """Points of one channel that spread light.
+    """Points of one channel that spread light."""
 
-    Attributes
-    ----------
-    positions : ndarray, shape (height, width)
-        Where each is in the bank, below 0 for those that spread nothing.
-    layers : ndarray, shape (height, width), optional
-        Number of the layer that each is in, from the front; of the type of the sums.
-    """
-
-    positions: NDArray[np.float64]
-    layers: NDArray[Any] | None = None
+    positions: Array  # in the bank, below 0 for points that spread nothing
+    layers: Values | None = None  # of each point, counted from the front
 
 
 @shares(BlurKeywords, Settings)
@@ -80,11 +78,11 @@ class DepthBlur(LinearBlur):
         If an argument is out of range; if the blur exceeds `largest`.
     """
 
+    # Called with a number of points each time that so many have been spread, if it is set; see `_bands`.
     watch: Callable[[int], object] | None = None
-    """Called with a number of points each time that so many have been spread, if it is set; see `_bands`."""
 
     # Where the points are in the banks, of the defocus and for the banks that come first.
-    _placed: tuple[NDArray[np.float64], tuple[Bank, ...], tuple[NDArray[np.float64], ...]] | None = None
+    _placed: tuple[Array, tuple[Bank, ...], tuple[Array, ...]] | None = None
 
     def __init__(
         self,
@@ -108,7 +106,7 @@ class DepthBlur(LinearBlur):
         validation.pixel_on(self.pixel, lens.wavelength * lens.working_f_number, metric=True)
         settings = Settings.of(DepthBlur, options, BlurKeywords)
         self.border, self.energy = settings.border, settings.energy
-        self.dtype, self.threads = np.dtype(settings.dtype), settings.threads or 0
+        self.dtype, self.threads = cast("np.dtype[np.floating]", settings.dtype), settings.threads or 0
         self.place(depth)
         reach = (float(self.defocus.min()), float(self.defocus.max()))
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
@@ -126,7 +124,11 @@ class DepthBlur(LinearBlur):
         distinct = tuple(dict.fromkeys(self.spectra))
         known = dict(zip(distinct, side_by_side(bank, distinct, self.threads), strict=True))
         self.banks = tuple(known[spectrum] for spectrum in self.spectra)
-        self.beyond = Beyond(self.banks, settings.tol) if settings.energy == 1.0 else None
+        self.beyond = (
+            Beyond([bank.remainder for bank in self.banks if bank.remainder is not None], settings.tol)
+            if settings.energy == 1.0
+            else None
+        )
         if self.beyond is not None and (error := self.error) > 2.0 * settings.tol:
             rounding = "for dtype=float64, " if 2.0 * self.beyond.rounding(self.dtype) > error else ""
             warnings.warn(
@@ -137,18 +139,7 @@ class DepthBlur(LinearBlur):
             )
 
     def place(self, depth: ArrayLike) -> None:
-        """Put the points at other depths, within the range of those given first.
-
-        Parameters
-        ----------
-        depth : array_like, shape (height, width)
-            Metres.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a distance is not a number above 0.
-        """
+        """Put the points at another `depth` (metres), within the range of the first; ValueError unless > 0."""
         distances = require_depth(depth)
         self.defocus = self.lens.defocus(distances)
         self.defocus.flags.writeable = False
@@ -160,29 +151,11 @@ class DepthBlur(LinearBlur):
 
     @property
     def error(self) -> float:
-        """Largest error of interpolated windows over their peak; or what the whole K is off, summed over pixels."""
+        """Largest error of interpolated windows over their peak; of the whole PSF that of K, summed over pixels."""
         return max(bank.error for bank in self.banks) if self.beyond is None else self.beyond.error(self)
 
-    def forward(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
-        """Return the image that the lens makes of linear light, shape (height, width) or (height, width, channels).
-
-        Parameters
-        ----------
-        image : ndarray of float
-            Light; the last axis holds the channels if there are several.
-        weight : ndarray of bool, shape (height, width), optional
-            Which points take part: the others spread nothing.
-
-        Returns
-        -------
-        ndarray
-            Of the shape of `image`, and of the type of the sums.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If `image` is not finite light of the shape of the depth, or `weight` does not fit.
-        """
+    def forward(self, image: Values, weight: Values | None = None) -> Values:
+        """Return the image that the lens makes of an `image`, or of its points in the bool map `weight` only."""
         out = self.by_channel(
             image,
             lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))]),
@@ -194,26 +167,8 @@ class DepthBlur(LinearBlur):
                 onto += more
         return out
 
-    def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
-        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
-
-        Parameters
-        ----------
-        image : ndarray of float
-            Of the shape that :meth:`forward` takes.
-        weight : ndarray of bool, shape (height, width), optional
-            As of :meth:`forward`: points that take no part receive 0.
-
-        Returns
-        -------
-        ndarray
-            Of the shape of `image`.
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`forward`.
-        """
+    def adjoint(self, image: Values, weight: Values | None = None) -> Values:
+        """Return the transpose of :meth:`forward` applied to an `image`; points outside of `weight` receive 0."""
         taken = self.by_channel(
             image,
             lambda channel, plane: next(self.collect(channel, plane, [Points(self._positions(channel, weight))])),
@@ -232,41 +187,24 @@ class DepthBlur(LinearBlur):
 
     @property
     def channels(self) -> int:
-        """How many channels an image has; one of a single channel may lack their axis."""
+        """Number of channels; an image of a single one may lack their axis."""
         return len(self.banks)
 
     def spread(
         self,
         channel: int,
-        sources: Sequence[tuple[NDArray[Any], Points]],
-        seen: NDArray[Any] | None = None,
+        sources: Sequence[tuple[Values, Points]],
+        seen: Values | None = None,
         *,
         bank: Bank | None = None,
         slopes: bool = False,
-    ) -> NDArray[Any]:
-        """Return the sum of what light of several sources makes of one channel.
+    ) -> Values:
+        """Return the blurred light of several `sources` in one `channel`.
 
-        Parameters
-        ----------
-        channel : int
-            Its place among `banks`.
-        sources : sequence of (ndarray, Points)
-            A plane of light, shape (height, width), and the points that spread it.
-        seen : ndarray, shape (height, width), optional
-            How many layers of points each pixel sees, a real number, if not all.
-        bank : Bank, optional
-            Another than that of the channel, with windows alike.
-        slopes : bool, default False
-            Of windows, take their derivatives by positions in the bank.
-
-        Returns
-        -------
-        ndarray, shape (height, width)
-
-        Raises
-        ------
-        TypeError, ValueError
-            If there is no such channel, or a plane is none of the type of the sums.
+        Each source is a plane of light, shape (height, width), and its points. `seen` is the number of layers of
+        points that each pixel sees, a real number, by default all; `bank` another bank than that of the channel, with
+        windows alike; with `slopes` windows are replaced by their derivatives by positions. TypeError or ValueError
+        if there is no such channel, or a plane is not of the type of the sums.
         """
         rows, columns, around = self._room(channel)
         if not isinstance(sources, Sequence):
@@ -291,32 +229,16 @@ class DepthBlur(LinearBlur):
     def collect(
         self,
         channel: int,
-        plane: NDArray[Any],
+        plane: Values,
         sources: Sequence[Points],
-        seen: NDArray[Any] | None = None,
+        seen: Values | None = None,
         *,
         bank: Bank | None = None,
         slopes: bool = False,
-    ) -> Iterator[NDArray[Any]]:
-        """Yield for each source what the transpose of :meth:`spread` gives to it.
+    ) -> Iterator[Values]:
+        """Yield the transpose of :meth:`spread` of a `plane`, for each of the `sources`.
 
-        Parameters
-        ----------
-        channel : int
-            Its place among `banks`.
-        plane : ndarray, shape (height, width)
-        sources : sequence of Points
-        seen, bank, slopes
-            As of :meth:`spread`.
-
-        Yields
-        ------
-        ndarray, shape (height, width)
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`spread`.
+        `channel`, `seen`, `bank` and `slopes` are those of :meth:`spread`.
         """
         rows, columns, around = self._room(channel)
         for points in sources:
@@ -333,11 +255,11 @@ class DepthBlur(LinearBlur):
             yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
 
     def _at(self, channel: int) -> int:
-        """Return the place of a channel among `banks`; TypeError or ValueError if there is none."""
+        """Return the index of a channel among `banks`; TypeError or ValueError if there is none."""
         return validation.integer("channel", channel, least=0, most=len(self.banks) - 1)
 
     def _require(self, plane: Any, points: Any) -> None:
-        """Refuse a plane and points that are none of this shape, or of another type than the sums."""
+        """Raise TypeError unless a plane has this shape and the type of the sums."""
         validation.instance("points", points, Points)
         if not isinstance(plane, np.ndarray) or plane.shape != self.shape or plane.dtype != self.dtype:
             raise TypeError(
@@ -345,42 +267,27 @@ class DepthBlur(LinearBlur):
             )
 
     def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
-        """Return rows and columns of the image with copies of its edges, and what their windows need around it."""
+        """Return the rows and columns of the image with copies of its edges, and the margins of their windows."""
         bank = self.banks[self._at(channel)]
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
 
     def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
-        """Yield rows that are spread together, all unless somebody watches, and the rows that they reach."""
+        """Yield bands of rows that are spread at once, all unless `watch` is set, and the rows that they reach."""
         height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
         for first in range(0, len(rows), height):
             last = min(first + height, len(rows))
             yield slice(first, last), slice(first, last + 2 * half)
 
-    def _shown(self, seen: NDArray[Any] | None, around: list[tuple[int, int]]) -> NDArray[Any] | None:
-        """Return what pixels see, with the room around them."""
+    def _shown(self, seen: Values | None, around: list[tuple[int, int]]) -> Values | None:
+        """Return the layers that pixels see, with margins."""
         return (
             None if seen is None else np.pad(seen, around, mode="symmetric" if self.border == "reflect" else "edge")
         )
 
-    def positions(self, channel: int) -> NDArray[np.float64]:
-        """Return where each point is in the bank of a channel.
-
-        Parameters
-        ----------
-        channel : int
-            Its place among `banks`.
-
-        Returns
-        -------
-        ndarray, shape (height, width)
-
-        Raises
-        ------
-        TypeError, ValueError
-            If there is no such channel.
-        """
+    def positions(self, channel: int) -> Array:
+        """Return the position of each point in the bank of a `channel`; ValueError if there is no such channel."""
         channel = self._at(channel)
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
@@ -391,8 +298,8 @@ class DepthBlur(LinearBlur):
             self._placed = placed = self.defocus, self.banks, each
         return placed[2][channel]
 
-    def _positions(self, channel: int, weight: NDArray[Any] | None) -> NDArray[np.float64]:
-        """Return where each point is in the bank of a channel, below 0 for those left out."""
+    def _positions(self, channel: int, weight: Values | None) -> Array:
+        """Return positions as :meth:`positions`, below 0 for the points outside of `weight`."""
         positions = self.positions(channel)
         if weight is None:
             return positions
@@ -403,7 +310,7 @@ class DepthBlur(LinearBlur):
         return np.where(weight, positions, -1.0)
 
 
-def _parts(bank: Bank) -> tuple[NDArray[Any], NDArray[np.int64], Array]:
+def _parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
     return bank.windows, bank.halves, bank.energies
 
 
@@ -413,7 +320,7 @@ def require_lens(lens: Any, order: str) -> None:
         raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")
 
 
-def require_depth(depth: ArrayLike) -> NDArray[np.float64]:
+def require_depth(depth: ArrayLike) -> Array:
     """Return depth as float64; raise TypeError or ValueError unless it is an image of metres above 0."""
     distances = validation.array("depth", depth)
     if distances.dtype.kind not in "iuf":
@@ -427,3 +334,155 @@ def require_depth(depth: ArrayLike) -> NDArray[np.float64]:
             raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres
+
+
+# Differences of fourth order: over steps of so much of C_d, of which phases turn by twice as much, and of the scale.
+_DIFFERENCES = ((-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0))
+_STEP_OF_DEFOCUS, _STEP_OF_SCALE = 0.03, 1e-3
+
+
+# Where a point moves by delta, its light x moves by x delta dC_d/dz dK/dC_d (chain rule). K is a mixture of four
+# windows by cubic weights, and its derivative one of the same four by the derivatives of the weights. Of
+# C_d = k (1/d - 1/f + 1/z), k = pi R^2 / (2 lambda), the derivative is -k / z^2 by the distance z of a point, and
+# -k / d^2 by the distance d of the sensor, for all points; but the sensor also scales all windows in proportion to d.
+class BlurSlopes:
+    """The derivatives of ``blur.forward(image)`` by the depth of every point and by the focus, for fits of either.
+
+    A linear operator from changes of depth to changes of the photograph, with its exact transpose; both cost what the
+    blur costs. Derivatives are those of the interpolated windows: against those of exact windows they err by about
+    `tol` of the peak per radian of C_d, and more where windows are far apart.
+
+    Parameters
+    ----------
+    image : ndarray of float
+        The scene, linear light, of the shape that :meth:`lommel.imaging.DepthBlur.forward` takes.
+    blur : DepthBlur
+        Placed at the depths of the derivatives; is not to be placed elsewhere afterwards.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `blur` is none, or as :meth:`lommel.imaging.DepthBlur.forward`.
+
+    Examples
+    --------
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+    >>> depth, light = np.full((20, 30), 2.3), np.random.default_rng(0).random((20, 30))
+    >>> blur = lm.imaging.DepthBlur(depth, lens, 8e-6, dtype=np.float64, tol=1e-6)
+    >>> slopes = lm.imaging.BlurSlopes(light, blur)
+    >>> before, change = blur.forward(light), np.full((20, 30), 1e-6)
+    >>> blur.place(depth + change)
+    >>> bool(np.allclose(blur.forward(light) - before, slopes.forward(change), rtol=1e-3, atol=1e-9))
+    True
+    """
+
+    def __init__(self, image: Values, blur: DepthBlur) -> None:
+        validation.instance("blur", blur, DepthBlur)
+        self._blur = copy.copy(blur)
+        self._planes = np.array(blur.planes(image))
+        self._shape = np.shape(image)
+        lens = blur.lens
+        infinite = float(lens.defocus(math.inf))
+        # 0 at an infinite distance.
+        self._per_metre = -((blur.defocus - infinite) ** 2) / (float(lens.defocus(1.0)) - infinite)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width."""
+        return self._blur.shape
+
+    def forward(self, change: Values) -> Values:
+        """Return the first-order change of the photograph with a `change` of depth (metres); or ValueError."""
+        metres = validation.real_array("change", change)
+        if metres.shape != self.shape:
+            raise ValueError(f"change must have the shape of the depth, {self.shape}, got {metres.shape}")
+        radians = metres * self._per_metre
+        moved = [plane * self._steps(channel, radians) for channel, plane in enumerate(self._planes)]
+        made = [
+            self._blur.spread(channel, [(plane, self._points(channel))], slopes=True)
+            for channel, plane in enumerate(moved)
+        ]
+        if (beyond := self._blur.beyond) is not None:
+            for onto, more in zip(
+                made, beyond.spread(self._blur, range(len(moved)), moved, slopes=True), strict=True
+            ):
+                onto += more
+        return np.stack(made, axis=-1).reshape(self._shape)
+
+    def adjoint(self, image: Values) -> Values:
+        """Return the gradient, per metre of depth, of the sum of `image` times the photograph."""
+        given = list(self._blur.planes(image))
+        taken = [
+            next(self._blur.collect(channel, plane, [self._points(channel)], slopes=True))
+            for channel, plane in enumerate(given)
+        ]
+        if (beyond := self._blur.beyond) is not None:
+            for onto, more in zip(
+                taken, beyond.collect(self._blur, range(len(given)), given, slopes=True), strict=True
+            ):
+                onto += more
+        total = np.zeros(self.shape, dtype=self._blur.dtype)
+        for channel, plane in enumerate(self._planes):
+            total += taken[channel] * plane * self._steps(channel, self._per_metre)
+        return total
+
+    def focus(self) -> Values:
+        """Return the derivative of the photograph by the distance of the sensor from the lens, light per metre.
+
+        The aperture keeps its diameter. The derivative by the distance in focus is ``-(d / s)**2`` times this, d
+        being ``lens.sensor_distance`` and s ``lens.focus_distance``. ValueError where the blur has the whole PSF,
+        ``energy=1``.
+        """
+        blur = self._blur
+        if blur.beyond is not None:
+            raise ValueError("energy must be below 1 for the derivative by focus, such as 0.9999, got 1")
+        moved = copy.copy(blur)
+        known: dict[int, Bank] = {}
+        for bank, spectrum in zip(blur.banks, blur.spectra, strict=True):
+            if id(bank) not in known:
+                known[id(bank)] = _by_sensor(blur, bank, spectrum)
+        moved.banks = tuple(known[id(bank)] for bank in blur.banks)
+        made = [moved.spread(channel, [(plane, self._points(channel))]) for channel, plane in enumerate(self._planes)]
+        return np.stack(made, axis=-1).reshape(self._shape) / blur.lens.sensor_distance
+
+    def as_linear_operator(self) -> LinearOperator:
+        """Return the operator for SciPy's solvers, from depths in metres to values of the photograph, as vectors."""
+        from scipy.sparse.linalg import LinearOperator
+
+        shape = math.prod(self._shape), math.prod(self.shape)
+        return LinearOperator(
+            shape,
+            matvec=lambda vector: self.forward(np.reshape(vector, self.shape)).reshape(-1),
+            rmatvec=lambda vector: self.adjoint(np.reshape(vector, self._shape)).reshape(-1),
+            dtype=self._blur.dtype,
+        )
+
+    def _points(self, channel: int) -> Points:
+        return Points(self._blur.positions(channel))
+
+    def _steps(self, channel: int, radians: Array) -> Values:
+        """Return changes of C_d as changes of positions in a bank."""
+        return (radians / self._blur.banks[channel].spacing).astype(self._blur.dtype)
+
+
+def _by_sensor(blur: DepthBlur, bank: Bank, spectrum: tuple[tuple[float, float], ...]) -> Bank:
+    """Return a bank of the derivatives of windows by ln d, of points that stay where they are while the sensor moves.
+
+    By differences of windows as they are cut and divided, which are smooth in d but for bends of the cuts.
+    """
+    lens, infinite = blur.lens, float(blur.lens.defocus(math.inf))
+    defocus = bank.start + bank.spacing * np.arange(bank.count, dtype=np.float64)
+    rate = (float(lens.defocus(1.0)) - infinite) / lens.sensor_distance
+    step = min(_STEP_OF_SCALE, _STEP_OF_DEFOCUS / rate)
+    made = []
+    for steps, weight in _DIFFERENCES:
+        there = replace(lens, sensor_distance=lens.sensor_distance * (1.0 + steps * step))
+        light = SensorLight.of(there, spectrum, blur.pixel, blur.threads)
+        pupils = light.defocused(defocus + (float(there.defocus(math.inf)) - infinite))
+        octants = light.shares(pupils, bank.half + 2)
+        quarter = cut(octants, find_cuts(octants, bank.half + 2, blur.energy))
+        made.append(weight / step * quarter / sums_of_quarters(quarter)[:, None, None])
+    widest = max(quarter.shape[1] for quarter in made)
+    sums = sum(np.pad(quarter, ((0, 0), *[(0, widest - quarter.shape[1])] * 2)) for quarter in made)
+    whole, ones = np.full(bank.count, widest - 1.0), np.ones(bank.count)
+    return replace(bank, windows=stored_windows(np.asarray(sums), blur.dtype), cuts=whole, energies=ones)

@@ -1,30 +1,31 @@
-"""Blur as a linear operator on images: what every kind of it shares, and its face to solvers."""
+"""Blur as a linear operator: what all kinds share, their face to solvers, and sums over copies of the edges."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Values
 
 if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator
 
 
 class LinearBlur(ABC):
-    """What a lens makes of linear light, ``forward``, and its exact transpose, ``adjoint``.
+    """A blur as a linear operator on linear light: ``forward``, and its exact transpose, ``adjoint``.
 
     Attributes
     ----------
     dtype : dtype
-        Of the sums, and of what they make.
+        Of the sums and of the results, float32 or float64.
     """
 
-    dtype: np.dtype[Any]
+    dtype: np.dtype[np.floating]
 
     @property
     @abstractmethod
@@ -34,10 +35,10 @@ class LinearBlur(ABC):
     @property
     @abstractmethod
     def channels(self) -> int:
-        """How many channels an image has; one of a single channel may lack their axis."""
+        """Number of channels; an image of a single one may lack their axis."""
 
     @abstractmethod
-    def forward(self, image: NDArray[Any]) -> NDArray[Any]:
+    def forward(self, image: Values) -> Values:
         """Return the image that the lens makes of linear light.
 
         Parameters
@@ -53,11 +54,11 @@ class LinearBlur(ABC):
         Raises
         ------
         TypeError, ValueError
-            As :meth:`require`.
+            If `image` has another shape, or holds anything but finite floats.
         """
 
     @abstractmethod
-    def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
+    def adjoint(self, image: Values) -> Values:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
 
         Parameters
@@ -68,16 +69,16 @@ class LinearBlur(ABC):
         Returns
         -------
         ndarray
-            Of the shape of `image`.
+            Of the shape of `image`, and of the type of the sums.
 
         Raises
         ------
         TypeError, ValueError
-            As :meth:`require`.
+            As :meth:`forward`.
         """
 
     def as_linear_operator(self) -> LinearOperator:
-        """Return the operator as SciPy's solvers, and those of packages that take its operators, want it.
+        """Return the operator for SciPy's solvers, and those of packages that take its operators.
 
         Images are vectors there: ``image.ravel()`` of those of shape `dims`, which is an attribute: (height, width),
         or (height, width, channels) of several channels. A matrix has an image in each column.
@@ -103,7 +104,7 @@ class LinearBlur(ABC):
         dims = self.shape if self.channels == 1 else (*self.shape, self.channels)
         size = int(np.prod(dims))
 
-        def applied(way: Callable[[NDArray[Any]], NDArray[Any]]) -> Callable[[NDArray[Any]], NDArray[Any]]:
+        def applied(way: Callable[[Values], Values]) -> Callable[[Values], Values]:
             return lambda vector: way(np.asarray(vector, dtype=self.dtype).reshape(dims)).reshape(-1)
 
         operator = LinearOperator(
@@ -112,18 +113,8 @@ class LinearBlur(ABC):
         operator.dims = dims
         return operator
 
-    def require(self, image: NDArray[Any]) -> None:
-        """Refuse what is no finite light of the shape of the operator.
-
-        Parameters
-        ----------
-        image : ndarray
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it has another shape, or holds anything but finite floats.
-        """
+    def require(self, image: Values) -> None:
+        """Raise TypeError or ValueError unless `image` holds finite floats and has the shape of the operator."""
         array = validation.array("image", image)
         wanted = (*self.shape, self.channels) if array.ndim == 3 or self.channels > 1 else self.shape
         if array.shape != wanted:
@@ -133,23 +124,8 @@ class LinearBlur(ABC):
         if not np.all(np.isfinite(array)):
             raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
 
-    def planes(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the channels of linear light, shape (channels, height, width), of the type of the sums.
-
-        Parameters
-        ----------
-        image : ndarray of float
-            Of the shape that :meth:`forward` takes.
-
-        Returns
-        -------
-        ndarray
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`require`, or if it holds more light than the type of the sums does.
-        """
+    def planes(self, image: Values) -> Values:
+        """Return the channels of an `image`, of the type of the sums; ValueError if that overflows."""
         self.require(image)
         made = self.apart(image)
         if made.dtype != np.asarray(image).dtype and not np.all(np.isfinite(made)):
@@ -157,24 +133,8 @@ class LinearBlur(ABC):
             raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {most:g}")
         return made
 
-    def apart(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the channels of what :meth:`require` need not see again, as :meth:`planes`.
-
-        Parameters
-        ----------
-        image : ndarray of float
-            Of the shape that :meth:`forward` takes.
-
-        Returns
-        -------
-        ndarray
-            A view, if of the type of the sums and aligned.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it is masked, holds anything but floats, or has another shape.
-        """
+    def apart(self, image: Values) -> Values:
+        """Return the channels of an `image` as :meth:`planes`, without its checks; TypeError if it is no array."""
         given = validation.array("image", image)
         if given.dtype.kind != "f":
             raise TypeError(f"image must hold floats in proportion to light, got {validation.shown(image)}")
@@ -184,26 +144,8 @@ class LinearBlur(ABC):
             array = np.require(given, self.dtype, "A")
         return np.moveaxis(array.reshape(*self.shape, self.channels), 2, 0)
 
-    def by_channel(self, image: NDArray[Any], make: Callable[[int, NDArray[Any]], NDArray[Any]]) -> NDArray[Any]:
-        """Return the image whose channels are made one by one of those of linear light.
-
-        Parameters
-        ----------
-        image : ndarray of float
-            Of the shape that :meth:`forward` takes.
-        make : callable
-            From the place of a channel and its plane of light to the plane wanted, each of shape (height, width).
-
-        Returns
-        -------
-        ndarray
-            Of the shape of `image`, and of the type of the sums.
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`require`, before anything is made; and if what is made is no such plane.
-        """
+    def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
+        """Return the image made by `make`, of channel and plane, from an `image`; ValueError if misshapen."""
         if not callable(make):
             raise TypeError(f"make must be callable, got {validation.shown(make)}")
         out = np.empty((*self.shape, self.channels), dtype=self.dtype)
@@ -213,3 +155,24 @@ class LinearBlur(ABC):
                 raise ValueError(f"make must return planes of the shape {self.shape}, got {made.shape}")
             out[..., channel] = made
         return out.reshape(np.shape(image))
+
+
+def folded(room: Values, beyond: int, count: int) -> Values:
+    """Return `count` rows of an image between two mirrors, with the light that these spread `beyond` them."""
+    image = room[beyond : beyond + count]
+    for first in range(beyond % count - count, len(room), count):  # So many lie between two mirrors.
+        if first != beyond:
+            part = room[max(0, first) : first + count]
+            onto = image[::-1] if (first - beyond) // count % 2 else image
+            onto[max(0, -first) :][: len(part)] += part
+    return image
+
+
+def gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
+    """Return sums, shape (count, any), of the rows that have the same place."""
+    if len(places) == count:
+        return taken
+    total = np.zeros((count, taken.shape[1]), dtype=taken.dtype)
+    for place, row in zip(places, np.ascontiguousarray(taken), strict=True):
+        total[place] += row
+    return total

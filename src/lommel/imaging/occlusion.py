@@ -1,4 +1,4 @@
-"""Points that hide one another: a scene cut into layers of similar defocus, laid over each other from the front."""
+"""Occlusion: a scene cut into layers of similar defocus, laid over each other from the front."""
 
 from __future__ import annotations
 
@@ -6,62 +6,39 @@ import copy
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple, Self
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array, Values
 from lommel.imaging.bank import Bank
 from lommel.imaging.blur import DepthBlur, Points
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.window_sizes import sums_of_quarters
+from lommel.imaging.sensor_light import sums_of_quarters
 from lommel.optics.pupil import ray_height
 
 
 class Group(NamedTuple):
-    """Points that spread windows of one bank.
+    """Points that spread windows of one bank."""
 
-    Attributes
-    ----------
-    sources : list of (int, Points)
-        0 for light of the scene, 1 for what is behind it, and the points.
-    bank : Bank, optional
-        If another than that of the channel.
-    hidden : bool
-        Whether pixels see only some of it.
-    taken_off : bool
-        Whether it is subtracted.
-    """
-
-    sources: list[tuple[int, Points]]
-    bank: Bank | None = None
-    hidden: bool = True
-    taken_off: bool = False
+    sources: list[tuple[int, Points]]  # 0 for light of the scene, 1 for light behind it
+    bank: Bank | None = None  # if another than that of the channel
+    hidden: bool = True  # whether pixels see only some of it
+    taken_off: bool = False  # whether it is subtracted
 
 
-def groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: NDArray[Any]) -> list[Group]:
-    """Return groups for a blur of which nothing is lost, so that the remainder shows nothing that is hidden.
+def groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:
+    """Return the groups of points for a blur that does not truncate the PSF.
 
-    A window holds the PSF less what the remainder holds of it, which nothing hides. A point that some pixel in its
-    window does not see spreads its PSF, hidden, less what the remainder holds within the window, all of it.
-
-    Parameters
-    ----------
-    blur : DepthBlur
-    channel : int
-    sources : list of Points
-        Those of the scene and, if any, those behind it.
-    seen : ndarray, shape (height, width)
-        How many layers each pixel sees.
-
-    Returns
-    -------
-    list of Group
+    The remainder must show nothing hidden: a window holds the PSF less the remainder there, which is never occluded.
+    A point that some pixel in its window does not see spreads its PSF, occluded, less the remainder within the
+    window.
     """
     from scipy.ndimage import minimum_filter
 
     assert blur.beyond is not None
-    within, filled = blur.beyond.apart(channel)
+    within, filled = blur.banks[channel].apart()
     scene, *behind = sources
     assert scene.layers is not None
     least = minimum_filter(seen, 2 * within.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
@@ -75,24 +52,9 @@ def groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: 
 
 
 def spread_groups(
-    blur: DepthBlur, channel: int, planes: Sequence[NDArray[Any]], seen: NDArray[Any], groups: list[Group]
-) -> NDArray[Any]:
-    """Return what light of a scene, and of what is behind it, makes of one channel.
-
-    Parameters
-    ----------
-    blur : DepthBlur
-    channel : int
-    planes : sequence of ndarray, shape (height, width)
-        Light of the scene, and of what is behind it.
-    seen : ndarray, shape (height, width)
-        How many layers each pixel sees.
-    groups : list of Group
-
-    Returns
-    -------
-    ndarray, shape (height, width)
-    """
+    blur: DepthBlur, channel: int, planes: Sequence[Values], seen: Values, groups: list[Group]
+) -> Values:
+    """Return the image of light of a scene, and of light behind it, in one channel."""
     total = np.zeros(blur.shape, dtype=blur.dtype)
     for group in groups:
         given = [(planes[behind], points) for behind, points in group.sources]
@@ -104,23 +66,9 @@ def spread_groups(
 
 
 def collect_groups(
-    blur: DepthBlur, channel: int, plane: NDArray[Any], seen: NDArray[Any], groups: list[Group]
-) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return what the transpose of :func:`spread_groups` gives to the scene and to what is behind it.
-
-    Parameters
-    ----------
-    blur : DepthBlur
-    channel : int
-    plane : ndarray, shape (height, width)
-    seen : ndarray, shape (height, width)
-        How many layers each pixel sees.
-    groups : list of Group
-
-    Returns
-    -------
-    scene, behind : ndarray, shape (height, width)
-    """
+    blur: DepthBlur, channel: int, plane: Values, seen: Values, groups: list[Group]
+) -> tuple[Values, Values]:
+    """Return the transpose of :func:`spread_groups` of a plane: for the scene, and for the light behind it."""
     taken = np.zeros((2, *blur.shape), dtype=blur.dtype)
     for group in groups:
         points = [each for _, each in group.sources]
@@ -132,47 +80,36 @@ def collect_groups(
     return taken[0], taken[1]
 
 
-MOST_LAYERS = 64
-"""Layers are made thicker than a pixel of blur where there would be more of them."""
+MOST_LAYERS = 64  # layers are made thicker than a pixel of blur where there would be more of them
 
 # The share of a point's sharp light that it keeps, so that what is divided by is never 0.
 _TRACE = 1e-9
 
 
 class _Edges(NamedTuple):
-    """Points that hide something that the lens sees, by their flat indices, and those that stand for it."""
+    """Flat indices of points that hide something the lens sees, and of the points that stand for it."""
 
     points: NDArray[np.int64]
     sources: NDArray[np.int64]
 
     @classmethod
     def of(cls, behind: NDArray[np.int64]) -> Self:
-        """Return where an index of something behind is not negative."""
+        """Return the edges where an index of something behind is not negative."""
         points = np.flatnonzero(behind >= 0)
         return cls(points, behind.reshape(-1)[points])
 
-    def behind(self, plane: NDArray[Any]) -> NDArray[Any]:
-        """Return what is behind each point that hides something; elsewhere zeros."""
+    def behind(self, plane: Values) -> Values:
+        """Return the values behind each point that hides something; elsewhere zeros."""
         behind = np.zeros(plane.shape, dtype=plane.dtype)
         behind.reshape(-1)[self.points] = plane.take(self.sources)
         return behind
 
 
 class _Shares(NamedTuple):
-    """How much pixels see of one channel, which depends on the depth alone.
+    """The occlusion of one channel, which depends on the depth alone."""
 
-    Attributes
-    ----------
-    seen : ndarray, shape (height, width)
-        Layers, from the front: of the one that this number lies in only a part, of those behind it nothing.
-    total : ndarray, shape (height, width)
-        What a scene that is white makes.
-    groups : list of Group
-        The points of the scene and, if any, those behind them.
-    """
-
-    seen: NDArray[Any]
-    total: NDArray[Any]
+    seen: Values  # layers that each pixel sees, from the front: of the last one in part, of those behind it nothing
+    total: Values  # the image of a white scene
     groups: list[Group]
 
 
@@ -232,7 +169,7 @@ class Occlusion(LinearBlur):
     """
 
     # For the defocus and the banks that come first.
-    _made: tuple[NDArray[np.float64], tuple[Bank, ...], _Edges, tuple[_Shares, ...]] | None = None
+    _made: tuple[Array, tuple[Bank, ...], _Edges, tuple[_Shares, ...]] | None = None
 
     def __init__(self, blur: DepthBlur, reach: tuple[float, float] | None = None) -> None:
         if not isinstance(blur, DepthBlur):
@@ -247,29 +184,13 @@ class Occlusion(LinearBlur):
 
     @property
     def channels(self) -> int:
-        """How many channels an image has; one of a single channel may lack their axis."""
+        """Number of channels; an image of a single one may lack their axis."""
         return self.blur.channels
 
-    def forward(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the image that the lens makes of linear light.
+    def forward(self, image: Values) -> Values:
+        """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
 
-        Parameters
-        ----------
-        image : ndarray of float, shape (height, width) or (height, width, channels)
-            Light.
-
-        Returns
-        -------
-        ndarray
-            Of the shape of `image`, and of the type of the sums.
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`lommel.imaging.DepthBlur.forward`.
-        """
-
-        def make(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
+        def make(channel: int, plane: Values) -> Values:
             edges, shares = self._looked()
             seen, total, groups = shares[channel]
             spread = spread_groups(self.blur, channel, (plane, edges.behind(plane)), seen, groups)
@@ -279,26 +200,10 @@ class Occlusion(LinearBlur):
 
         return self.by_channel(image, make)
 
-    def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
+    def adjoint(self, image: Values) -> Values:
+        """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
 
-        Parameters
-        ----------
-        image : ndarray of float
-            Of the shape that :meth:`forward` takes.
-
-        Returns
-        -------
-        ndarray
-            Of the shape of `image`.
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`lommel.imaging.DepthBlur.forward`.
-        """
-
-        def make(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
+        def make(channel: int, plane: Values) -> Values:
             edges, shares = self._looked()
             seen, total, groups = shares[channel]
             even = plane / (total + _TRACE)
@@ -311,7 +216,7 @@ class Occlusion(LinearBlur):
         return self.by_channel(image, make)
 
     def _looked(self) -> tuple[_Edges, tuple[_Shares, ...]]:
-        """Return what points hide, and the shares of each channel: kept for one depth map."""
+        """Return the edges and the shares of each channel, kept for one depth map."""
         blur, made = self.blur, self._made
         if made is None or made[0] is not blur.defocus or made[1] is not blur.banks:
             layer, radius = _layers(blur, self._reach)
@@ -319,37 +224,16 @@ class Occlusion(LinearBlur):
             known: dict[int, _Shares] = {}
             # Of the layers that there are, from their middle: what is seen of them is then rounded less.
             levels, number = np.unique(layer, return_inverse=True)
-            number = (number.reshape(layer.shape) - levels.size // 2).astype(blur.dtype)
+            centred = (number.reshape(layer.shape) - levels.size // 2).astype(blur.dtype)
             for channel, bank in enumerate(blur.banks):
                 if id(bank) not in known:
-                    known[id(bank)] = _shares(blur, channel, number, edges)
+                    known[id(bank)] = _shares(blur, channel, centred, edges)
             self._made = made = blur.defocus, blur.banks, edges, tuple(known[id(bank)] for bank in blur.banks)
         return made[2:]
 
 
-def occlude(blur: DepthBlur, light: NDArray[Any]) -> NDArray[Any]:
-    """Return the image of linear light in which near points hide far ones, by an ``Occlusion`` for this once.
-
-    Parameters
-    ----------
-    blur : DepthBlur
-    light : ndarray of float, shape (height, width) or (height, width, channels)
-
-    Returns
-    -------
-    ndarray
-        Of the shape of `light`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        As :meth:`lommel.imaging.DepthBlur.forward`.
-    """
-    return Occlusion(blur).forward(light)
-
-
-def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -> _Shares:
-    """Return how many layers each pixel sees before its aperture is full, and what light that is of a white scene."""
+def _shares(blur: DepthBlur, channel: int, layer: Values, edges: _Edges) -> _Shares:
+    """Return the layers that each pixel sees until its aperture is full, and the light of a white scene."""
     positions = blur.positions(channel)
     sources = [Points(positions, layer)]
     if edges.points.size:
@@ -359,7 +243,7 @@ def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -
     covering, cover = None, copy.copy(blur)
     if blur.beyond is not None:
         # Windows that hold all of the aperture.
-        within, _ = blur.beyond.apart(channel)
+        within, _ = blur.banks[channel].apart()
         covering = replace(within, energies=sums_of_quarters(within.windows[:-1]))
     # Darkness beyond the edges is no hole: it is as far away as the last points are.
     cover.border = "extend" if blur.border == "zero" else blur.border
@@ -388,12 +272,12 @@ def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -
 
 
 def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:
-    """Return how many pixels what stands for something hidden may be from what hides it, for defocus in `reach`."""
+    """Return the largest distance in pixels of an occluded point from the edge that hides it."""
     return math.ceil(2.0 * float(np.ptp(_radii(blur, reach)[1])))
 
 
-def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return defocus from end to end of a range, and the signed radii of its geometric blur in pixels."""
+def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[Array, Array]:
+    """Return defocus over a range, and the signed radii of its circle of confusion in pixels."""
     # Where a ray from the edge of the pupil meets the sensor, at v = 4 C_d if paraxial, else nearly in proportion to
     # C_d. Near points have the largest.
     defocus = np.linspace(*reach, 129)
@@ -401,13 +285,8 @@ def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[NDArray[np.floa
     return defocus, blur.lens.wavelength * blur.lens.working_f_number / (math.pi * blur.pixel) * rim
 
 
-def _layers(
-    blur: DepthBlur, reach: tuple[float, float] | None = None
-) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Return the layer of each point, 0 the nearest, and the signed radius of its geometric blur in pixels.
-
-    `reach`: the least and the largest defocus of the whole scene, if not of these points.
-    """
+def _layers(blur: DepthBlur, reach: tuple[float, float] | None = None) -> tuple[NDArray[np.int64], Array]:
+    """Return the layer of each point, 0 the nearest, over the defocus in `reach`, and its circle of confusion."""
     defocus, radii = _radii(blur, reach or (float(blur.defocus.min()), float(blur.defocus.max())))
     radius = np.interp(blur.defocus, defocus, radii)
     depth = radii.max() - radius
@@ -415,12 +294,12 @@ def _layers(
     return np.minimum((depth / thickness).astype(np.int64), MOST_LAYERS - 1), radius
 
 
-def _behind(layer: NDArray[np.int64], radius: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Return for each point the flat index of the one that stands for what it hides, or -1 if the lens sees nothing.
+def _behind(layer: NDArray[np.int64], radius: Array) -> NDArray[np.int64]:
+    """Return for each point the flat index of the one that stands for the light it hides, or -1.
 
-    A point hides something that the lens can see if a farther one is closer than their radii differ: rays through
-    the rim of the aperture then pass the edge between them. The nearest such point marks the edge. (Diffraction
-    reaches a little beyond the rim; the percent of light that it brings there is filled by dividing.)
+    A point hides something that the lens can see if a farther one is closer than their radii differ: rays through the
+    rim of the aperture then pass the edge between them. The nearest such point marks the edge. (Diffraction reaches a
+    little beyond the rim; the percent of light there is filled by dividing.)
     """
     behind = np.full(layer.shape, -1, dtype=np.int64)
     if not _torn(radius):
@@ -441,7 +320,7 @@ def _behind(layer: NDArray[np.int64], radius: NDArray[np.float64]) -> NDArray[np
     return behind
 
 
-def _torn(radius: NDArray[np.float64]) -> bool:
+def _torn(radius: Array) -> bool:
     """Return whether radii differ by more than the distance of the points anywhere.
 
     Then they do, but for 8 %, between neighbours: paths over neighbours are at most so much longer than straight.

@@ -1,42 +1,169 @@
-"""One scene, photographed again and again: only what the focus and the stop change is computed anew."""
+"""Photographs with depth of field: of arrays, at once or by tiles, of dask arrays, and of a changing focus."""
 
 from __future__ import annotations
 
+import copy
+import sys
 from collections import OrderedDict
-from dataclasses import replace
-from typing import Any, Unpack
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any, Protocol, TypeAlias, Unpack, cast, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.encoding import to_light
+from lommel.base.arrays import Values
+from lommel.base.encoding import clipped_share, from_light, to_light
+from lommel.base.optional import library
 from lommel.base.options import require_known, shares
+from lommel.core import engine
 from lommel.imaging.blur import DepthBlur, require_lens
-from lommel.imaging.occlusion import Occlusion
-from lommel.imaging.scene import Photograph, fill_missing, photograph, stored
-from lommel.imaging.settings import Keywords, Settings
+from lommel.imaging.linear import LinearBlur
+from lommel.imaging.occlusion import Occlusion, reach_behind
+from lommel.imaging.settings import MISSING, Keywords, Settings
 from lommel.optics.lens import Lens
+
+Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
+
+TILE = 1024  # side of the tiles of memory maps, pixels, where none is given
+
+_DaskArray: TypeAlias = Any  # dask is typed in part only
+
+_STRIP = 2**20  # depths that are read at once, for their range
+
+Window = tuple[slice, slice]
+
+
+class LazyArray(Protocol):
+    """What is needed of a dask array."""
+
+    ndim: int
+    shape: tuple[int, ...]
+    dtype: np.dtype[np.generic]
+    chunks: tuple[tuple[int, ...], ...]
+
+    def compute(self, **options: object) -> Pixels:
+        """Return the values."""
+
+    def rechunk(self, chunks: object) -> LazyArray:
+        """Return the array in other chunks."""
+
+
+@dataclass(frozen=True, eq=False)
+class Photograph:
+    """What :func:`lommel.imaging.depth_of_field` returns for arrays; converts to an array of its values.
+
+    Attributes
+    ----------
+    values : ndarray
+        Of the shape, type and encoding of the image.
+    lost : float
+        Largest share of the light of a point beyond its window, which is spread over the window instead; 0 with
+        ``energy=1``.
+    error : float
+        Largest error of interpolated windows over their peak, checked half-way between windows. With ``energy=1`` the
+        sum over all pixels of the largest error of a PSF there, at any depth and in any channel: without occlusion no
+        pixel is off by more than this times the brightest point of the scene, in light. It includes estimates of the
+        error far from the point and of rounding, not the steps between integers.
+    window : int
+        Side of the largest window, pixels.
+    clipped : float
+        Share of values above white, which are white now, as on a sensor; 0 where the type holds them.
+    """
+
+    values: Pixels
+    lost: float
+    error: float
+    window: int
+    clipped: float = 0.0
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
+        """Return the values."""
+        return np.array(self.values, dtype=dtype, copy=copy)
+
+
+def _photograph(values: Pixels, blur: DepthBlur, clipped: float) -> Photograph:
+    """Return values as a photograph, with the error of its blur and the share that was clipped."""
+    return Photograph(values, blur.lost, blur.error, 2 * max(bank.half for bank in blur.banks) + 1, clipped)
+
+
+def fill_missing(depth: ArrayLike, missing: str) -> Values:
+    """Return a depth map whose NaNs are filled as the option `missing` says."""
+    validation.choice("missing", missing, MISSING)
+    distances = validation.array("depth", depth)
+    if distances.dtype.kind != "f" or missing == "raise" or not np.isnan(distances).any():
+        return distances
+    unknown = np.isnan(distances)
+    if missing == "infinity":
+        return np.where(unknown, np.inf, distances)
+    if unknown.all():
+        raise ValueError("depth is NaN everywhere")
+    from scipy.ndimage import distance_transform_edt
+
+    nearest = distance_transform_edt(unknown, return_distances=False, return_indices=True)
+    return np.asarray(distances[tuple(nearest)])
+
+
+def stored(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
+    """Return finite light, white being 1, as stored values, and the share of them that an integer type clips."""
+    if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
+        return from_light(light, encoding, dtype), clipped_share(light, dtype)
+    # Comparing with the edges of the levels is faster than encoding each value, and rounds alike.
+    values = np.empty(light.shape, dtype=np.uint8)
+    level = 1.0 / 255.0
+    flat = np.ascontiguousarray(light).reshape(-1)
+    beyond = engine.levels(flat, _edges(encoding), -level, 1.0 + level, threads, values.reshape(-1))
+    return values, beyond / light.size
+
+
+@lru_cache
+def _edges(encoding: str) -> NDArray[np.float32]:
+    """Return the light half-way between the levels of a byte."""
+    return to_light("edges", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
+
+
+def output(out: Pixels | None, name: str, image: Pixels, *read: Pixels) -> Pixels:
+    """Return `out`, checked for values like those of the `image` called `name`, or a new array; `read` is kept."""
+    if out is None:
+        return np.empty(image.shape, dtype=image.dtype)
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"out must be an array, got {validation.shown(out)}")
+    if out.shape != image.shape:
+        raise ValueError(f"out must have the shape of the {name}, {image.shape}, got {out.shape}")
+    if out.dtype != image.dtype:
+        raise TypeError(f"out must have the type of the {name}, {image.dtype}, got {out.dtype}")
+    if not out.flags.writeable or any(np.may_share_memory(out, each) for each in read):
+        raise ValueError(f"out must be writeable, and must not share memory with {name} or depth")
+    return out
+
+
+def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> None:
+    """Refuse shapes that are not those of an image, called `name`, and of its depth map."""
+    if len(shape) not in (2, 3) or 0 in shape:
+        raise ValueError(f"{name} must have the shape (height, width) or (height, width, channels), got {shape}")
+    if depth != shape[:2]:
+        raise ValueError(f"depth must have the shape of the {name}, {shape[:2]}, got {depth}")
 
 
 @shares(Keywords, Settings)
 class FocusPlan:
-    """A scene, and the lens that is focused on it: for live use, where focus and stop change from frame to frame.
+    """A scene and a lens, for live use: focus and f-number change from frame to frame.
 
-    Everything is checked and the image decoded once. A frame computes the windows of its focus, and what hides what
-    in it, unless that focus is among the last ones; then it spreads the light and encodes it. The answer is that of
-    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit. Without `occlusion` a frame of a new
-    focus takes a fraction of the time; one of a focus that is remembered, little less.
+    The options are checked and the image is decoded once. A frame computes the windows of its focus and what is
+    occluded, unless that focus is among the last ones, then blurs and encodes. The values are those of
+    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
 
     Parameters
     ----------
     image, depth, lens, pixel, encoding
         As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
     keep : int, default 4
-        How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows, and what hides
-        what is known. A setting takes some MiB, 8 bytes for each point and as many for each channel of it, and with
-        `occlusion` what :class:`lommel.imaging.Occlusion` keeps; with ``energy=1`` as many again for each channel and
-        each product of the remainder (16 in float64), of which there are up to five or so.
+        Number of settings of the lens whose windows and occlusion are kept, 1 to 1000. A setting takes some MiB,
+        8 bytes for each point and as many for each channel of it, and with `occlusion` what
+        :class:`lommel.imaging.Occlusion` keeps; with ``energy=1`` as many again for each channel and each product of
+        the remainder (16 in float64), of which there are up to five or so.
     {options}
 
     Raises
@@ -66,68 +193,34 @@ class FocusPlan:
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
         self.settings = Settings.of(FocusPlan, options, Keywords)
-        given = validation.array("image", image)
-        if given.ndim not in (2, 3) or 0 in given.shape:
-            raise ValueError(
-                f"image must have the shape (height, width) or (height, width, channels), got {given.shape}"
-            )
+        self._image = validation.array("image", image)
         distances = np.array(fill_missing(depth, self.settings.missing))
-        if distances.shape != given.shape[:2]:
-            raise ValueError(f"depth must have the shape of the image, {given.shape[:2]}, got {distances.shape}")
-        self.lens = lens
-        self.shape, self.dtype = given.shape, given.dtype
+        require_scene("image", self._image.shape, distances.shape)
+        self.lens, self.shape, self.dtype = lens, self._image.shape, self._image.dtype
         self._encoding = encoding
-        self._light = to_light("image", given, encoding, self.settings.dtype)
+        self._light = to_light("image", self._image, encoding, self.settings.dtype)
+        self._image = np.broadcast_to(np.empty((), self.dtype), self.shape)  # of which only the shape is needed now
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
         self._pixel = pixel
-        self._channels = self.settings.channels(given.shape, lens.wavelength)
+        self._channels = self.settings.channels(self.shape, lens.wavelength)
         self._known: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
         self.blur()
 
     def lens_at(self, *, focus_distance: float | None = None, f_number: float | None = None) -> Lens:
-        """Return the lens at another focus (metres) or f-number (as engraved); None leaves that of `lens`.
+        """Return the lens at another `focus_distance` (metres) or `f_number`; None leaves that of `lens`.
 
-        See :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
-
-        Parameters
-        ----------
-        focus_distance, f_number : float, optional
-            Metres, and as engraved.
-
-        Returns
-        -------
-        Lens
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
+        Errors are those of :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
         """
         lens = self.lens if f_number is None else self.lens.stopped(f_number)
         return lens if focus_distance is None else lens.focused(focus_distance)
 
     def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
-        """Return the linear operator at a focus and f-number; the last ones are remembered.
-
-        Parameters
-        ----------
-        focus_distance, f_number : float, optional
-            Metres, and as engraved.
-
-        Returns
-        -------
-        DepthBlur
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`lens_at`, and if the blur exceeds the largest window allowed.
-        """
+        """Return the linear operator at a `focus_distance` and `f_number`; ValueError if the blur is too large."""
         return self._at(focus_distance, f_number).blur
 
     def _at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
-        """Return what makes the light of a focus and f-number, either way."""
+        """Return the operator with occlusion at a focus and f-number, and keep it."""
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._known:
@@ -140,11 +233,7 @@ class FocusPlan:
         return made
 
     def __call__(
-        self,
-        *,
-        focus_distance: float | None = None,
-        f_number: float | None = None,
-        out: NDArray[Any] | None = None,
+        self, *, focus_distance: float | None = None, f_number: float | None = None, out: Pixels | None = None
     ) -> Photograph:
         """Return the photograph at a focus and f-number.
 
@@ -156,7 +245,7 @@ class FocusPlan:
         f_number : float, optional
             Focal length over the diameter of the aperture; by default that of the lens.
         out : ndarray, optional
-            Where to write the values: of the shape and type of the image.
+            Array of the shape and type of the image that the values are written to.
 
         Returns
         -------
@@ -168,60 +257,280 @@ class FocusPlan:
             If an argument is out of range, or the blur exceeds the largest window allowed. `out` is then untouched.
         """
         if out is not None:
-            self._check(out)
+            output(out, "image", self._image)
         occlusion = self._at(focus_distance, f_number)
         seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
         values, clipped = stored(seen, self._encoding, self.dtype, self.settings.threads or 0)
-        made = photograph(values, occlusion.blur, clipped)
+        made = _photograph(values, occlusion.blur, clipped)
         if out is None:
             return made
         np.copyto(out, made.values)
         return replace(made, values=out)
 
-    def _check(self, out: Any) -> None:
-        if not isinstance(out, np.ndarray):
-            raise TypeError(f"out must be an array, got {type(out).__name__}")
-        if out.shape != self.shape:
-            raise ValueError(f"out must have the shape of the image, {self.shape}, got {out.shape}")
-        if out.dtype != self.dtype:
-            raise TypeError(f"out must have the type of the image, {self.dtype}, got {out.dtype}")
-        if not out.flags.writeable:
-            raise ValueError("out must be writeable")
+
+@overload
+def depth_of_field(
+    image: LazyArray,
+    depth: LazyArray,
+    lens: Lens,
+    pixel: float,
+    *,
+    encoding: str,
+    tile: int | None = None,
+    depths: tuple[float, float] | None = None,
+    **options: Unpack[Keywords],
+) -> LazyArray: ...
+
+
+@overload
+def depth_of_field(
+    image: ArrayLike,
+    depth: ArrayLike,
+    lens: Lens,
+    pixel: float,
+    *,
+    encoding: str,
+    tile: int | None = None,
+    depths: tuple[float, float] | None = None,
+    out: Pixels | None = None,
+    progress: Callable[[int, int], object] | None = None,
+    **options: Unpack[Keywords],
+) -> Photograph: ...
 
 
 @shares(Keywords, Settings)
 def depth_of_field(
-    image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, *, encoding: str, **options: Unpack[Keywords]
-) -> Photograph:
+    image: ArrayLike | LazyArray,
+    depth: ArrayLike | LazyArray,
+    lens: Lens,
+    pixel: float,
+    *,
+    encoding: str,
+    tile: int | None = None,
+    depths: tuple[float, float] | None = None,
+    out: Pixels | None = None,
+    progress: Callable[[int, int], object] | None = None,
+    **options: Unpack[Keywords],
+) -> Photograph | LazyArray:
     """Blur a sharp image as a lens would, each point by its own distance, with diffraction, aberration and colour.
 
-    Every point of the image spreads its own pixel-averaged PSF; see :class:`lommel.imaging.blur.DepthBlur`,
-    and :func:`lommel.imaging.occlusion.occlude` of what hides what.
+    Every point spreads its own pixel-integrated PSF, see :class:`lommel.imaging.DepthBlur`, and near points occlude
+    far ones, see :class:`lommel.imaging.Occlusion`. Arrays are done at once. Memory maps, and arrays with `tile`, are
+    done by tiles that overlap, in little memory; dask arrays lazily, by chunks. Tiles and chunks have the values of
+    the whole but for rounding: they share their windows, and overlap by half a window, with `occlusion` by twice the
+    range of radii of the blur more, which is as far as occluded points are looked for.
 
     Parameters
     ----------
-    image : array_like, shape (height, width) or (height, width, channels)
+    image : array_like, memory map or dask array, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1).
-    depth : array_like, shape (height, width)
-        Distance of each point from the lens, metres; may be infinite.
+    depth : array_like, memory map or dask array, shape (height, width)
+        Distance of each point from the lens, metres; may be infinite. Is read once more for its range, and at once
+        where `missing` is "nearest", since the nearest depth may lie in any tile.
     lens : Lens
         With radially symmetric aberrations.
     pixel : float
         Pixel pitch, metres.
     encoding : {"srgb", "linear"}
         Of the values of `image`, and of the result.
+    tile : int, optional
+        Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
+        some hundred bytes a pixel of a tile, and with `occlusion` several hundred a channel. Of dask arrays the side
+        of the chunks, which by default stay as they are.
+    depths : (float, float), optional
+        Nearest and farthest distance in the scene, metres, where they are known: `depth` is then not read for them.
+    out : ndarray, optional
+        Array or memory map of the shape and type of `image` that the values are written to. Not for dask arrays.
+    progress : callable, optional
+        Called as ``progress(done, tiles)`` after each tile. Not for dask arrays.
     {options}
 
     Returns
     -------
-    Photograph
+    Photograph or dask.array.Array
+        Of dask arrays a dask array of the shape and type of `image`; windows are made at once, all else when it is
+        computed, each chunk by one thread unless `threads` says otherwise.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
-        the blur exceeds `largest`, or if an image has two or four channels and no `wavelengths` are given: it may
-        have alpha.
+        the blur exceeds `largest`, if an image has two or four channels and no `wavelengths` are given (it may have
+        alpha), or if `out` does not fit. What tiles have written by then stays. Chunks are checked when they are
+        computed.
     """
     require_known(depth_of_field, options, Keywords)
-    return FocusPlan(image, depth, lens, pixel, encoding=encoding, **options)()
+    require_lens(lens, "image, depth, lens, pixel")
+    if tile is not None:
+        validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    da = sys.modules.get("dask.array")  # without which there are no such arrays
+    if da is not None and isinstance(image, da.Array) | isinstance(depth, da.Array):
+        if out is not None or progress is not None:
+            raise ValueError(
+                "out and progress are not for dask arrays, which are computed later: use "
+                "dask.array.store(result, out) and dask.diagnostics.ProgressBar"
+            )
+        if not (isinstance(image, da.Array) and isinstance(depth, da.Array)):
+            raise TypeError(
+                "image and depth must both be dask arrays if one is, "
+                f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes one"
+            )
+        given: Keywords = {"threads": 1, **options}
+        return _lazy(image, depth, lens, pixel, encoding, tile, depths, Settings(**given))
+    if tile is None and any(isinstance(part, np.memmap) for part in (image, depth, out)):
+        tile = TILE
+    values, distances = (
+        validation.array(name, cast("ArrayLike", part)) for name, part in (("image", image), ("depth", depth))
+    )
+    if tile is None and depths is None:
+        if out is not None:
+            output(out, "image", values)
+        made = FocusPlan(values, distances, lens, pixel, encoding=encoding, **options)(out=out)
+        if progress is not None:
+            progress(1, 1)
+        return made
+    require_scene("image", values.shape, distances.shape)
+    out = output(out, "image", values, values, distances)
+    settings = Settings(**options)
+    if settings.missing == "nearest":
+        distances = fill_missing(distances, "nearest")
+    depths = depth_range(distances, settings.missing) if depths is None else depths
+    blur = TileBlur(values.shape, depths, lens, pixel, encoding, settings)
+    tiles = list(tiles_of(values.shape, tile or max(values.shape[:2]), blur.overlap))
+    clipped = 0.0
+    for done, (inside, around, within) in enumerate(tiles, 1):
+        seen = blur.light(values[around], np.asarray(distances[around]))[within]
+        out[inside], share = stored(seen, encoding, values.dtype, settings.threads or 0)
+        clipped += share * seen.size / out.size
+        if progress is not None:
+            progress(done, len(tiles))
+    return _photograph(out, blur.whole, clipped)
+
+
+def _lazy(
+    image: _DaskArray,
+    depth: _DaskArray,
+    lens: Lens,
+    pixel: float,
+    encoding: str,
+    tile: int | None,
+    depths: tuple[float, float] | None,
+    settings: Settings,
+) -> LazyArray:
+    """Return the photograph of dask arrays as a dask array."""
+    dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
+    require_scene("image", image.shape, depth.shape)
+    if tile is not None:
+        image = image.rechunk({0: tile, 1: tile})
+    if image.ndim == 3:
+        image = image.rechunk({2: -1})
+    if settings.missing == "nearest":
+        # The nearest depth may lie in any chunk.
+        depth = depth.rechunk(-1).map_blocks(fill_missing, "nearest", dtype=depth.dtype, meta=depth._meta)
+    if depths is None:
+        known = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
+        low, high = dask.compute(known.min(), known.max())
+        depths = _known_range(float(low), float(high))
+    blur = TileBlur(image.shape, depths, lens, pixel, encoding, settings)
+    distances = depth.rechunk(image.chunks[:2])
+    around = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
+    if image.ndim == 3:
+        # Chunks of the two arrays are matched by their axes, counted from the last.
+        distances, around = distances[..., None], around | {2: 0}
+    made: LazyArray = da.map_overlap(
+        blur.chunk,
+        image,
+        distances,
+        depth=[around, around],
+        boundary="none",
+        align_arrays=False,
+        dtype=image.dtype,
+        meta=image._meta,
+    )
+    return made
+
+
+class TileBlur:
+    """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows made once; can be pickled."""
+
+    def __init__(
+        self,
+        shape: tuple[int, ...],
+        depths: tuple[float, float],
+        lens: Lens,
+        pixel: float,
+        encoding: str,
+        settings: Settings,
+    ) -> None:
+        if settings.energy == 1.0:
+            raise ValueError(
+                "energy must be below 1 for tiles and chunks, since with all of its light a point reaches the whole "
+                "image: give energy=0.9999, or the whole image at once as an array, such as np.array(image)"
+            )
+        # Where it is "nearest" the whole depth has been filled before it was cut.
+        self.missing = "raise" if settings.missing == "nearest" else settings.missing
+        self.encoding, self._occlusion = encoding, settings.occlusion
+        keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
+        extremes = np.array([depths], dtype=np.float64)
+        self.whole = DepthBlur(extremes, lens, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
+        self._reach = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
+        self.half = max(bank.half for bank in self.whole.banks)
+        # Pixels beyond those that a part answers for that it must know, where the image goes on.
+        self.overlap = self.half + (reach_behind(self.whole, self._reach) if self._occlusion else 0)
+
+    def light(self, image: Pixels, depth: Pixels) -> Values:
+        """Return the light of a part; within `overlap` of a side where the image goes on it is not complete."""
+        image, depth = validation.array("image", image), validation.array("depth", depth)
+        return self.operator(depth).forward(to_light("image", image, self.encoding, self.whole.dtype))
+
+    def operator(self, depth: Pixels) -> LinearBlur:
+        """Return the operator of a part, whose points occlude one another as they do in the whole."""
+        blur = copy.copy(self.whole)
+        blur.place(fill_missing(depth, self.missing))
+        low, high = self._reach
+        if blur.defocus.min() < low or blur.defocus.max() > high:
+            raise ValueError(
+                f"depth must give C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole image, "
+                f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}"
+            )
+        return Occlusion(blur, self._reach) if self._occlusion else blur
+
+    def chunk(self, image: Pixels, depth: Pixels) -> Pixels:
+        """Return the photograph of a part whose depth has as many axes as the image."""
+        light = self.light(image, depth.reshape(depth.shape[:2]))
+        return stored(light, self.encoding, image.dtype, self.whole.threads)[0]
+
+
+def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
+    """Return the nearest and the farthest distance, metres, reading some rows at a time."""
+    if depth.dtype.kind not in "iuf":
+        raise TypeError(f"depth must hold metres, got {depth.dtype}")
+    rows = max(1, _STRIP // depth.shape[1])
+    low, high = np.inf, -np.inf
+    for first in range(0, depth.shape[0], rows):
+        part = fill_missing(np.asarray(depth[first : first + rows]), missing)
+        low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
+    return _known_range(float(low), float(high))
+
+
+def _known_range(low: float, high: float) -> tuple[float, float]:
+    """Return the range of depths; ValueError if one of them is NaN."""
+    if np.isnan(low):
+        raise ValueError("depth is NaN at some points; say what is there by `missing`")
+    return low, high
+
+
+def tiles_of(shape: Sequence[int], side: int, overlap: int) -> Iterator[tuple[Window, Window, Window]]:
+    """Yield, for each tile of an image, its place in it, the part that it must know, and its place in that."""
+    for top in range(0, shape[0], side):
+        for left in range(0, shape[1], side):
+            inside, around, within = [], [], []
+            for start, size in ((top, shape[0]), (left, shape[1])):
+                stop = min(size, start + side)
+                first, last = max(0, start - overlap), min(size, stop + overlap)
+                inside.append(slice(start, stop))
+                around.append(slice(first, last))
+                within.append(slice(start - first, stop - first))
+            yield (inside[0], inside[1]), (around[0], around[1]), (within[0], within[1])

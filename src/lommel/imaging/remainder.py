@@ -1,31 +1,27 @@
-r"""The light beyond the windows of a bank: a sum of few products of a function of defocus and one of place.
-
-Beyond the shadow of the aperture a PSF hardly depends on defocus. So where a window does not reach, the PSF is,
-closely, ``sum_r a_r(c) g_r(q)``; within, the window holds exactly the PSF less this sum, whatever that is there. The
-g_r are values on pixels up to a `reach`, from alternating least squares in which every pixel counts only for those
-defocus whose windows leave it out. Farther away they are sums of ``(r^2 + s^2)^(-3/2 - j)``, j = 0, 1, 2, the mean of
-the tail of an aperture without its fine rings; these have Fourier transforms in closed form, and the light beyond the
-reach, which is known, is held exactly. So is all light: the a_r are those of least error among those that lose none.
+"""The light beyond the windows of a bank, without truncating the PSF: a sum of few products of defocus and place.
 
 References
 ----------
 K. R. Gabriel and S. Zamir, "Lower rank approximation of matrices by least squares with any choice of weights",
-Technometrics 21, 489 (1979), doi:10.1080/00401706.1979.10489819.
+Technometrics 21, 489 (1979), doi:10.1080/00401706.1979.10489819. S. A. Martucci, "Symmetric convolution and the
+discrete sine and cosine transforms", IEEE Trans. Signal Process. 42, 1038 (1994), doi:10.1109/78.295213.
 """
 
 from __future__ import annotations
 
 import math
+import os
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import Any
+from functools import cached_property, lru_cache
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.base.arrays import Array
-from lommel.imaging.defocus_nodes import DefocusNodes
-from lommel.imaging.window_sizes import ring_shares
+from lommel.base.arrays import Array, Values
+from lommel.base.threads import side_by_side
+from lommel.imaging.sensor_light import DefocusNodes, ring_shares
 from lommel.methods.pixels.rule import cells_alike, octant, quarters
 
 _GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
@@ -36,74 +32,37 @@ _SAMPLES = 4  # defocus that the products are found from, for each pixel that wi
 
 
 def inner_energy(step: float) -> float:
-    """Return the share of the light that windows hold if a remainder holds the rest, for pixels `step` in v wide.
-
-    Of each of the two edges of a shadow there is a share of ``1 / (pi v)`` farther than v from it. So windows end
-    about as many pixels from it, where the tail has become smooth enough for few products.
-    """
+    """Return the share of the light that windows hold if a remainder holds the rest, for pixels `step` in v wide."""
     return float(np.clip(1.0 - 1.0 / (math.pi * _GAP * step), 0.98, 0.9975))
 
 
 def reach_of(half: int, step: float) -> int:
-    """Return how many pixels from the middle the remainder is known pixel by pixel, for windows up to `half`.
-
-    Farther away its fine rings are left out, of which fine pixels see more, and know more at the same cost.
-    """
+    """Return the pixels from the middle up to which the remainder is tabulated, for windows up to `half`."""
     return max((3 * half) // 2 + 6, min(96, int(math.cbrt(7e6 / step**2))))
 
 
+# Beyond the shadow of the aperture a PSF hardly depends on defocus. So where a window does not reach, the PSF is,
+# closely, sum_r a_r(c) g_r(q); within, the window holds exactly the PSF less this sum, whatever that is there. The
+# g_r are values on pixels up to a reach, from alternating least squares in which every pixel counts only for those
+# defocus whose windows leave it out. Farther away they are sums of (r^2 + s^2)^(-3/2 - j), j = 0, 1, 2, the mean of
+# the tail of an aperture without its fine rings; these have Fourier transforms in closed form, and the light beyond
+# the reach, which is known, is held exactly. So is all light: the a_r are those of least error that lose none.
 @dataclass(frozen=True)
 class Remainder:
-    """What lies beyond the windows of one channel.
+    """The light beyond the windows of one channel."""
 
-    Attributes
-    ----------
-    knots : ndarray, shape (count, rank)
-        The factors a_r at the windows of the bank; between these they follow the same cubics as the windows.
-    spacing : float
-        Defocus from window to window, radians.
-    table : ndarray, shape (rank, reach + 1, reach + 1)
-        The g_r less their smooth part, from the middle row down and the middle column on.
-    smooth : ndarray, shape (rank, 3)
-        Of ``s^(2 j) (r^2 + s^2)^(-3/2 - j)``, r in pixels.
-    scale : float
-        s, pixels.
-    off : ndarray, shape (count - 3, near)
-        The most that K is off where windows reach, on the first pixels of the octant: around each gap between windows
-        in which defocus may lie, as checked at the windows and half-way between them.
-    far : ndarray
-        The same of the pixels after these up to the reach, of any defocus.
-    rings, held : float
-        Sums over all pixels beyond the reach, of any defocus: of the fine rings, which are left out there, estimated;
-        and of the light, as it differs from what it should be.
-    """
-
-    knots: Array
-    spacing: float
-    table: Array
-    smooth: Array
-    scale: float
-    off: NDArray[np.float32]
-    far: Array
-    rings: float
-    held: float
+    knots: Array  # (count, rank): the a_r at the windows of the bank, interpolated by the same cubics as these
+    spacing: float  # of the windows in defocus, radians
+    table: Array  # (rank, reach + 1, reach + 1): the g_r less their smooth part, from the middle row and column on
+    smooth: Array  # (rank, 3): factors of s^(2 j) (r^2 + s^2)^(-3/2 - j), r in pixels
+    scale: float  # s, pixels
+    off: NDArray[np.float32]  # (count - 3, near): largest errors of K, near each gap between windows
+    far: Array  # largest errors of the pixels after these up to the reach, at any defocus
+    rings: float  # sum of the fine rings beyond the reach, which are left out there; estimated
+    held: float  # largest error of the light beyond the reach
 
     def error(self, positions: ArrayLike | None = None, shape: tuple[int, int] | None = None) -> float:
-        """Return the sum of the most that K is off, over all pixels that points are from each other.
-
-        Times the brightest point of a scene, it bounds what any pixel is off.
-
-        Parameters
-        ----------
-        positions : array_like, optional
-            As of :meth:`factors`: those of the points of a scene; by default all are possible.
-        shape : (int, int), optional
-            Height and width of an image with nothing beyond its edges; by default light comes from everywhere.
-
-        Returns
-        -------
-        float
-        """
+        """Return the sum over pixels of the largest error of K at `positions`, within an image of `shape`."""
         off = self.off
         if positions is not None:
             gaps = np.clip(np.asarray(positions).astype(np.int32).ravel() - 1, 0, len(off) - 1)
@@ -125,7 +84,7 @@ class Remainder:
 
     @property
     def rank(self) -> int:
-        """How many products there are."""
+        """Number of products."""
         return int(self.knots.shape[1])
 
     @property
@@ -135,48 +94,16 @@ class Remainder:
         everywhere = self.smooth @ smooth_transforms(np.zeros(1), self.scale)[:, 0]
         return np.asarray(np.einsum("rij,i,j->r", self.table, once, once) + everywhere)
 
-    def factors(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> NDArray[Any]:
-        """Return the a_r.
-
-        Parameters
-        ----------
-        positions : array_like
-            Where defocus lies in the bank, as :meth:`lommel.imaging.bank.Bank.positions` has it.
-        dtype : float32 or float64
-
-        Returns
-        -------
-        ndarray, shape ``(rank, *positions.shape)``
-        """
+    def factors(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> Values:
+        """Return the a_r, shape (rank, ...), at positions in the bank."""
         return _between(self.knots, positions, 0, dtype)
 
-    def slopes(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> NDArray[Any]:
-        """Return the derivatives of the a_r by defocus, a radian.
-
-        Parameters
-        ----------
-        positions : array_like
-            As of :meth:`factors`.
-        dtype : float32 or float64
-
-        Returns
-        -------
-        ndarray, shape ``(rank, *positions.shape)``
-        """
+    def slopes(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> Values:
+        """Return the derivatives of the a_r by defocus, per radian, at positions in the bank."""
         return _between(self.knots / self.spacing, positions, 1, dtype)
 
     def values(self, half: int) -> Array:
-        """Return the g_r from the middle row and column on, up to `half` pixels; shape (rank, half + 1, half + 1).
-
-        Parameters
-        ----------
-        half : int
-            May exceed the reach.
-
-        Returns
-        -------
-        ndarray
-        """
+        """Return the g_r from the middle row and column on, up to `half` pixels, which may exceed the reach."""
         away = np.arange(half + 1.0)
         made = np.tensordot(self.smooth, _smooth(away[:, None] ** 2 + away**2, self.scale), axes=1)
         known = min(half + 1, self.table.shape[1])
@@ -194,32 +121,7 @@ def fit(
     reach: int,
     tol: float,
 ) -> tuple[Remainder, Array]:
-    """Find the remainder of a bank.
-
-    Parameters
-    ----------
-    nodes : DefocusNodes
-        Of the octant up to `reach`.
-    start, spacing : float
-        Defocus of the first window, and from one to the next, radians.
-    exact : ndarray, shape (count, cells)
-        Windows, on the octant up to the largest of `cuts`.
-    middle : ndarray, shape (count - 3, cells)
-        The same half-way from the second window to the third, and so on.
-    cuts : ndarray, shape (count,)
-        How far the windows reach, as of a bank.
-    reach : int
-        Pixels.
-    tol : float
-        There are as many products as it takes for the most that PSFs are off beyond their windows to sum to little
-        more than this, up to 16.
-
-    Returns
-    -------
-    remainder : Remainder
-    within : ndarray, shape (count, cells)
-        What it holds of the octant: to be left out of the windows.
-    """
+    """Return the remainder of a bank, and its part of the windows (count, cells), which these are to leave out."""
     near, distance, alike = exact.shape[1], octant(reach)[0], cells_alike(reach)
     at = start + spacing * np.arange(len(exact), dtype=np.float64)
     some = np.linspace(0, len(exact) - 1, 32 + math.ceil(_SAMPLES * np.ptp(cuts))).astype(np.int64)
@@ -273,7 +175,7 @@ def _of_neighbours(values: Array) -> Array:
 
 
 def _largest(*wrong: Array) -> Array:
-    """Return the most that each pixel is wrong by, of all defocus."""
+    """Return the largest error of each pixel, over all defocus."""
     return np.asarray(np.max([np.abs(part).max(axis=0) for part in wrong if len(part)], axis=0))
 
 
@@ -353,21 +255,10 @@ def _smooth(squared: Array, scale: float) -> Array:
 
 
 def smooth_transforms(frequency: Array, scale: float) -> Array:
-    """Return the Fourier transforms of the smooth parts over the plane, shape (3, ...).
+    """Return the Fourier transforms of the smooth parts over the plane, at cycles a pixel up to 1/2.
 
-    Those of their values on pixels differ by less than ``exp(-pi s)`` of the largest: by all that is
-    at a frequency of 1/2 and more.
-
-    Parameters
-    ----------
-    frequency : ndarray
-        Cycles a pixel, at most 1/2 in either direction.
-    scale : float
-        s, pixels.
-
-    Returns
-    -------
-    ndarray
+    Those of their values on pixels differ by less than ``exp(-pi s)`` of the largest: by all at a frequency of 1/2
+    and more.
     """
     phase = (2.0 * math.pi * scale) * frequency
     near = (2.0 * math.pi / scale) * np.exp(-phase)
@@ -378,7 +269,7 @@ def _halfway(knots: Array) -> Array:
     return (9.0 * (knots[1:-2] + knots[2:-1]) - knots[:-3] - knots[3:]) / 16.0
 
 
-def _between(knots: Array, positions: ArrayLike, order: int, dtype: DTypeLike) -> NDArray[Any]:
+def _between(knots: Array, positions: ArrayLike, order: int, dtype: DTypeLike) -> Values:
     """Return cubics through four windows each, or their derivatives by the position; shape (rank, ...)."""
     at = np.clip(np.asarray(positions, dtype=np.float64), 0.0, len(knots) - 1.0)
     first = np.clip(at.astype(np.int32) - 1, 0, len(knots) - 4)
@@ -402,3 +293,208 @@ def _lagrange() -> list[Any]:
         others = [k for k in range(4) if k != j]
         made.append(Polynomial.fromroots(others) / math.prod(j - k for k in others))
     return made
+
+
+_COPIES = 9.04  # sum of 1 over the cubed distances from one point of a square lattice to the others: 9.0336
+
+
+# Of an image between two mirrors, half a pixel beyond its first and its last pixel, a convolution with an even
+# kernel is diagonal in the discrete cosine transform of type II, whatever the reach of the kernel: it multiplies by
+# sum_q g(q) cos(pi k q / n), the transform of the kernel at the frequencies k / 2 n. Where no mirror is wanted, an
+# image is continued first, and the mirror is farther away: the last pixels go on for half of the height and width;
+# darkness is as wide as it takes for light from its mirrors to be less than half of the tolerance.
+class MirroredKernels:
+    """The g_r of a remainder, as they act on images of one shape and border."""
+
+    def __init__(
+        self, remainder: Remainder, shape: tuple[int, int], border: str, dtype: np.dtype[np.floating], tol: float
+    ) -> None:
+        self.remainder, self.border, self.dtype, self.error = remainder, border, dtype, 0.0
+        self._around = [(0, 0), (0, 0)]
+        if border == "extend":
+            self._around = [(max(1, side // 2),) * 2 for side in shape]
+        elif border == "zero":
+            from scipy.fft import next_fast_len
+
+            tail = float(np.abs(remainder.knots @ remainder.smooth[:, 0]).max())
+            light = _COPIES * math.prod(shape) * tail
+            dark = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
+            self._around = [(dark, next_fast_len(side + 2 * dark, real=True) - side - dark) for side in shape]
+            self.error = light / (2.0 * dark) ** 3
+        (top, _), (left, _) = self._around
+        self._image = slice(top, top + shape[0]), slice(left, left + shape[1])
+        self._sides = [side + sum(more) for side, more in zip(shape, self._around, strict=True)]
+
+    @cached_property
+    def eigenvalues(self) -> Values:
+        """Transforms of the g_r, shape (rank, height, width) of the image as it is continued; kept."""
+        table, scale = self.remainder.table.astype(self.dtype), self.remainder.scale
+        down, across = (_cosines(side, table.shape[1] - 1, self.dtype.char) for side in self._sides)
+        made = down @ table @ across.T
+        known = _smooth_spectra(*self._sides, scale, self.dtype.char)
+        for each, parts in zip(made, self.remainder.smooth.astype(self.dtype), strict=True):
+            for part, transform in zip(parts, known, strict=True):
+                each += part * transform
+        return np.asarray(made)
+
+    def transformed(self, r: int, plane: Values) -> Values:
+        """Return the transform of a plane convolved with g_r."""
+        from scipy.fft import dctn
+
+        if self.border != "reflect":
+            plane = np.pad(plane, self._around, mode="edge" if self.border == "extend" else "constant")
+        made = dctn(plane, overwrite_x=True)
+        made *= self.eigenvalues[r]
+        return np.asarray(made)
+
+    def image(self, transform: Values, threads: int = 1) -> Values:
+        """Return the image of a transform."""
+        from scipy.fft import idctn
+
+        return np.asarray(idctn(transform, overwrite_x=True, workers=threads)[self._image])
+
+    def known(self, plane: Values, threads: int = 1) -> Values:
+        """Return the transform of a plane with darkness around it: the transpose of :meth:`image` but for a scale."""
+        from scipy.fft import dctn
+
+        return np.asarray(dctn(np.pad(plane, self._around), workers=threads))
+
+    def taken(self, r: int, known: Values) -> Values:
+        """Return the transpose of :meth:`transformed`, but for that scale, of a transform."""
+        from scipy.fft import idctn
+
+        taken = idctn(self.eigenvalues[r] * known, overwrite_x=True)
+        if self.border == "extend":
+            # What copies of the edges took goes to these.
+            for lines, (before, after) in zip((taken, taken.T), self._around, strict=True):
+                lines[before] += lines[:before].sum(axis=0)
+                lines[-after - 1] += lines[-after:].sum(axis=0)
+        return np.asarray(taken[self._image])
+
+
+@lru_cache(maxsize=8)
+def _cosines(side: int, reach: int, kind: str) -> Values:
+    """Return the cosines that an even kernel is multiplied by, and 2 where a value stands for two."""
+    turns = np.outer(np.arange(side), np.arange(reach + 1)) % (2 * side)
+    made = 2.0 * np.cos((math.pi / side) * turns)
+    made[:, 0] = 1.0
+    made.flags.writeable = False
+    return np.asarray(made.astype(kind))
+
+
+@lru_cache(maxsize=4)
+def _smooth_spectra(height: int, width: int, scale: float, kind: str) -> Values:
+    """Return the transforms of the smooth parts, shape (3, height, width)."""
+    down, across = ((np.arange(side) / (2.0 * side)).astype(kind) for side in (height, width))
+    return smooth_transforms(np.hypot(down[:, None], across), scale)
+
+
+_ROUNDING = 32.0  # units that a sum in single precision may be off; measured: 9
+_LARGE = 2**16  # pixels from which threads are worth their start
+
+
+class Blur(Protocol):
+    """A blur, as far as its remainders need it."""
+
+    border: str
+    dtype: np.dtype[np.floating]
+    threads: int
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width of the images."""
+
+    def positions(self, channel: int) -> Array:
+        """Return where each point is in the bank of a channel."""
+
+
+class Beyond:
+    """The remainders of all channels of a blur: of every point a little light on every pixel, and the transpose."""
+
+    def __init__(self, remainders: Sequence[Remainder], tol: float) -> None:
+        self._remainders = list(remainders)
+        self._tol = tol
+        self._kernels: dict[tuple[int, tuple[int, int], str], MirroredKernels] = {}
+        self._factors: dict[int, tuple[Array, Values]] = {}
+
+    def error(self, blur: Blur) -> float:
+        """Return the sum over pixels of the largest error of K, of any channel, for this scene."""
+        # In darkness nothing comes from farther away than the image is large.
+        shape = blur.shape if blur.border == "zero" else None
+        found = max(
+            remainder.error(blur.positions(channel), shape) + self._kernels_of(blur, channel).error
+            for channel, remainder in enumerate(self._remainders)
+        )
+        return found + self.rounding(blur.dtype)
+
+    @staticmethod
+    def rounding(dtype: np.dtype[np.floating]) -> float:
+        """Return the rounding error of sums of this type, over the brightest point."""
+        return _ROUNDING * float(np.finfo(dtype).eps)
+
+    def spread(
+        self, blur: Blur, channels: Sequence[int], planes: Sequence[Values], *, slopes: bool = False
+    ) -> list[Values]:
+        """Return the light beyond the windows of planes of these channels, or its derivatives by positions."""
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
+        kernels = [self._kernels_of(blur, channel) for channel in channels]
+
+        light = [np.ascontiguousarray(plane) for plane in planes]
+
+        def part(each: tuple[int, int]) -> Values:
+            index, r = each
+            return kernels[index].transformed(r, factors[index][r] * light[index])
+
+        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
+        sums = _summed(asked, side_by_side(part, asked, _threads(blur)))
+        return [each.image(total, _threads(blur)) for each, total in zip(kernels, sums, strict=True)]
+
+    def collect(
+        self, blur: Blur, channels: Sequence[int], planes: Sequence[Values], *, slopes: bool = False
+    ) -> list[Values]:
+        """Return the transpose of :meth:`spread` applied to planes."""
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
+        kernels = [self._kernels_of(blur, channel) for channel in channels]
+        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
+        known = [each.known(plane, _threads(blur)) for each, plane in zip(kernels, planes, strict=True)]
+
+        def part(each: tuple[int, int]) -> Values:
+            index, r = each
+            taken = kernels[index].taken(r, known[index])
+            taken *= factors[index][r]
+            return taken
+
+        return _summed(asked, side_by_side(part, asked, _threads(blur)))
+
+    def _kernels_of(self, blur: Blur, channel: int) -> MirroredKernels:
+        """Return the kernels of a channel for images of this shape and border; kept."""
+        remainder = self._remainders[channel]
+        key = (id(remainder), blur.shape, blur.border)
+        if key not in self._kernels:
+            self._kernels[key] = MirroredKernels(remainder, blur.shape, blur.border, blur.dtype, self._tol)
+        return self._kernels[key]
+
+    def _factors_of(self, blur: Blur, channel: int, slopes: bool) -> Values:
+        """Return the a_r of all points, kept for the depth of the last call, or their derivatives, which are not."""
+        remainder, positions = self._remainders[channel], blur.positions(channel)
+        if slopes:
+            return np.asarray(remainder.slopes(positions, blur.dtype) * blur.dtype.type(remainder.spacing))
+        last = self._factors.get(id(remainder))
+        if last is None or last[0] is not positions:
+            last = self._factors[id(remainder)] = positions, remainder.factors(positions, blur.dtype)
+        return last[1]
+
+
+def _summed(asked: Sequence[tuple[int, int]], parts: Sequence[Values]) -> list[Values]:
+    """Return the sum over r of the parts of each plane."""
+    sums: list[Values] = []
+    for (_, r), found in zip(asked, parts, strict=True):
+        if r == 0:
+            sums.append(found)
+        else:
+            sums[-1] += found
+    return sums
+
+
+def _threads(blur: Blur) -> int:
+    return (blur.threads or os.cpu_count() or 1) if blur.shape[0] * blur.shape[1] >= _LARGE else 1

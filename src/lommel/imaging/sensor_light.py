@@ -1,18 +1,18 @@
-"""The light of a point on the pixels of a sensor, at any defocus."""
+"""The light of a point on the pixels of a sensor at any defocus, with a proven error, and its windows."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
+from lommel.core import engine
 from lommel.estimation.pixel_transfer import transfer_of_windows
-from lommel.imaging.defocus_nodes import Parabola
 from lommel.methods.choice import of_profiles
 from lommel.methods.pixels.rule import pixel_rule, quarters, sums_of_windows
 from lommel.optics.lens import Lens
@@ -24,45 +24,18 @@ _METHOD = of_profiles(1e-7)
 
 @dataclass(frozen=True)
 class SensorLight:
-    """The light of a point on the pixels of a sensor, at any defocus.
+    """The pixel-integrated PSF of one channel, as shares of the light of a point, at any defocus."""
 
-    Attributes
-    ----------
-    pupil : Pupil
-        In focus, with the aberrations of the lens, at its wavelength; radially symmetric.
-    phase : callable
-        Makes wavefronts of defocus, as :meth:`lommel.Lens.phase`.
-    spectrum : sequence of (wavelength, weight)
-        Of the channel; weights sum to 1.
-    pixel : float
-        Metres.
-    threads : int
-        At most so many, 0 for as many as there are processors. The result does not depend on it.
-    rate : callable, optional
-        As :meth:`lommel.Lens.phase_rate`, of `phase`; by default that of a paraxial lens.
-    """
-
-    pupil: Pupil
-    phase: Callable[[NDArray[np.float64]], Wavefront]
+    pupil: Pupil  # in focus, radially symmetric, at the wavelength of the lens
+    phase: Callable[[Array], Wavefront]
     spectrum: Sequence[tuple[float, float]]
     pixel: float
     threads: int = 0
-    rate: Callable[[float], float] | None = None
+    rate: Callable[[float], float] | None = None  # as Lens.phase_rate; by default that of a paraxial lens
 
     @classmethod
     def of(cls, lens: Lens, spectrum: Sequence[tuple[float, float]], pixel: float, threads: int = 0) -> Self:
-        """Return the light that a lens of radially symmetric aberrations makes of one channel.
-
-        Parameters
-        ----------
-        lens : Lens
-        spectrum, pixel, threads
-            As above.
-
-        Returns
-        -------
-        SensorLight
-        """
+        """Return the light that a lens of radially symmetric aberrations makes of one channel."""
         pupil = Pupil(
             lens.aberrations,
             obscuration=lens.obscuration,
@@ -73,34 +46,12 @@ class SensorLight:
         )
         return cls(pupil, lens.phase, spectrum, pixel, threads, lens.phase_rate)
 
-    def defocused(self, defocus: NDArray[np.float64]) -> Pupil:
-        """Return the pupil at each defocus.
-
-        Parameters
-        ----------
-        defocus : ndarray, shape (n,)
-            C_d, radians at the wavelength of the pupil.
-
-        Returns
-        -------
-        Pupil
-        """
+    def defocused(self, defocus: Array) -> Pupil:
+        """Return the stack of pupils at values of the defocus C_d, radians at the wavelength of the pupil."""
         return self.pupil.carrying(self.phase(defocus) + self.pupil.wavefront, None)
 
-    def shares(self, pupil: Pupil, half: int) -> NDArray[np.float64]:
-        """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``.
-
-        Parameters
-        ----------
-        pupil : Pupil
-            A stack of shape (n,), from :meth:`defocused`.
-        half : int
-            Pixels from the middle one to the edge.
-
-        Returns
-        -------
-        ndarray
-        """
+    def shares(self, pupil: Pupil, half: int) -> Array:
+        """Return the share of the light in each pixel of the octant, shape (n, cells), up to `half` pixels."""
         total: Any = 0.0
         for wavelength, weight in self.spectrum:
             there = pupil.in_light(wavelength)
@@ -111,28 +62,7 @@ class SensorLight:
         return np.asarray(total)
 
     def enough(self, defocus: tuple[float, float], energy: float, largest: int) -> tuple[int, Parabola]:
-        """Return half of a window that holds `energy` of the light at both ends of the range and in its middle.
-
-        Parameters
-        ----------
-        defocus : (float, float)
-            Range of C_d, radians.
-        energy : float
-            Share of the light.
-        largest : int
-            What half may be at most.
-
-        Returns
-        -------
-        half : int
-        parabola : Parabola
-            Nearly 1 over the peaks.
-
-        Raises
-        ------
-        ValueError
-            If half would be more than `largest`.
-        """
+        """Return the half width of windows that hold `energy` of the light, and nearly 1 over their peaks."""
         ends = np.linspace(*defocus, 3)
         pupil = self.defocused(ends)
         half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
@@ -159,17 +89,163 @@ def sensor_transfer(
     shape: tuple[int, int],
     half: int,
 ) -> NDArray[np.float32]:
-    """Do as :func:`lommel.estimation.pixel_transfer.pixel_transfer`, at no more cost for pixels of many lambda*N.
-
-    Parameters
-    ----------
-    lens, distances, spectrum, pixel, shape, half
-        As there.
-
-    Returns
-    -------
-    ndarray, shape (count, height // 2 + 1, width // 2 + 1)
-    """
+    """Return :func:`lommel.estimation.pixel_transfer.pixel_transfer` at no more cost for pixels of many lambda*N."""
     light = SensorLight.of(lens, spectrum, pixel)
     octants = light.shares(light.defocused(lens.defocus(distances)), half)
     return transfer_of_windows(np.asarray(quarters(octants, half)), shape)
+
+
+_ERROR = 1e-9  # of windows whose peaks are about 1
+_MOST = 20_000  # nodes
+
+
+@dataclass(frozen=True)
+class Parabola:
+    """The polynomial ``curvature (C - middle)^2 + least``, of curvature >= 0 and least > 0."""
+
+    curvature: float
+    middle: float
+    least: float
+
+    @classmethod
+    def through(cls, defocus: Array, values: Array) -> Parabola:
+        """Return the parabola that is nearly 1 over `values`, none above 1, at three equally spaced defocus."""
+        step, (before, here, after) = 0.5 * float(defocus[2] - defocus[0]), (1.0 / values).tolist()
+        bend = 0.5 * (before + after) - here
+        if not bend > 1e-3 * here:
+            return cls(0.0, 0.0, 1.0)
+        shift = 0.25 * (after - before) / bend
+        return cls(bend / step**2, float(defocus[1]) - shift * step, max(1.0, here - bend * shift**2))
+
+    def __call__(self, defocus: Array) -> Array:
+        """Return its values."""
+        return self.curvature * (defocus - self.middle) ** 2 + self.least
+
+
+# The field at a point is the integral over the pupil of A exp(i Phi), A real, and in the complex plane of the
+# defocus C I(C) = U(C) conj(U(conj(C))). There Im Phi differs by at most rate |Im C| from one place of the pupil to
+# another, so that by the inequality of Cauchy and Schwarz I is at most exp(rate |Im C|) times the light that the
+# pupil lets through, and the share in a pixel at most `bound` as much. Let M be the largest of that on the ellipse
+# with the foci -1 and 1 (the ends of the range) and semi-axes that sum up to rho: a polynomial through n nodes errs
+# by at most 4 M rho^(1 - n) / (rho - 1) (Trefethen, Approximation Theory and Approximation Practice, 2013, Theorem
+# 8.2). Little more than rate times half of the range are enough. Errors of the windows at the nodes themselves grow
+# by a factor of at most 1 + 2 log(n) / pi. The peak of a defocused point is a small part of that of one in focus,
+# and errors are to be small beside either: so the polynomial is through the windows times a parabola, nearly that of
+# 1 over their peaks, and is divided by it.
+@dataclass(frozen=True)
+class DefocusNodes:
+    """Windows at any defocus of a range, as Chebyshev polynomials with an error bound."""
+
+    low: float
+    high: float
+    parabola: Parabola  # that the windows are multiplied by
+    coefficients: Array  # (n, cells): of the Chebyshev polynomials, for these windows
+    threads: int = 0
+
+    @classmethod
+    def of(
+        cls,
+        windows: Callable[[Array], Array],
+        low: float,
+        high: float,
+        parabola: Parabola,
+        *,
+        rate: Callable[[float], float],
+        bound: float,
+        threads: int = 0,
+    ) -> DefocusNodes:
+        """Compute as many windows as the bound asks for, with its `rate` for C up to a distance, and its `bound`."""
+        middle, reach = 0.5 * (low + high), 0.5 * (high - low)
+        axis = np.geomspace(1e-3, max(1.0, 20.0 / reach), 200)  # beyond the foci
+        rho = 1.0 + axis + np.sqrt(axis * (axis + 2.0))
+        beyond = reach * (1.0 + float(axis[-1]))
+        fastest = rate(abs(middle) + beyond)
+        growth = fastest * reach * 0.5 * (rho - 1.0 / rho)
+        most = parabola.curvature * (abs(middle - parabola.middle) + beyond) ** 2 + parabola.least
+        count = float((1.0 + (np.log(4.0 * bound * most / (_ERROR * (rho - 1.0))) + growth) / np.log(rho)).min())
+        if not count <= _MOST:
+            raise ValueError(
+                f"depth spans C_d from {low:.4g} to {high:.4g} rad, which takes {count:.4g} PSFs, more than {_MOST}"
+            )
+        # Angles are odd multiples of half of pi / n, and their cosines come again and again.
+        odd = 2 * np.arange(math.ceil(count)) + 1
+        cosines = np.cos(np.arange(4 * odd.size) * (0.5 * math.pi / odd.size))
+        transform = cosines[np.outer(np.arange(odd.size), odd) % cosines.size] * (2.0 / odd.size)
+        transform[0] *= 0.5
+        at = middle + reach * cosines[odd]
+        return cls(
+            low, high, parabola, engine.product(transform, parabola(at)[:, None] * windows(at), threads), threads
+        )
+
+    def __call__(self, defocus: Array) -> tuple[Array, float]:
+        """Return the windows at values of the defocus, and a bound on their errors over their peaks."""
+        made = self.values(defocus)
+        return made, _ERROR / float((self.parabola(defocus) * made.max(axis=1)).min())
+
+    def values(self, defocus: Array) -> Array:
+        """Return the windows at values of the defocus."""
+        angle = np.arccos(np.clip((2.0 * defocus - self.low - self.high) / (self.high - self.low), -1.0, 1.0))
+        basis = _cosines(angle, len(self.coefficients))
+        basis /= self.parabola(defocus)
+        return engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
+
+    def of_first(self, cells: int) -> Self:
+        """Return the same for the first pixels alone."""
+        return replace(self, coefficients=np.ascontiguousarray(self.coefficients[:, :cells]))
+
+    def sums(self, weights: Array) -> Self:
+        """Return the same for sums over the last pixels times weights, shape (sums, pixels)."""
+        last = self.coefficients[:, self.coefficients.shape[1] - weights.shape[1] :]
+        return replace(self, coefficients=np.ascontiguousarray(last @ weights.T))
+
+
+def _cosines(angle: Array, count: int) -> Array:
+    """Return the cosines of 0, 1, 2, ... times each angle, shape (count, n), from powers, which lose an ulp each."""
+    powers = np.empty((count, angle.size), dtype=np.complex128)
+    powers[0], known = 1.0, 1
+    if count > 1:
+        powers[1], known = np.exp(1j * angle), 2
+    while known < count:
+        more = min(known - 1, count - known)
+        np.multiply(powers[1 : more + 1], powers[known - 1], out=powers[known : known + more])
+        known += more
+    return np.ascontiguousarray(powers.real)
+
+
+# A window that reaches h pixels from the middle, a real number, uses of the ring at the Chebyshev distance k the
+# share h + 1 - k, from 0 to 1, averaged over the neighbouring windows, so that nothing jumps as a point moves.
+def find_cuts(octants: Array, half: int, energy: float) -> Array:
+    """Return the reach h of each window, so that it, and those interpolated from it and the next, hold `energy`."""
+    sums = sums_of_windows(octants, half)
+    enough = sums >= np.clip(energy, sums[:, :1], sums[:, -1:])
+    rows, outer = np.arange(len(sums)), enough.argmax(axis=1)
+    ring = sums[rows, outer] - sums[rows, outer - 1]
+    over = np.maximum(0.0, sums[rows, outer] - energy)
+    own = outer - np.divide(over, ring, out=np.zeros(len(sums)), where=outer > 0)
+    # What the neighbours take counts: those between are to hold enough as well.
+    return np.asarray(np.max([own[np.clip(rows + k, 0, len(own) - 1)] for k in (-1, 0, 1)], axis=0))
+
+
+def ring_shares(cuts: Array, half: int) -> Array:
+    """Return the share used of each ring of pixels, 0 to 1, the mean over neighbours: 1/6, 2/3, 1/6."""
+    padded, away = np.pad(cuts, 1, mode="edge"), np.arange(half + 1)
+    ring = np.clip(padded[:, None] + 1.0 - away, 0.0, 1.0)
+    return np.asarray((ring[:-2] + 4.0 * ring[1:-1] + ring[2:]) / 6.0)
+
+
+def shares_used(cuts: Array, half: int) -> Array:
+    """Return the share used of each pixel, 0 to 1, from the middle row and column on."""
+    away = np.arange(half + 1)
+    return ring_shares(cuts, half)[:, np.maximum(away[:, None], away)]
+
+
+def cut(octants: Array, cuts: Array) -> Array:
+    """Return windows cut at their reach, from the middle row down and the middle column on."""
+    used = math.ceil(cuts.max())
+    return np.asarray(quarters(octants, used) * shares_used(cuts, used))
+
+
+def sums_of_quarters(quarter: Values) -> Array:
+    """Return the sums of windows that are given from the middle row down and the middle column on."""
+    down, across = (np.where(np.arange(side) == 0, 1.0, 2.0) for side in quarter.shape[1:])
+    return np.asarray(quarter @ across @ down)

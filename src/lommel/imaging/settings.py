@@ -1,4 +1,4 @@
-"""How photographs are made: every option of every way to make them, with its default, its check and its text."""
+"""Options of photographs, each with its default, its check and its text."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Spectrum = float | Sequence[tuple[float, float]]
 
 
 class BlurKeywords(TypedDict, total=False):
-    """What the linear operator takes."""
+    """Options of the linear operator."""
 
     border: str
     energy: float
@@ -31,7 +31,7 @@ class BlurKeywords(TypedDict, total=False):
 
 
 class Keywords(BlurKeywords, total=False):
-    """What a photograph takes."""
+    """Options of a photograph."""
 
     occlusion: bool
     wavelengths: Channels | Sequence[Spectrum] | None
@@ -105,54 +105,17 @@ class Settings:
 
     @classmethod
     def of(cls, door: Callable[..., Any], given: Mapping[str, Any], keywords: type) -> Self:
-        """Return what `door`, which takes these keywords, was given; TypeError for an option that it lacks.
-
-        Parameters
-        ----------
-        door : callable
-            What shows the keywords in its signature.
-        given : dict
-            Of names to values.
-        keywords : type
-            A TypedDict of the names that `door` takes.
-
-        Returns
-        -------
-        Settings
-
-        Raises
-        ------
-        TypeError, ValueError
-            If an option is none of these, or as :class:`lommel.imaging.settings.Settings`.
-        """
+        """Return the options `given` to `door`, of the TypedDict `keywords`; TypeError for one that it lacks."""
         options.require_known(door, given, keywords)
         return cls(**given)
 
     @property
     def of_blur(self) -> BlurKeywords:
-        """What the linear operator takes of them."""
+        """The options of the linear operator."""
         return cast("BlurKeywords", {name: getattr(self, name) for name in BlurKeywords.__annotations__})
 
     def channels(self, shape: tuple[int, ...], wavelength: float | None) -> Sequence[Spectrum]:
-        """Return the spectrum of each channel of an image of this shape.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            (height, width) or (height, width, channels).
-        wavelength : float or None
-            That of a grey image, metres.
-
-        Returns
-        -------
-        sequence
-            A wavelength (metres), or pairs of wavelength and weight, for each.
-
-        Raises
-        ------
-        ValueError
-            If there are not as many wavelengths as channels, or none for channels that are neither grey nor colours.
-        """
+        """Return the spectrum of each channel of an image of `shape`, `wavelength` if grey, or ValueError."""
         count = 1 if len(shape) == 2 else shape[2]
         if self.wavelengths is not None:
             if len(self.wavelengths) != count:
@@ -170,13 +133,7 @@ class Settings:
 
 
 def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], ...]:
-    """Return for each channel pairs of a wavelength (metres) and a weight; these sum to 1.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If `channels`, called `name`, is no sequence of wavelengths and such pairs.
-    """
+    """Return for each channel pairs of a wavelength (metres) and a weight, which sum to 1; or TypeError."""
     if isinstance(channels, Channels):
         return channels.spectra
     if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:
@@ -185,7 +142,7 @@ def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], 
 
 
 def _energy(energy: Any) -> float:
-    """Return the share of the light that is held: all of it, or what windows of some size can hold."""
+    """Return the share of the light in a window, checked: 1 for the whole PSF."""
     share = validation.real("energy", energy, least=0.5)
     if 0.9999 + 1e-12 <= share != 1.0:
         raise ValueError(f"energy must be <= 0.9999, or 1 for the whole PSF, got {validation.shown(energy)}")

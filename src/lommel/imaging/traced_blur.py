@@ -1,4 +1,4 @@
-"""Blur by depth that frameworks can differentiate: windows at all defocus as polynomials, and those of low rank."""
+"""Blur by depth that JAX and PyTorch can differentiate: windows as polynomials of defocus, of low rank."""
 
 from __future__ import annotations
 

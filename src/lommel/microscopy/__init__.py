@@ -1,4 +1,4 @@
-"""What microscopes make of PSFs: by pinholes, two photons, depletion, sheets, of beads and of whole specimens."""
+"""Microscopy: confocal, two-photon, STED and light-sheet PSFs, images of beads, and deconvolution of stacks."""
 
 from lommel.microscopy.deconvolution import deconvolve
 from lommel.microscopy.modalities import bead, confocal, light_sheet, sted, two_photon

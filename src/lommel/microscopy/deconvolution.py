@@ -1,19 +1,18 @@
-"""The specimen behind a stack of planes that a microscope recorded."""
+"""Deconvolution of a stack of planes that a microscope recorded."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
-from lommel.imaging.restoration.observed import MISFIT, TINY, Tell, slack_of
-from lommel.imaging.restoration.restore_with import Progress, Restoration, shown
-from lommel.imaging.restoration.richardson_lucy import Course, RichardsonLucy
+from lommel.imaging.observed import MISFIT, TINY, Tell, slack_of
+from lommel.imaging.restoration import Restoration, shown
+from lommel.imaging.richardson_lucy import Course, RichardsonLucy
 from lommel.microscopy.stack_blur import Part, Piece, TiledBlur
 from lommel.psf import PSF
 
@@ -22,8 +21,8 @@ STACK_MISFIT = (
 )
 """Why a method stopped that a stack does not follow."""
 
+# Why a method stopped at once, at a discrepancy that is too small for the noise that was stated.
 TOO_QUIET = "misfit: the stack is quieter than its noise; is the offset left out, or the read noise too large?"
-"""Why a method stopped at once, at a discrepancy that is too small for the noise that was stated."""
 
 _LEAST_PLANES = 8  # of the margin, where the PSF has so many
 _MOST_CHANGE = 6e4  # that half precision holds
@@ -37,7 +36,7 @@ def deconvolve(
     *,
     method: RichardsonLucy | None = None,
     margin: tuple[int, int] | None = None,
-    progress: Progress | None = None,
+    progress: Tell | None = None,
 ) -> Restoration:
     """Deconvolution: restore a stack of planes that a microscope recorded, by its PSF and its noise.
 
@@ -123,19 +122,15 @@ def deconvolve(
 
 
 class _Counted:
-    """A stack as counts, in units of light as :class:`lommel.imaging.restoration.observed.Observed` has them.
+    """A stack as counts, in units of light as :class:`lommel.imaging.observed.Observed`, converted part by part."""
 
-    Parts of it are converted when they are asked for.
-    """
-
-    def __init__(self, recorded: NDArray[Any], noise: Noise) -> None:
+    def __init__(self, recorded: Values, noise: Noise) -> None:
         side = recorded.shape[1:]
         self._recorded = recorded
         self._offset = np.broadcast_to(noise.offset, side)
         gain = np.broadcast_to(1.0 if noise.white is None else noise.white, side)
         self._added = np.asarray(noise.variance(np.zeros(side)) / gain)
-        self.known = np.zeros(len(recorded), dtype=np.int64)
-        """How many voxels of each plane are."""
+        self.known = np.zeros(len(recorded), dtype=np.int64)  # how many voxels of each plane are
         total = weights = counts = 0.0
         for plane, values in enumerate(recorded):
             if np.isinf(values).any():
@@ -151,13 +146,12 @@ class _Counted:
         self._white = weights / float(self.known.sum())
         self._weight = np.asarray(gain / self._white, dtype=np.float32)
         self.most_weight = float(self._weight.max())
-        self.level = total / weights
-        """Mean light."""
+        self.level = total / weights  # mean light
+        # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
         self.electrons = self._white * counts / weights
-        """Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too."""
         self.smallest = 1e-6 * max(counts / weights, TINY)
 
-    def part(self, plane: int, rows: slice, columns: slice) -> tuple[NDArray[Any], NDArray[Any]]:
+    def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
         """Return counts and weights; both are 0 where nothing is known."""
         values = self._recorded[plane, rows, columns] - self._offset[rows, columns]
         values += self._added[rows, columns]
@@ -168,7 +162,7 @@ class _Counted:
     def scene(self, planes: int, pixels: int) -> Part:
         """Return the stack itself as a specimen, with these margins: as bright as its mean where nothing is known."""
 
-        def part(plane: int, rows: slice, columns: slice) -> NDArray[Any]:
+        def part(plane: int, rows: slice, columns: slice) -> Values:
             out = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
             if 0 <= plane - planes < len(self._recorded):
                 inside = [
@@ -186,20 +180,8 @@ class _Counted:
 
         return part
 
-    def discrepancies(self, models: Iterable[Piece], misfit: NDArray[Any] | None = None) -> Array:
-        """Return the Poisson deviance a voxel of each plane, of a model without what reading adds.
-
-        Parameters
-        ----------
-        models : iterable of Piece
-            Parts of the model.
-        misfit : ndarray, optional
-            Is filled with the weighted ratio of counts and model, less 1.
-
-        Returns
-        -------
-        ndarray
-        """
+    def discrepancies(self, models: Iterable[Piece], misfit: Values | None = None) -> Array:
+        """Return the Poisson deviance per voxel of each plane; `misfit` becomes the weighted ratio less 1."""
         sums = np.zeros(len(self.known))
         for plane, rows, columns, light in models:
             counts, weight = self.part(plane, rows, columns)
@@ -217,10 +199,7 @@ class _Counted:
 
 
 class _Walk:
-    """Steps of Richardson and Lucy, with no more memory than the specimen and half of it again.
-
-    Beside the light x there is its last change, over x and in half precision, for the extrapolation.
-    """
+    """Steps of Richardson and Lucy, with no more memory than the specimen and half of it again."""
 
     def __init__(self, blur: TiledBlur, counted: _Counted) -> None:
         self._blur, self._counted = blur, counted
@@ -232,7 +211,7 @@ class _Walk:
         self.discrepancies: Array = np.zeros(0)
 
     def solve(self, method: RichardsonLucy, tell: Tell) -> Course:
-        """Walk until there is a reason to stop."""
+        """Iterate until there is a reason to stop."""
         course = Course(method, slack_of(self._counted.known), tell)
         earlier = np.zeros([-(-side // _EVERY) for side in self._blur.whole], dtype=np.float32)
         while True:
@@ -246,7 +225,7 @@ class _Walk:
             if method.accelerate and course.steps > 0:
                 course.go_on(size, overlap)
 
-    def _guess(self, plane: int, rows: slice, columns: slice) -> NDArray[Any]:
+    def _guess(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the light, extrapolated."""
         light = self._light[plane, rows, columns]
         if self._pace == 0.0:
@@ -257,7 +236,7 @@ class _Walk:
         ahead *= light
         return np.maximum(ahead, self._counted.smallest, out=ahead)
 
-    def _step(self, earlier: NDArray[Any]) -> float:
+    def _step(self, earlier: Values) -> float:
         """Take a step, replace some of the earlier change by its own, and return the product of the two."""
         overlap = 0.0
         for plane, rows, columns, back in self._blur.adjoint(lambda plane, *part: self._misfit[(plane, *part)]):
@@ -281,7 +260,7 @@ class _Walk:
             light[...] = found
         return overlap
 
-    def inside(self, planes: int, pixels: int) -> NDArray[Any]:
+    def inside(self, planes: int, pixels: int) -> Values:
         """Return the light within these margins; ends the walk."""
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
         del self._misfit

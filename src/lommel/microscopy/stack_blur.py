@@ -1,16 +1,16 @@
-"""A specimen as a microscope records it plane by plane, as a linear operator."""
+"""The image of a specimen, recorded plane by plane by a microscope, as a linear operator."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.imaging.linear import LinearBlur
 from lommel.measures.axial import stage
 from lommel.psf import PSF
@@ -57,24 +57,18 @@ class StackBlur(LinearBlur):
 
     @property
     def channels(self) -> int:
-        """How many planes there are."""
+        """Number of planes."""
         return self._planes
 
-    def forward(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the recording of a specimen, both (height, width, planes).
-
-        See :meth:`lommel.imaging.LinearBlur.forward`.
-        """
+    def forward(self, image: Values) -> Values:
+        """Return the recording of a specimen `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
         return self._filtered(image, self._transfer)
 
-    def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the transpose of :meth:`forward` applied to a recording.
-
-        See :meth:`lommel.imaging.LinearBlur.adjoint`.
-        """
+    def adjoint(self, image: Values) -> Values:
+        """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
         return self._filtered(image, self._transfer.conj())
 
-    def _filtered(self, image: NDArray[Any], transfer: NDArray[Any]) -> NDArray[Any]:
+    def _filtered(self, image: Values, transfer: Values) -> Values:
         from scipy.fft import irfftn, rfftn
 
         made = irfftn(rfftn(self.planes(image), self._size) * transfer, self._size)
@@ -83,24 +77,7 @@ class StackBlur(LinearBlur):
 
 
 def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
-    """Return the share of the light of a point that each voxel receives, and which of these is that of the point.
-
-    Parameters
-    ----------
-    psf : PSF
-        As :class:`StackBlur` takes it.
-
-    Returns
-    -------
-    kernel : ndarray, shape (planes, height, width)
-        Its sum is 1.
-    middle : (int, int, int)
-
-    Raises
-    ------
-    TypeError, ValueError
-        As :class:`StackBlur`.
-    """
+    """Return the share of the light of a point in each voxel, which sums to 1, and the voxel of the point."""
     validation.instance("psf", psf, PSF)
     z = stage(psf)
     steps = np.diff(z)
@@ -115,8 +92,8 @@ def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
     return values.astype(np.float64), (origin, values.shape[1] // 2, values.shape[2] // 2)
 
 
-Part = Callable[[int, slice, slice], NDArray[Any]]
-"""Takes the number of a plane, rows and columns, and returns its values there."""
+# Takes the number of a plane, rows and columns, and returns its values there.
+Part = Callable[[int, slice, slice], Values]
 
 _SHARE = 1.5  # of the recording that the two transforms of a tile take, in memory
 _SMALL = 2**21  # values that they may have in any case
@@ -128,29 +105,11 @@ class Piece(NamedTuple):
     plane: int
     rows: slice
     columns: slice
-    values: NDArray[Any]
+    values: Values
 
 
 class TiledBlur:
-    """Convolution of a specimen that is larger than its recording by a margin, and its transpose.
-
-    Beyond the margin planes are like the outermost one, and rows and columns dark. Convolutions are done by FFTs of
-    tiles of rows and columns with all planes, in single precision.
-
-    Parameters
-    ----------
-    psf : PSF
-        As :class:`lommel.microscopy.StackBlur` takes it.
-    shape : (int, int, int)
-        Planes, height and width of the recording.
-    margin : (int, int)
-        Planes and pixels beyond each of its faces.
-
-    Attributes
-    ----------
-    whole : (int, int, int)
-        Planes, height and width of the specimen.
-    """
+    """Convolution of a specimen larger than its recording by a margin, by FFTs of tiles, and its transpose."""
 
     def __init__(self, psf: PSF, shape: tuple[int, int, int], margin: tuple[int, int]) -> None:
         from scipy.fft import next_fast_len
@@ -172,17 +131,7 @@ class TiledBlur:
         self._sums = self._sums_of_kernel()
 
     def forward(self, specimen: Part) -> Iterator[Piece]:
-        """Yield the recording of a specimen, each part of it once.
-
-        Parameters
-        ----------
-        specimen : callable
-            Returns parts of the specimen, of the shape `whole`.
-
-        Yields
-        ------
-        Piece
-        """
+        """Yield the recording of a specimen, each part of it once."""
         from scipy.fft import irfft2
 
         planes, (margin, across, _) = self.shape[0], self._margin
@@ -196,17 +145,7 @@ class TiledBlur:
                 yield Piece(plane, *core, irfft2(light[margin + plane], self._tile)[inside])
 
     def adjoint(self, recording: Part) -> Iterator[Piece]:
-        """Yield what the transpose of :meth:`forward` makes of a recording, each part of the specimen once.
-
-        Parameters
-        ----------
-        recording : callable
-            Returns parts of the recording, of the shape `shape`.
-
-        Yields
-        ------
-        Piece
-        """
+        """Yield the transpose of :meth:`forward` applied to a recording, each part of the specimen once."""
         from scipy.fft import irfft2
 
         planes, (margin, across, _) = self.whole[0], self._margin
@@ -221,8 +160,8 @@ class TiledBlur:
             for plane in range(planes):
                 yield Piece(plane, *core, irfft2(seen[plane], self._tile)[inside])
 
-    def seen(self, plane: int, rows: slice, columns: slice) -> NDArray[Any]:
-        """Return how much of the light of points of the specimen falls on the recording, as `Part` does."""
+    def seen(self, plane: int, rows: slice, columns: slice) -> Values:
+        """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
         sums = self._sums[plane]
         limits = []
         for axis, part in ((1, rows), (2, columns)):
@@ -255,7 +194,7 @@ class TiledBlur:
         core: tuple[slice, slice],
         reach: tuple[int, ...],
         shift: int,
-    ) -> NDArray[Any]:
+    ) -> Values:
         """Return Fourier transforms of planes, of all that lies within the reach of a core; the others are 0."""
         from scipy.fft import rfft2
 
@@ -271,7 +210,7 @@ class TiledBlur:
             out[first + plane] = rfft2(tile)
         return out
 
-    def _along_planes(self, transform: NDArray[Any], *, transposed: bool = False) -> None:
+    def _along_planes(self, transform: Values, *, transposed: bool = False) -> None:
         """Convolve along the planes, in place; row by row, for the sake of memory."""
         from scipy.fft import fft, ifft
 
@@ -280,7 +219,7 @@ class TiledBlur:
             made *= self._transfer[:, row].conj() if transposed else self._transfer[:, row]
             transform[:, row] = ifft(made, axis=0, overwrite_x=True)
 
-    def _transformed_kernel(self) -> NDArray[Any]:
+    def _transformed_kernel(self) -> Values:
         """Return the transform of the kernel, with the point in the first voxel."""
         from scipy.fft import fft, rfft2
 
@@ -294,10 +233,7 @@ class TiledBlur:
         return out
 
     def _sums_of_kernel(self) -> Array:
-        """Return sums of the kernel over the planes that are recorded of it, and over its first rows and columns.
-
-        For each plane of the specimen, shape (planes, height + 1, width + 1).
-        """
+        """Return cumulative sums of the kernel over the recorded planes, for each plane of the specimen."""
         along = np.cumsum(np.pad(self._kernel, ((1, 0), (0, 0), (0, 0))), axis=0)
         out = np.zeros((self.whole[0], *(side + 1 for side in self._kernel.shape[1:])))
         for plane in range(-self._before, self.whole[0] + self._after):

@@ -285,7 +285,7 @@ def test_a_slope_is_found_with_a_deviation_that_knows_of_it():
 
 
 def test_the_slope_is_that_of_the_position_and_none_beside_what_is_not_known():
-    from lommel.imaging.defocus.depth import _slope
+    from lommel.imaging.defocus_depth import _slope
 
     position = 0.2 * np.arange(30.0)[:, None] - 0.1 * np.arange(40.0)
     assert _slope(position, 4.0) == pytest.approx(np.hypot(0.2, 0.1))

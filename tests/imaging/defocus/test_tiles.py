@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging.defocus import tiles
+from lommel.imaging import defocus_costs
 from planes import CAMERA, PAIR, PIXEL, shoot, texture
 
 
 def test_tiles_tell_what_the_whole_does(monkeypatch):
     images = [one[:, :100] for one in shoot(texture(side=152), 1.5, PAIR)]
     whole = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
-    monkeypatch.setattr(tiles, "_CORE", 48)
+    monkeypatch.setattr(defocus_costs, "_CORE", 48)
     seen = []
     parts = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, progress=lambda *at: seen.append(at), **CAMERA)
     assert seen[-1] == (9, 9)
@@ -28,7 +28,7 @@ def test_tiles_tell_what_the_whole_does(monkeypatch):
 @pytest.mark.parametrize("count", [1, 2, 5])
 def test_images_are_mirrored_beyond_their_borders_however_far(count):
     values = np.arange(count)
-    found = tiles._mirrored(np.arange(-12, count + 12), count)
+    found = defocus_costs._mirrored(np.arange(-12, count + 12), count)
     assert np.array_equal(values[found], np.pad(values, 12, mode="symmetric"))
 
 

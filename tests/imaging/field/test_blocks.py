@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.imaging.field import part
-from lommel.imaging.field.nodes import Nodes
-from lommel.imaging.field.part import Blocks
+from lommel.imaging import field_blur
+from lommel.imaging.field_bank import Nodes
+from lommel.imaging.field_blur import Blocks
 
 HEIGHT, WIDTH, SIDE = 23, 31, 5
 
@@ -43,9 +43,9 @@ def direct(windows: np.ndarray, down: np.ndarray, across: np.ndarray, light: np.
 @pytest.mark.parametrize("kept", [True, False])
 @pytest.mark.parametrize("longest", [9, 16, 512])
 def test_blocks_of_any_size_add_up_to_the_sum_over_points(monkeypatch, deep, kept, longest):
-    monkeypatch.setattr(part, "_OVERHEAD", 0 if longest < 100 else 20_000)
-    monkeypatch.setattr(part, "_LONGEST", longest)
-    monkeypatch.setattr(part, "_KEPT", part._KEPT if kept else 0)
+    monkeypatch.setattr(field_blur, "_OVERHEAD", 0 if longest < 100 else 20_000)
+    monkeypatch.setattr(field_blur, "_LONGEST", longest)
+    monkeypatch.setattr(field_blur, "_KEPT", field_blur._KEPT if kept else 0)
     engine, down, across = made()
     rng = np.random.default_rng(1)
     light, room = rng.standard_normal((HEIGHT, WIDTH)), rng.standard_normal((HEIGHT + SIDE - 1, WIDTH + SIDE - 1))

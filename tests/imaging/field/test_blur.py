@@ -7,8 +7,7 @@ import pytest
 from scipy.sparse.linalg import lsqr
 
 import lommel as lm
-from lommel.imaging import DepthBlur, FieldBlur
-from lommel.imaging.field import bank as field_bank
+from lommel.imaging import DepthBlur, FieldBlur, field_bank
 
 SCALE = {"wavelength": 550e-9, "f_number": 4.0}
 # As much changes over these 60 micrometres as over a sensor.

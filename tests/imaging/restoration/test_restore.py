@@ -19,7 +19,7 @@ from lommel.imaging import (
     restore,
     restore_with,
 )
-from lommel.imaging.restoration.restore import recorded
+from lommel.imaging.restoration import recorded
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6

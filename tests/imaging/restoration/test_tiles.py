@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel import Lens, Noise
-from lommel.imaging import RichardsonLucy, TotalVariation, depth_of_field, restore, restore_by_tiles
+from lommel import FieldMap, Lens, Noise
+from lommel.imaging import RichardsonLucy, TotalVariation, depth_of_field, restore
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 PIXEL, NOISE = 12e-6, Noise(white=5000.0, read=3.0)
@@ -30,13 +30,13 @@ GIVEN = {"encoding": "linear", "noise": NOISE}
 @pytest.mark.parametrize("occlusion", [True, False])
 def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
     told, photo = [], photographed(occlusion)
-    found = restore_by_tiles(
+    found = restore(
         photo,
         DEPTH,
         LENS,
         PIXEL,
         method=way,
-        side=48,
+        tile=48,
         occlusion=occlusion,
         progress=lambda *at: told.append(at),
         **GIVEN,
@@ -56,7 +56,7 @@ def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
 
 
 def test_one_tile_is_the_whole():
-    whole, tile = (door(PHOTO, DEPTH, LENS, PIXEL, **GIVEN) for door in (restore, restore_by_tiles))
+    whole, tile = (restore(PHOTO, DEPTH, LENS, PIXEL, tile=side, **GIVEN) for side in (None, 128))
     np.testing.assert_array_equal(tile.values, whole.values)
     for name in ("discrepancy", "by_channel", "before", "steps", "stopped", "unknown", "clipped"):
         assert getattr(tile, name) == pytest.approx(getattr(whole, name)), name
@@ -70,7 +70,7 @@ def test_files_are_read_and_written_as_they_are(tmp_path):
     out = np.lib.format.open_memmap(stored["out"], "w+", srgb.dtype, srgb.shape)
     photo, depth = (np.load(stored[name], mmap_mode="r") for name in ("photo", "depth"))
     given = {"encoding": "srgb", "noise": NOISE, "missing": "nearest"}
-    found = restore_by_tiles(photo, depth, LENS, PIXEL, side=64, out=out, **given)
+    found = restore(photo, depth, LENS, PIXEL, tile=64, out=out, **given)
     assert found.values is out
     whole = restore(srgb, np.array(depth), LENS, PIXEL, **given)
     assert np.abs(out.astype(int) - whole.values).mean() < 2.0
@@ -80,23 +80,48 @@ def test_each_pixel_keeps_its_own_noise():
     gains = np.random.default_rng(2).uniform(3000.0, 8000.0, DEPTH.shape)
     noise = Noise(white=gains, read=3.0)
     whole = restore(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise)
-    found = restore_by_tiles(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise, side=48)
+    found = restore(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise, tile=48)
     assert np.abs(found.values - whole.values).mean() < 0.02
 
 
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"photo": PHOTO.tolist()}, "photo must be an array"),
-        ({"depth": DEPTH[1:]}, "depth must be an array of the shape of the photo"),
-        ({"side": 8}, "side must be"),
-        ({"out": np.empty((3, 3))}, "out must be an array"),
+        ({"photo": PHOTO[0]}, "photo must have the shape"),
+        ({"depth": DEPTH[1:]}, "depth must have the shape of the photo"),
+        ({"tile": 8}, "tile must be"),
+        ({"out": np.empty((3, 3))}, "out must have the shape of the photo"),
         ({"out": PHOTO}, "share memory"),
         ({"depth": np.where(DEPTH == 2.0, np.nan, DEPTH)}, "`missing`"),
-        ({"photo": np.where(np.arange(112) < 90, 1.0, PHOTO)}, r"columns \d+ to \d+ photo must have pixels .*side="),
+        ({"photo": np.where(np.arange(112) < 90, 1.0, PHOTO)}, r"columns \d+ to \d+ photo must have pixels .*tile="),
     ],
 )
 def test_bad_arguments_are_refused_by_name(changes, said):
-    given = {"photo": PHOTO, "depth": DEPTH, "side": 16, **GIVEN} | changes
+    given = {"photo": PHOTO, "depth": DEPTH, "tile": 16, **GIVEN} | changes
     with pytest.raises(ValueError, match=said):
-        restore_by_tiles(given.pop("photo"), given.pop("depth"), LENS, PIXEL, **given)
+        restore(given.pop("photo"), given.pop("depth"), LENS, PIXEL, **given)
+
+
+@pytest.mark.parametrize("field", [True, False])
+def test_the_whole_is_written_where_it_is_asked_for(field):
+    lens, depth = (FieldMap.from_seidel(2e-3, wavelength=550e-9, f_number=2.8), None) if field else (LENS, DEPTH)
+    given = GIVEN | {"method": RichardsonLucy(steps=2)}
+    out = np.empty_like(PHOTO)
+    found = restore(PHOTO, depth, lens, PIXEL, out=out, **given)
+    assert found.values is out
+    assert np.array_equal(out, restore(PHOTO, depth, lens, PIXEL, **given).values)
+
+
+def test_memory_maps_are_done_by_tiles(tmp_path):
+    np.save(tmp_path / "photo.npy", PHOTO)
+    told = []
+    photo = np.load(tmp_path / "photo.npy", mmap_mode="r")
+    given = GIVEN | {"method": RichardsonLucy(steps=1), "progress": lambda *at: told.append(at)}
+    assert restore(photo, DEPTH, LENS, PIXEL, **given).light is None
+    assert told == [(1, 1)]
+
+
+def test_a_field_map_has_no_tiles():
+    field = FieldMap.from_seidel(2e-3, wavelength=550e-9, f_number=2.8)
+    with pytest.raises(ValueError, match=r"tile is for a Lens, got a FieldMap; leave it out"):
+        restore(PHOTO, None, field, PIXEL, tile=64, **GIVEN)

@@ -1,4 +1,4 @@
-"""Depth from defocus: the distance of everything in several photographs of a scene, by the blur of each part."""
+"""Depth from defocus: the depth map of a scene from several photographs, by the blur of each part."""
 
 from __future__ import annotations
 
@@ -13,13 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.estimation.noise import Noise
-from lommel.imaging.defocus.photos import expose
-from lommel.imaging.defocus.tiles import Tiling, Transfer
-from lommel.imaging.scene import fill_missing
+from lommel.imaging.defocus_costs import Exposures, Tiling, Transfer
+from lommel.imaging.photograph import fill_missing
 from lommel.imaging.sensor_light import sensor_transfer
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depthmaps import write_depth
@@ -28,6 +27,7 @@ from lommel.show import depth_maps
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
 
 _USUAL, _MOST = 61, 2001  # candidates
 _STEP, _LARGEST_STEP = 1.0, 2.0  # radians of defocus from one candidate to the next
@@ -63,7 +63,7 @@ class DefocusDepth:
     candidates: Array
     exposures: tuple[float, ...]
     encoding: str
-    _sharpen: Callable[[Array], NDArray[Any]] = field(repr=False)
+    _sharpen: Callable[[Array], Values] = field(repr=False)
 
     @property
     def known(self) -> float:
@@ -71,30 +71,18 @@ class DefocusDepth:
         return float(np.isfinite(self.deviation).mean())
 
     @cached_property
-    def sharp(self) -> NDArray[Any]:
-        """The image in focus everywhere, of the shape, type and encoding of the photographs, as exposed as the first.
-
-        By Wiener's filter at the depth of each pixel, or the nearest that is known: what noise hides stays soft.
-        Computed when it is first asked for. ValueError if no depth is known.
-        """
+    def sharp(self) -> Values:
+        """The all-in-focus image, like the first photograph, by Wiener's filter; ValueError if no depth is known."""
         if self.known == 0.0:
             raise ValueError("no depth is known, and so there is no sharp image: the photographs have no texture")
-        return self._sharpen(fill_missing(self.depth, "nearest"))
+        return self._sharpen(np.asarray(fill_missing(self.depth, "nearest"), dtype=np.float64))
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write the depth as a map that :func:`lommel.imaging.read_depth` reads: .tif, .npy or .pfm.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If `path` is no path, or none of these.
-        OSError
-            If the file cannot be written.
-        """
+        """Write the depth map to `path`: .tif, .npy or .pfm; ValueError for another suffix."""
         write_depth(Path(path), self.depth)
 
     def plot(self) -> Figure:
-        """Draw depth, deviation and the sharp image, where there is one, on a figure of matplotlib."""
+        """Draw depth, standard deviation and the all-in-focus image on a figure of matplotlib."""
         light = to_light("sharp", self.sharp, self.encoding, np.float64) if self.known else None
         return depth_maps.maps(self.depth, self.deviation, light)
 
@@ -123,6 +111,7 @@ def depth_from_defocus(
     exposures: Sequence[float] | None = None,
     magnification: str = "registered",
     saturation: float | None = None,
+    transfer: Transfer = sensor_transfer,
     progress: Callable[[int, int], object] | None = None,
 ) -> DefocusDepth:
     """Find the distance of everything in photographs of a scene that differ in focus, or in aperture.
@@ -160,8 +149,11 @@ def depth_from_defocus(
         sensor distance that it has, makes it: these are resampled to the scale of the first, about the middle.
     saturation : float, optional
         Stored value from which on pixels are not known.
+    transfer : callable, optional
+        Function that makes the transfer functions, with the arguments and the result of
+        :func:`lommel.estimation.pixel_transfer.pixel_transfer`: for other PSFs than those of the lenses, the default.
     progress : callable, optional
-        Called as ``progress(done, tiles)``.
+        Called as ``progress(done, tiles)`` after each tile.
 
     Returns
     -------
@@ -200,49 +192,6 @@ def depth_from_defocus(
     >>> round(float(np.median(found.depth)), 2)
     1.5
     """
-    return depth_by(
-        sensor_transfer, photographs, lenses, pixel, encoding=encoding, noise=noise, between=between, window=window,
-        candidates=candidates, wavelengths=wavelengths, exposures=exposures, magnification=magnification,
-        saturation=saturation, progress=progress,
-    )  # fmt: skip
-
-
-def depth_by(
-    transfer: Transfer,
-    photographs: Sequence[ArrayLike],
-    lenses: Sequence[Lens],
-    pixel: float,
-    *,
-    encoding: str,
-    noise: Noise,
-    between: tuple[float, float],
-    window: float = 4.0,
-    candidates: int | None = None,
-    wavelengths: Sequence[Spectrum] | None = None,
-    exposures: Sequence[float] | None = None,
-    magnification: str = "registered",
-    saturation: float | None = None,
-    progress: Callable[[int, int], object] | None = None,
-) -> DefocusDepth:
-    """Do as :func:`lommel.imaging.depth_from_defocus` by other PSFs than those of the lenses.
-
-    Parameters
-    ----------
-    transfer : callable
-        Makes transfer functions as :func:`lommel.estimation.pixel_transfer.pixel_transfer` does, of its arguments.
-    photographs, lenses, pixel, encoding, noise, between, window, candidates, wavelengths, exposures, magnification, \
-    saturation, progress
-        As of :func:`lommel.imaging.depth_from_defocus`.
-
-    Returns
-    -------
-    DefocusDepth
-
-    Raises
-    ------
-    TypeError, ValueError
-        As :func:`lommel.imaging.depth_from_defocus`.
-    """
     lights = _lenses(lenses)
     if not isinstance(photographs, Sequence | np.ndarray) or len(photographs) != len(lights):
         raise ValueError(f"photographs must be as many as lenses, {len(lights)}, got {_count(photographs)}")
@@ -276,7 +225,7 @@ def depth_by(
         depth = 1.0 / u
         sigma = np.where(unknown, np.inf, deviation * depth**2)
 
-    def sharpen(filled: Array) -> NDArray[Any]:
+    def sharpen(filled: Array) -> Values:
         place = (1.0 / filled - vergence[0]) / step
         # What does not fit the photographs is as noise to the sharp image.
         clean = float(np.median(level) / np.maximum(misfit, 1.0).mean())
@@ -293,8 +242,8 @@ def depth_by(
     return DefocusDepth(maps[0], maps[1], maps[2], distances, exposed.exposures, encoding, sharpen)
 
 
-def _slope(position: NDArray[np.floating[Any]], window: float) -> Array:
-    """Return how much the position changes from one pixel to the next, over a window; 0 beside what is not known."""
+def _slope(position: Values, window: float) -> Array:
+    """Return the change of the position per pixel, over a window; 0 beside unknown pixels."""
     reach, square = max(1, round(window)), np.zeros(position.shape)
     for axis in (0, 1):
         side = position.shape[axis]
@@ -306,7 +255,7 @@ def _slope(position: NDArray[np.floating[Any]], window: float) -> Array:
 
 
 def _lenses(lenses: Sequence[Lens]) -> list[Lens]:
-    """Return two lenses or more whose PSFs are round."""
+    """Return two lenses or more whose PSFs are circular."""
     if not isinstance(lenses, Sequence) or not all(isinstance(lens, Lens) for lens in lenses):
         raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
     if len(lenses) < 2:
@@ -351,3 +300,126 @@ def _candidates(between: tuple[float, float], count: int | None, lenses: list[Le
         least = max(9, math.ceil(span / _LARGEST_STEP) + 1)
         count = validation.integer("candidates", count, least=least, most=_MOST)
     return np.linspace(1.0 / far, 1.0 / near, count)
+
+
+MAGNIFICATIONS = ("registered", "lens")
+_LEAK, _FAR = 0.02, 6.0  # of amplitude, and from how many windows away
+_LEAST = 1e-3  # of the mean variance, for pixels of no light that are read without noise
+
+
+def expose(
+    photographs: Sequence[ArrayLike],
+    lenses: Sequence[Lens],
+    *,
+    encoding: str,
+    noise: Noise,
+    exposures: Sequence[float] | None,
+    magnification: str,
+    saturation: float | None,
+    window: float,
+) -> Exposures:
+    """Return photographs as electrons; arguments as of :func:`lommel.imaging.depth_from_defocus`."""
+    stored = [_checked(f"photographs[{k}]", one) for k, one in enumerate(photographs)]
+    shapes = [one.shape for one in stored]
+    if len(set(shapes)) > 1:
+        raise ValueError(f"photographs must be of one shape, got {', '.join(map(str, shapes))}")
+    electrons, known = zip(
+        *(_electrons(f"photographs[{k}]", one, encoding, noise, saturation) for k, one in enumerate(stored)),
+        strict=True,
+    )
+    images = np.stack(electrons, axis=1)
+    valid = np.all(known, axis=0)
+    if not valid.any():
+        raise ValueError("photographs have no pixel that all of them know: they are NaN or saturated")
+    if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
+        images, valid = _rescaled(images, valid, lenses)
+    light = _relative(images[..., valid], exposures)
+    mean = _smooth(images, window)
+    variances = noise.variance(np.maximum(mean, 0.0)) + _leaked(images - mean, window)
+    over = np.asarray(light)[:, None, None]
+    variances = np.maximum(variances, _LEAST * float(variances.mean())) / over**2
+    if not np.all(variances > 0.0):
+        raise ValueError("noise must be above 0: the photographs hold no light, and reading adds no noise")
+    return Exposures((images / over).astype(np.float32), variances.astype(np.float32), valid, light)
+
+
+def _smooth(images: Array, width: float) -> Array:
+    """Return means in nearly Gaussian windows of an rms width, by three box filters."""
+    from scipy.ndimage import uniform_filter1d
+
+    side = max(1, round(math.sqrt(4.0 * width**2 + 1.0)))
+    for axis in (-2, -1):
+        for _ in range(3):
+            images = uniform_filter1d(images, side, axis=axis, mode="reflect")
+    return images
+
+
+def _leaked(texture: Array, window: float) -> Array:
+    """Return the noise by stronger texture beyond a window, since no filter ends with the window."""
+    energy = texture**2
+    return _LEAK**2 * np.maximum(_smooth(energy, _FAR * window) - _smooth(energy, window), 0.0)
+
+
+def _checked(name: str, photograph: ArrayLike) -> Values:
+    values = validation.array(name, photograph)
+    if values.ndim not in (2, 3) or 0 in values.shape:
+        raise ValueError(
+            f"{name} must have the shape (height, width) or (height, width, channels), got {values.shape}"
+        )
+    return values
+
+
+def _electrons(
+    name: str, values: Values, encoding: str, noise: Noise, saturation: float | None
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Return the electrons of one photograph, channels first, and its known pixels; others are filled by these."""
+    known = np.ones(values.shape, dtype=np.bool_)
+    if values.dtype.kind == "f":
+        known = np.isfinite(values)
+    elif values.dtype.kind == "u":
+        known = values < np.iinfo(values.dtype.str).max
+    if saturation is not None:
+        with np.errstate(invalid="ignore"):
+            known &= values < validation.real("saturation", saturation, above=0.0)
+    pixels: NDArray[np.bool_] = np.asarray(known.reshape(*known.shape[:2], -1).all(axis=2))
+    if not pixels.all() and pixels.any():
+        from scipy.ndimage import distance_transform_edt
+
+        nearest = distance_transform_edt(~pixels, return_distances=False, return_indices=True)
+        values = values[tuple(nearest)]
+    elif not pixels.any():
+        return np.zeros((1, *pixels.shape)), pixels
+    light = to_light(name, values, encoding, np.float64)
+    return noise.electrons(np.moveaxis(light.reshape(*pixels.shape, -1), 2, 0)), pixels
+
+
+def _relative(images: Array, exposures: Sequence[float] | None) -> tuple[float, ...]:
+    """Return the light of each photograph over that of the first, as stated or as measured."""
+    if exposures is not None:
+        given = validation.real_array("exposures", exposures)
+        if given.shape != (images.shape[1],) or not np.all(given > 0.0):
+            raise ValueError(
+                f"exposures must be {images.shape[1]} numbers > 0, one for each photograph, "
+                f"got {validation.shown(exposures)}"
+            )
+        return tuple((given / given[0]).tolist())
+    sums = images.sum(axis=(0, 2))
+    if not np.all(sums > 0.0):
+        raise ValueError("photographs must hold light on average to compare their exposures; give exposures=")
+    return tuple((sums / sums[0]).tolist())
+
+
+def _rescaled(images: Array, valid: NDArray[np.bool_], lenses: Sequence[Lens]) -> tuple[Array, NDArray[np.bool_]]:
+    """Return images enlarged about their middle to the sensor distance of the first, and their known pixels."""
+    from scipy.ndimage import affine_transform
+
+    out, known = images.copy(), valid.copy()
+    middle = 0.5 * (np.array(valid.shape) - 1.0)
+    for k, lens in enumerate(lenses[1:], 1):
+        scale = lens.sensor_distance / lenses[0].sensor_distance
+        offset, zoom = middle * (1.0 - scale), scale * np.eye(2)
+        for channel in range(len(images)):
+            out[channel, k] = affine_transform(images[channel, k], zoom, offset, order=5, mode="mirror")
+        whole = affine_transform(valid.astype(np.float64), zoom, offset, order=1, mode="constant", cval=0.0)
+        known &= whole > 1.0 - 1e-6
+    return out, known

@@ -1,17 +1,16 @@
-"""Restoration that keeps edges and smooths the rest: total variation, as strong as the noise asks for."""
+"""Deblurring with total variation, which keeps edges and smooths the rest, as strong as the noise asks for."""
 
 from __future__ import annotations
 
 import math
 import time
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.imaging.restoration.observed import MISFIT, NOISE, STEPS, Observed, Solution, Tell
+from lommel.base.arrays import Values
+from lommel.imaging.observed import MISFIT, NOISE, STEPS, Observed, Solution, Tell
 
 _STEP = 40.0  # of the light over that of its dual, over the rms of the light
 _SEARCHES = 6  # strengths that are tried at most
@@ -60,23 +59,12 @@ class TotalVariation:
         validation.real("target", self.target, above=0.0)
 
     def solve(self, observed: Observed, tell: Tell) -> Solution:
-        """Return the sharp light behind what was observed.
-
-        Parameters
-        ----------
-        observed : Observed
-        tell : callable
-            Called as ``tell(step, discrepancy, seconds_left)`` at each step.
-
-        Returns
-        -------
-        Solution
-        """
+        """Return the light behind the counts `observed`; `tell` gets step, discrepancy and seconds left."""
         walk = _Walk(observed, tell, self.steps)
         if self.strength is not None:
             found = walk.settle(self.strength, last=True)
             return Solution(walk.light, walk.taken, NOISE if found <= 1.0 + observed.slack else STEPS, self.strength)
-        if _discrepancy(observed, observed.flat) <= 1.0 + observed.slack:
+        if observed.mean(observed.discrepancies_of(observed.flat)) <= 1.0 + observed.slack:
             return Solution(observed.flat, 0, NOISE)
         return self._search(walk, observed)
 
@@ -120,7 +108,7 @@ def _next(tried: list[tuple[float, float]]) -> float:
 
 
 class _Walk:
-    """Where the primal-dual steps are: light, and the duals of the likelihood and of the gradient."""
+    """State of the primal-dual steps: light, and the duals of the likelihood and of the gradient."""
 
     def __init__(self, observed: Observed, tell: Tell, most: int) -> None:
         self.observed, self.tell, self.most = observed, tell, most
@@ -141,7 +129,7 @@ class _Walk:
         self.start = time.perf_counter()
 
     def settle(self, strength: float, last: bool = False) -> float:
-        """Walk with one strength, the last one to the end, and return the discrepancy of the light."""
+        """Iterate with one strength, the last one to the end, and return the discrepancy of the light."""
         history: list[float] = []
         for step in range(1, self.most + 1):
             history.append(self._step(strength))
@@ -149,10 +137,10 @@ class _Walk:
             if not last and step > 2 * _EVERY and abs(history[-1] / history[-1 - _EVERY] - 1.0) < _SETTLED:
                 break
         self.settled.append(len(history))
-        return _discrepancy(self.observed, self.light)
+        return self.observed.mean(self.observed.discrepancies_of(self.light))
 
     def _step(self, strength: float) -> float:
-        """Walk one step, and return the discrepancy of the light ahead of it."""
+        """Take one step, and return the discrepancy of the light ahead of it."""
         observed = self.observed
         model = observed.model(self.ahead)
         found = observed.discrepancy(model, observed.ratio(model))
@@ -185,13 +173,7 @@ class _Walk:
         return (here + more) * (time.perf_counter() - self.start) / self.taken
 
 
-def _discrepancy(observed: Observed, light: NDArray[Any]) -> float:
-    """Return that of light."""
-    model = observed.model(light)
-    return observed.discrepancy(model, observed.ratio(model))
-
-
-def _gradient(image: NDArray[Any]) -> NDArray[Any]:
+def _gradient(image: Values) -> Values:
     """Return differences to the next row and to the next column, 0 at the last ones."""
     slopes = np.zeros((2, *image.shape), dtype=image.dtype)
     np.subtract(image[1:], image[:-1], out=slopes[0, :-1])
@@ -199,7 +181,7 @@ def _gradient(image: NDArray[Any]) -> NDArray[Any]:
     return slopes
 
 
-def _gradient_transposed(slopes: NDArray[Any]) -> NDArray[Any]:
+def _gradient_transposed(slopes: Values) -> Values:
     """Return the transpose of the gradient."""
     image = np.zeros(slopes.shape[1:], dtype=slopes.dtype)
     down, right = slopes[0, :-1], slopes[1, :, :-1]
@@ -210,8 +192,8 @@ def _gradient_transposed(slopes: NDArray[Any]) -> NDArray[Any]:
     return image
 
 
-def _shorten(slopes: NDArray[Any], most: float) -> None:
-    """Make vectors of all channels together no longer than `most`."""
+def _shorten(slopes: Values, most: float) -> None:
+    """Limit the length of the vectors of all channels together to `most`."""
     squares = np.square(slopes)
     length = squares[0] + squares[1]
     if length.ndim == 3:

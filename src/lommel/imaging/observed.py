@@ -1,4 +1,4 @@
-"""A photograph as counted light: what a model of it is worth, whatever method makes the model."""
+"""A photograph as counted light, and the likelihood of a model of it."""
 
 from __future__ import annotations
 
@@ -6,38 +6,37 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple, Protocol, Self
+from typing import NamedTuple, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
 
-NOISE, STEPS, MISFIT = "noise", "steps", "misfit: depth, lens or noise do not fit"
-"""Why a method stopped."""
+NOISE, STEPS, MISFIT = "noise", "steps", "misfit: depth, lens or noise do not fit"  # why a method stopped
 
+# Takes the number of a step, its discrepancy, and about how many seconds are left.
 Tell = Callable[[int, float, float], object]
-"""Takes the number of a step, its discrepancy, and about how many seconds are left."""
 
-TINY = 1e-30
-"""Keeps what is divided by from 0: an observed 0 has then a ratio of 0."""
+TINY = 1e-30  # keeps what is divided by from 0: an observed 0 has then a ratio of 0
 
 
 class Solution(NamedTuple):
-    """What a method found: light, after how many steps, why it stopped, and the strength of what kept it smooth."""
+    """The result of a method: light, number of steps, why it stopped, and the strength of the regularization."""
 
-    light: NDArray[Any]
+    light: Values
     steps: int
     stopped: str
     strength: float | None = None
 
 
 class Method(Protocol):
-    """A way to restore."""
+    """A method of restoration."""
 
     def solve(self, observed: Observed, tell: Tell) -> Solution:
-        """Return the sharp light behind what was observed."""
+        """Return the sharp light behind an observation."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,47 +45,18 @@ class Observed:
 
     A pixel whose gain is g electrons a unit of light has ``g y + read^2`` close to ``Poisson(g (A x) + read^2)``
     (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014): `counts` are ``y + read^2 / g``, `added` is ``read^2 / g``.
-
-    Attributes
-    ----------
-    blur : LinearBlur
-    counts, added : ndarray
-        Of the shape of the photograph; counts are never negative, and 0 where nothing is known.
-    weight : ndarray
-        Gain over its mean, `white`; 0 of a pixel that is not known.
-    white : float
-    full : ndarray of bool, or None
-        Pixels that are saturated: they counted at least so much.
     """
 
     blur: LinearBlur
-    counts: NDArray[Any]
-    added: NDArray[Any]
-    weight: NDArray[Any]
+    counts: Values  # y + read^2 / g, never negative, and 0 where nothing is known
+    added: Values  # read^2 / g
+    weight: Values  # gain over its mean, `white`; 0 of unknown pixels
     white: float
-    full: NDArray[np.bool_] | None = None
+    full: NDArray[np.bool_] | None = None  # saturated pixels, which counted at least so much
 
     @classmethod
-    def of(cls, blur: LinearBlur, light: NDArray[Any], noise: Noise, saturation: float = math.inf) -> Self:
-        """Return what was observed of light as it was recorded, NaN where it is unknown.
-
-        Parameters
-        ----------
-        blur : LinearBlur
-        light : ndarray of float, shape (height, width) or (height, width, channels)
-        noise : Noise
-        saturation : float
-            Light from which on pixels are saturated.
-
-        Returns
-        -------
-        Observed
-
-        Raises
-        ------
-        ValueError
-            If no pixel is known, or parameters of the noise fit no image of this shape.
-        """
+    def of(cls, blur: LinearBlur, light: Values, noise: Noise, saturation: float = math.inf) -> Self:
+        """Return the observation of recorded light, NaN where it is unknown; ValueError if none of it is known."""
         known = np.isfinite(light)
         full = known & (light >= saturation)
         if not (known & ~full).any():
@@ -97,7 +67,7 @@ class Observed:
         gain = np.broadcast_to(1.0 if noise.white is None else noise.white, planes.shape)
         added = (noise.variance(np.zeros(planes.shape)) / gain).astype(blur.dtype)
 
-        def image(plane: NDArray[Any]) -> NDArray[Any]:
+        def image(plane: Values) -> Values:
             return np.ascontiguousarray(np.moveaxis(plane, 0, 2), dtype=blur.dtype).reshape(light.shape)
 
         weight = np.where(known, image(gain), 0.0)
@@ -108,53 +78,53 @@ class Observed:
 
     @cached_property
     def known(self) -> NDArray[np.int64]:
-        """How many pixels of each channel are known and not saturated."""
+        """Number of pixels of each channel that are known and not saturated."""
         known = self.weight > 0.0
         if self.full is not None:
             known &= ~self.full
         return np.asarray(np.count_nonzero(known.reshape(*self.blur.shape, -1), axis=(0, 1)))
 
     @cached_property
-    def seen(self) -> NDArray[Any]:
+    def seen(self) -> Values:
         """The transpose of the blur applied to the weights: how much of each point was seen."""
         return np.asarray(np.maximum(self.blur.adjoint(self.weight), 0.0))
 
     @cached_property
-    def flat(self) -> NDArray[Any]:
-        """A scene without anything in it, as bright in each channel as the photograph."""
+    def flat(self) -> Values:
+        """A uniform scene, as bright in each channel as the photograph."""
         return np.broadcast_to(self._means(np.maximum(self.counts - self.added, 0.0)), self.counts.shape).copy()
 
     @property
     def smallest(self) -> float:
-        """Light that takes the place of none, so that it may grow."""
+        """Light that replaces zeros, so that it may grow."""
         return 1e-6 * max(float(self._means(self.counts).max()), TINY)
 
     @property
     def slack(self) -> float:
-        """By how much the discrepancy of what is right may exceed 1."""
+        """Amount by which the discrepancy of the true scene may exceed 1."""
         return slack_of(self.known)
 
     @property
-    def image(self) -> NDArray[Any]:
-        """The photograph as light, what is unknown as bright as the rest."""
+    def image(self) -> Values:
+        """The photograph as light, unknown pixels as bright as the mean."""
         return np.where(self.weight > 0.0, np.maximum(self.counts - self.added, 0.0), self.flat)
 
-    def model(self, light: NDArray[Any]) -> NDArray[Any]:
-        """Return what would be counted of light on average."""
+    def model(self, light: Values) -> Values:
+        """Return the expected counts of a scene."""
         made = self.blur.forward(light)
         made += self.added
         np.maximum(made, TINY, out=made)
         return made
 
-    def ratio(self, model: NDArray[Any]) -> NDArray[Any]:
+    def ratio(self, model: Values) -> Values:
         """Return counts over those of a model; 1 of a saturated pixel for which the model has enough."""
         found = np.divide(self.counts, model)
         if self.full is not None:
             np.maximum(found, 1.0, out=found, where=self.full)
         return np.asarray(found)
 
-    def discrepancies(self, model: NDArray[Any], ratio: NDArray[Any]) -> NDArray[np.float64]:
-        """Return the Poisson deviance a known pixel of each channel: about 1 where the model is right."""
+    def discrepancies(self, model: Values, ratio: Values) -> Array:
+        """Return the Poisson deviance per known pixel of each channel: about 1 where the model is right."""
         terms = np.maximum(ratio, TINY)
         np.log(terms, out=terms)
         # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
@@ -165,12 +135,21 @@ class Observed:
         sums = terms.reshape(*self.blur.shape, -1).sum(axis=(0, 1), dtype=np.float64)
         return np.asarray(2.0 * self.white * sums / np.maximum(self.known, 1))
 
-    def discrepancy(self, model: NDArray[Any], ratio: NDArray[Any]) -> float:
-        """Return the Poisson deviance a pixel (Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004)."""
-        return float((self.discrepancies(model, ratio) * self.known).sum() / self.known.sum())
+    def discrepancy(self, model: Values, ratio: Values) -> float:
+        """Return the Poisson deviance per pixel (Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004)."""
+        return self.mean(self.discrepancies(model, ratio))
 
-    def _means(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the weighted mean of each channel; of one of which nothing is known that of the others."""
+    def discrepancies_of(self, light: Values) -> Array:
+        """Return the Poisson deviance per known pixel of each channel, of a scene."""
+        model = self.model(light)
+        return self.discrepancies(model, self.ratio(model))
+
+    def mean(self, discrepancies: Array) -> float:
+        """Return the discrepancy of all channels together."""
+        return float((discrepancies * self.known).sum() / self.known.sum())
+
+    def _means(self, image: Values) -> Values:
+        """Return the weighted mean of each channel; of an unknown one the mean of the others."""
         planes = (image * self.weight).reshape(*self.blur.shape, -1)
         weights = self.weight.reshape(*self.blur.shape, -1)
         total, seen = planes.sum(axis=(0, 1), dtype=np.float64), weights.sum(axis=(0, 1), dtype=np.float64)
@@ -181,5 +160,5 @@ class Observed:
 
 
 def slack_of(known: NDArray[np.int64]) -> float:
-    """Return three times the deviation of the discrepancy of what is right, of so many known pixels a channel."""
+    """Return three standard deviations of the discrepancy of the true scene, of so many known pixels per channel."""
     return 3.0 * math.sqrt(2.0 / float(known.sum()))

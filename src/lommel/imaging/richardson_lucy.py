@@ -1,4 +1,4 @@
-"""Restoration by the iteration of Richardson and Lucy, which the noise stops."""
+"""Richardson-Lucy deconvolution, stopped by the noise."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from lommel.base import validation
-from lommel.imaging.restoration.observed import MISFIT, NOISE, STEPS, Observed, Solution, Tell
+from lommel.imaging.observed import MISFIT, NOISE, STEPS, Observed, Solution, Tell
 
 _FIRST = 20  # steps after which a misfit can be told
 
@@ -54,18 +54,7 @@ class RichardsonLucy:
         validation.truth("accelerate", self.accelerate)
 
     def solve(self, observed: Observed, tell: Tell) -> Solution:
-        """Return the sharp light behind what was observed.
-
-        Parameters
-        ----------
-        observed : Observed
-        tell : callable
-            Called as ``tell(step, discrepancy, seconds_left)`` at each step.
-
-        Returns
-        -------
-        Solution
-        """
+        """Return the light behind the counts `observed`; `tell` gets step, discrepancy and seconds left."""
         light = before = observed.flat
         # What no known pixel sees stays as it is.
         unseen = observed.seen <= 1e-6
@@ -100,21 +89,7 @@ class RichardsonLucy:
 
 
 class Course:
-    """Where an iteration is: the discrepancies so far, whether it is done, and how far steps are extrapolated.
-
-    Parameters
-    ----------
-    method : RichardsonLucy
-    slack : float
-        As of :class:`lommel.imaging.restoration.observed.Observed`.
-    tell : callable
-        As of :meth:`RichardsonLucy.solve`.
-
-    Attributes
-    ----------
-    pace : float
-        Of the last step, by how much the next one begins farther on.
-    """
+    """The course of an iteration: its discrepancies, whether to stop, and how far steps are extrapolated."""
 
     def __init__(self, method: RichardsonLucy, slack: float, tell: Tell) -> None:
         self._method, self._slack, self._tell = method, slack, tell
@@ -124,11 +99,11 @@ class Course:
 
     @property
     def steps(self) -> int:
-        """How many were taken."""
+        """Number of steps."""
         return len(self._history) - 1
 
     def judge(self, discrepancy: float) -> str | None:
-        """Return why to stop where the discrepancy is this one, if there is a reason, and tell of it."""
+        """Return the reason to stop at this discrepancy, if there is one, and call `tell`."""
         self._history.append(discrepancy)
         self._tell(self.steps, discrepancy, self._left(time.perf_counter() - self._start))
         return self._stopped() or (STEPS if self.steps == self._method.steps else None)
@@ -138,7 +113,7 @@ class Course:
         self.pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 else 0.0
 
     def _stopped(self) -> str | None:
-        """Return why to stop here, if the discrepancy is a reason."""
+        """Return the reason to stop that the discrepancy gives, if any."""
         step, history, target = self.steps, self._history, self._method.target
         found = history[-1]
         if target == 0.0:

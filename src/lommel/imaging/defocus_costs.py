@@ -1,62 +1,45 @@
-r"""The depth of the parts of a scene from several photographs of it: what is searched, and how sure the answer is.
-
-Photographs y_i of one texture x are ``y_i = h_i(u) x + n_i`` at each frequency, h_i the transfer function at the
-vergence u = 1 / depth, n_i noise. Whatever x is, at the right u what is orthogonal to h in the vector y is noise: of
-two photographs, ``(h_2 y_1 - h_1 y_2) / sqrt(h_1^2 + h_2^2)``. Its energy within a window, less that of noise, is
-least there on average, of every texture, and half of it is minus the logarithm of the likelihood. Frequencies that
-noise hides get the weight ``S |h|^2 / (1 + S |h|^2)``, S the power of texture over that of noise, which makes the
-least variance: a wrong S makes the answer less exact, not wrong.
-"""
+"""Depth from defocus by maximum likelihood: the cost of each candidate depth in each window, by tiles."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.estimation.pixel_transfer import multiplicity, squared_frequency
+from lommel.base.arrays import Array, Values
+from lommel.estimation.pixel_transfer import half_window, multiplicity, squared_frequency
+from lommel.optics.lens import Lens
 
+# Powers of texture that weights are made for, over that of the tile; a factor of ten more or less costs little. Less
+# than there is, for filters then end sooner, and so do the errors where the depth changes.
 _LEVELS = (0.1, 0.005)
-"""Powers of texture that weights are made for, over that of the tile; a factor of ten more or less costs little.
-
-Less than there is, for filters then end sooner, and so do the errors of what changes with the depth.
-"""
-_BETWEEN = 0.03
-"""Below this power over that of the tile a window is served by the second."""
-_COARSE = 4
-"""At every so many candidates is the texture measured."""
-_FEW = 0.01
-"""Less than this share of a tile is served by the first level whatever its texture."""
-_PART = 64
-"""Pixels down or across whose windows are computed by one product."""
-_SURE = 4.0
-"""Texture is what exceeds noise by so many standard deviations of its energy."""
-
-Floats = NDArray[np.floating[Any]]
+_BETWEEN = 0.03  # power over that of the tile below which a window is served by the second level
+_COARSE = 4  # candidates from one at which the texture is measured to the next
+_FEW = 0.01  # share of a tile below which the first level serves whatever the texture
+_PART = 64  # pixels down or across whose windows are computed by one product
+_SURE = 4.0  # standard deviations of the energy of noise above which there is texture
 
 
+# Photographs y_i of one texture x are y_i = h_i(u) x + n_i at each frequency, h_i the transfer function at the
+# vergence u = 1 / depth, n_i noise. Whatever x is, at the right u what is orthogonal to h in the vector y is noise:
+# of two photographs, (h_2 y_1 - h_1 y_2) / sqrt(h_1^2 + h_2^2). Its energy within a window, less that of noise, is
+# least there on average, of every texture, and half of it is minus the logarithm of the likelihood. Frequencies that
+# noise hides get the weight S |h|^2 / (1 + S |h|^2), S the power of texture over that of noise, which makes the
+# least variance: a wrong S makes the answer less exact, not wrong.
 @dataclass(frozen=True, eq=False)
 class Transform:
-    """Several images of one channel at the frequencies of their transfer functions, in both halves.
-
-    Attributes
-    ----------
-    shape : (int, int)
-        Of the images.
-    top, bottom : ndarray, shape (images, height // 2 + 1, width // 2 + 1)
-        At rising and at falling frequencies down.
-    """
+    """Several images of one channel at the frequencies of their transfer functions, in both halves."""
 
     shape: tuple[int, int]
-    top: NDArray[np.complex64]
-    bottom: NDArray[np.complex64]
+    top: NDArray[np.complex64]  # (images, height // 2 + 1, width // 2 + 1), at rising frequencies down
+    bottom: NDArray[np.complex64]  # at falling ones
 
     @classmethod
-    def of(cls, images: Floats) -> Transform:
+    def of(cls, images: Values) -> Transform:
         """Transform images of shape (images, height, width)."""
         from scipy.fft import rfft2
 
@@ -64,7 +47,7 @@ class Transform:
         rows = np.arange(images.shape[1] // 2 + 1)
         return cls(images.shape[1:], made[:, rows], made[:, -rows])
 
-    def sum(self, filters: Floats) -> NDArray[np.float32]:
+    def sum(self, filters: Values) -> NDArray[np.float32]:
         """Return the sum of the images, each through an even filter of the shape of `top`."""
         from scipy.fft import irfft2
 
@@ -79,13 +62,13 @@ class Transform:
         made: NDArray[np.float32] = irfft2(out, s=self.shape, overwrite_x=True)
         return made
 
-    def level(self, transfers: Floats) -> float:
-        """Return the power S of texture over that of noise at 1 cycle a pixel, the same all over, ``S / f^2``."""
+    def level(self, transfers: Values) -> float:
+        """Return the power S of texture over that of noise at 1 cycle a pixel, of a spectrum ``S / f^2``."""
         times, square = multiplicity(self.shape), squared_frequency(self.shape)
         square[0, 0] = np.inf
         size = self.shape[0] * self.shape[1]
 
-        def excess(log_level: float, hh: Floats, power: Floats) -> float:
+        def excess(log_level: float, hh: Values, power: Values) -> float:
             return float((times * power / (1.0 + np.exp(log_level) / square * hh)).sum()) - 1.0
 
         found = []
@@ -102,19 +85,8 @@ class Transform:
         return float(np.exp(np.median(found)))
 
 
-def residuals(h: Floats) -> Iterator[Floats]:
-    """Return filters that take from images what is orthogonal to their transfer functions, by Givens' rotations.
-
-    Parameters
-    ----------
-    h : ndarray, shape (images, ...)
-        Transfer functions over the rms noise of each image.
-
-    Yields
-    ------
-    ndarray, shape (images, ...)
-        Unit vectors orthogonal to `h` and to one another, one less than there are images.
-    """
+def residuals(h: Values) -> Iterator[Values]:
+    """Yield filters, unit vectors orthogonal to the transfer functions and to one another, by Givens rotations."""
     # Signed, for a filter whose sign jumps from frequency to frequency spreads over the image.
     length, unit = h[0], np.ones_like(h[:1])
     for k in range(1, len(h)):
@@ -128,15 +100,9 @@ def residuals(h: Floats) -> Iterator[Floats]:
 
 
 class Weights(NamedTuple):
-    """Windows of Gaussian weight, as products with narrow matrices on either side.
+    """Gaussian windows, as products with narrow matrices on either side."""
 
-    Attributes
-    ----------
-    down, across : list of (slice, ndarray)
-        For some pixels that a tile answers for after the others, which pixels with its margins they are made of, and
-        how much of each; rows sum to 1.
-    """
-
+    # Which pixels, with margins, a part of the tile is made of, and how much of each; rows sum to 1.
     down: list[tuple[slice, NDArray[np.float32]]]
     across: list[tuple[slice, NDArray[np.float32]]]
 
@@ -159,22 +125,18 @@ class Weights(NamedTuple):
 
     @property
     def shape(self) -> tuple[int, int]:
-        """How many pixels the tile answers for, down and across."""
+        """Pixels that the tile answers for, down and across."""
         rows, columns = (sum(len(matrix) for _, matrix in side) for side in self)
         return rows, columns
 
-    def __call__(self, image: Floats) -> NDArray[np.float32]:
+    def __call__(self, image: Values) -> NDArray[np.float32]:
         """Return the weighted mean round each pixel that the tile answers for."""
         rows = np.concatenate([matrix @ image[taken] for taken, matrix in self.down])
         return np.concatenate([rows[:, taken] @ matrix.T for taken, matrix in self.across], axis=1)
 
 
-def whitened(images: Floats, variances: Floats, transfers: Floats) -> tuple[Transform, Floats, Floats]:
-    """Return images and transfer functions over the noise of each image, and where there is how much of it.
-
-    The noise of one photograph over that of another is taken to be the same all over; how much there is, is not.
-    Over the root of the mean of the last, the first is white.
-    """
+def whitened(images: Values, variances: Values, transfers: Values) -> tuple[Transform, Values, Values]:
+    """Return images and transfer functions over the noise of each image, and the map of the noise."""
     ratio = variances.mean(axis=(1, 2))
     ratio = ratio / ratio.mean()
     local = (variances / ratio[:, None, None]).mean(axis=0)
@@ -184,24 +146,9 @@ def whitened(images: Floats, variances: Floats, transfers: Floats) -> tuple[Tran
 
 
 class Costs:
-    """The costs of all candidates in one channel of a tile, by the weights for each level of texture.
+    """The costs of all candidates in one channel of a tile, by the weights for each level of texture."""
 
-    Attributes
-    ----------
-    power : float
-        Of the texture of the tile at 1 cycle a pixel, over that of noise.
-    values : list of ndarray, shape (candidates, height, width)
-        For each level that has been computed, half of the energy that is left, less that of noise.
-    known, spread : ndarray, shape (levels, candidates)
-        The energy of noise, and the variance of a cost by noise for one independent pixel.
-    curvature, by_texture, by_noise : ndarray, shape (levels, candidates)
-        What is expected of texture as strong as that of the tile: the second derivative of the cost by the candidate,
-        the variance of the first for one independent pixel, and the part of that by noise, which is always there.
-    coverage : ndarray, shape (height, width)
-        Share of each window that is known.
-    """
-
-    def __init__(self, images: Floats, variances: Floats, valid: Floats, transfers: Floats, weigh: Weights) -> None:
+    def __init__(self, images: Values, variances: Values, valid: Values, transfers: Values, weigh: Weights) -> None:
         self._images, h, local = whitened(images, variances, transfers)
         self._trust = (valid * (float(local.mean()) / local)).astype(np.float32)
         self._weigh, self.coverage = weigh, np.maximum(weigh(valid), 1e-6)
@@ -211,9 +158,12 @@ class Costs:
         square[0, 0] = np.inf
         count = h.shape[1]
         self._h, self._slopes, self._spectrum = h, np.gradient(h, axis=1), self.power / square
+        # Of each level and candidate: the energy of noise, and the variance of a cost by noise for one independent
+        # pixel. And for texture as strong as that of the tile the second derivative of the cost by the candidate, the
+        # variance of the first for one independent pixel, and the part of that by noise, which is always there.
         self.known, self.spread, self.curvature, self.by_texture, self.by_noise = np.empty((5, len(_LEVELS), count))
         self._of_texture = np.empty((3, len(_LEVELS), -(-count // _COARSE)))
-        self.values: list[NDArray[np.float32]] = []
+        self.values: list[NDArray[np.float32]] = []  # of each level half of the energy left, less that of noise
         self._textures: list[NDArray[np.float32]] = []
         self._level()
 
@@ -225,8 +175,8 @@ class Costs:
         for c in range(count):
             self._candidate(k, c, self._h[:, c], self._slopes[:, c])
 
-    def _candidate(self, k: int, c: int, h: Floats, slope: Floats) -> None:
-        """Compute all of one candidate, from its transfer functions and their slope."""
+    def _candidate(self, k: int, c: int, h: Values, slope: Values) -> None:
+        """Compute one candidate, from its transfer functions and their slope."""
         hh = (h * h).sum(axis=0) + np.float32(1e-12)
         across = np.maximum((slope * slope).sum(axis=0) - (h * slope).sum(axis=0) ** 2 / hh, 0.0)
         filters = list(residuals(h))
@@ -249,27 +199,19 @@ class Costs:
                 self._mean(values) for values in (filtered, filtered * full, filtered**2)
             ]
 
-    def _mean(self, values: Floats) -> float:
+    def _mean(self, values: Values) -> float:
         """Return the mean over all frequencies."""
         return float(np.vdot(self._times, values))
 
-    def _energy(self, filters: Floats) -> Floats:
+    def _energy(self, filters: Values) -> Values:
         """Return the energy of the sum of the images through filters, over that of white noise, in each window."""
         values = self._images.sum(filters)
         values *= values
         values *= self._trust
         return np.asarray(self._weigh(values) / self.coverage)
 
-    def choose(self, at: NDArray[np.int64], independent: Floats) -> NDArray[np.int64]:
-        """Return the level that serves each pixel, and compute its costs; the second for few pixels is not worth it.
-
-        Parameters
-        ----------
-        at : ndarray of int, shape (height, width)
-            Of each pixel, the candidate.
-        independent : ndarray
-            How many independent pixels there are in each window.
-        """
+    def choose(self, at: NDArray[np.int64], independent: Values) -> NDArray[np.int64]:
+        """Return the level that serves each pixel, and compute its costs; the second level not for few pixels."""
         weak = self._texture(0, at, 1.0, independent)[0] < _BETWEEN
         if weak.mean() < _FEW:
             return np.zeros(at.shape, dtype=np.int64)
@@ -277,26 +219,16 @@ class Costs:
         return weak.astype(np.int64)
 
     def texture(
-        self, at: NDArray[np.int64], level: NDArray[np.int64], misfit: Floats, independent: Floats
-    ) -> tuple[Floats, NDArray[np.bool_]]:
-        """Return the power of the texture over that of the tile, and where it is more than noise.
-
-        Parameters
-        ----------
-        at, level : ndarray of int, shape (height, width)
-            Of each pixel, the candidate and the level.
-        misfit : ndarray
-            Energy of noise over what it should be.
-        independent : ndarray
-            How many independent pixels there are in each window.
-        """
+        self, at: NDArray[np.int64], level: NDArray[np.int64], misfit: Values, independent: Values
+    ) -> tuple[Values, NDArray[np.bool_]]:
+        """Return the power of the texture over that of the tile, and where it exceeds noise."""
         found = [self._texture(k, at, misfit, independent) for k in range(len(self.values))]
         power, sure = (np.choose(level, each) for each in zip(*found, strict=True))
         return power, sure
 
     def _texture(
-        self, k: int, at: NDArray[np.int64], misfit: Floats | float, independent: Floats
-    ) -> tuple[Floats, NDArray[np.bool_]]:
+        self, k: int, at: NDArray[np.int64], misfit: Values | float, independent: Values
+    ) -> tuple[Values, NDArray[np.bool_]]:
         """Return power and certainty by the weights of one level."""
         place = np.minimum((at + _COARSE // 2) // _COARSE, len(self._textures[k]) - 1)
         noise, signal, spread = (each[place] for each in self._of_texture[:, k])
@@ -306,79 +238,38 @@ class Costs:
         part = 2.0 / 9.0 * spread / (noise**2 * independent)
         return np.maximum(energy - mean, 0.0) / signal, energy > mean * (1.0 - part + _SURE * np.sqrt(part)) ** 3
 
-    def of_level(self, level: NDArray[np.int64]) -> Floats:
+    def of_level(self, level: NDArray[np.int64]) -> Values:
         """Return the costs, shape (candidates, height, width), each pixel's by the weights of its level."""
         return self.values[0] if len(self.values) == 1 else np.where(level, self.values[1], self.values[0])
 
 
-_STENCIL = 7
-"""Candidates that the polynomial goes through whose minimum is sought."""
-_DROP = 9.0
-"""Depth is known where the best candidate is better than the mean of all by so much of a logarithm of likelihood."""
-_SURE_OF_BEST = 3.0
-"""And by so many standard deviations of what noise makes of a cost."""
-_CLEAR = 100.0
-"""From so much on there is no doubt of a minimum."""
-_NOISIER = 2.0
-"""What is left may be noise that was stated too low by so much; more is depth that changes, or edges."""
+_STENCIL = 7  # candidates that the polynomial goes through whose minimum is sought
+_DROP = 9.0  # depth is known where the best candidate is better than the mean by so much of a log-likelihood
+_SURE_OF_BEST = 3.0  # and by so many standard deviations of the noise of a cost
+_CLEAR = 100.0  # from so much on there is no doubt of a minimum
+_NOISIER = 2.0  # more than this is no noise stated too low, but depth that changes, or edges
 
 
 class Found(NamedTuple):
-    """What a tile tells, each of shape (height, width).
+    """The depth of a tile, each array of shape (height, width)."""
 
-    Attributes
-    ----------
-    position : ndarray
-        Of the least cost, candidates from the first; where that lies at either end, there is none, NaN.
-    variance : ndarray
-        Of the position, in candidates squared; infinite where nothing is known.
-    misfit : ndarray
-        Energy left over that of noise, 1 where the model holds.
-    level : ndarray
-        Power of the texture at 1 cycle a pixel over that of noise.
-    """
-
-    position: Floats
-    variance: Floats
-    misfit: Floats
-    level: Floats
+    position: Values  # of the least cost among the candidates; NaN at either end, where there is none
+    variance: Values  # of the position, in candidates squared; infinite where nothing is known
+    misfit: Values  # energy left over that of noise, 1 where the model holds
+    level: Values  # power of the texture at 1 cycle a pixel over that of noise
 
 
 class Tile(NamedTuple):
-    """Photographs of a part of a scene.
+    """Photographs of a part of a scene."""
 
-    Attributes
-    ----------
-    images : ndarray, shape (channels, photographs, height, width)
-        Electrons of equal exposures, with margins.
-    variances : ndarray, of that shape
-        Of each pixel's noise.
-    valid, own : ndarray of float32, shape (height, width)
-        1 where pixels are to be believed, and where they are of the image rather than mirrored; 0 elsewhere.
-    """
-
-    images: Floats
-    variances: Floats
-    valid: NDArray[np.float32]
-    own: NDArray[np.float32]
+    images: Values  # (channels, photographs, height, width): electrons of equal exposures, with margins
+    variances: Values  # of the noise of each
+    valid: NDArray[np.float32]  # 1 where pixels are known, 0 elsewhere
+    own: NDArray[np.float32]  # 1 where they are of the image rather than mirrored
 
 
 def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, window: float) -> Found:
-    """Find the depth of each pixel that a tile answers for.
-
-    Parameters
-    ----------
-    tile : Tile
-    transfers : list of ndarray, shape (photographs, candidates, height // 2 + 1, width // 2 + 1)
-        Of each channel.
-    weigh : Weights
-    window : float
-        The rms width of the windows, pixels.
-
-    Returns
-    -------
-    Found
-    """
+    """Return the depth of each pixel that a tile answers for."""
     channels = [
         Costs(images, variances, tile.valid, transfer, weigh)
         for images, variances, transfer in zip(tile.images, tile.variances, transfers, strict=True)
@@ -422,7 +313,7 @@ def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, win
     return Found(position, variance, misfit, power)
 
 
-def _least(cost: Floats) -> NDArray[np.int64]:
+def _least(cost: Values) -> NDArray[np.int64]:
     """Return the place of the least along the first axis, as argmin does ten times as slowly."""
     at, least = np.zeros(cost.shape[1:], dtype=np.int64), cost[0].copy()
     for c, one in enumerate(cost[1:], 1):
@@ -432,11 +323,8 @@ def _least(cost: Floats) -> NDArray[np.int64]:
     return at
 
 
-def _spread(cost: Floats, at: NDArray[np.int64], independent: Floats) -> Floats:
-    """Return the mean square distance from the least candidate and its neighbours, each being as likely as it costs.
-
-    In candidates; a minimum between two of them is no doubt.
-    """
+def _spread(cost: Values, at: NDArray[np.int64], independent: Values) -> Values:
+    """Return the mean square distance from the least candidate and its neighbours, weighted by likelihood."""
     least = np.take_along_axis(cost, at[None], axis=0)[0]
     scale = independent.astype(np.float32)
     total, moment = np.zeros((2, *at.shape), dtype=np.float32)
@@ -447,7 +335,7 @@ def _spread(cost: Floats, at: NDArray[np.int64], independent: Floats) -> Floats:
     return np.asarray(moment / total)
 
 
-def _minimum(cost: Floats, at: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
+def _minimum(cost: Values, at: NDArray[np.int64]) -> tuple[Values, Values, Values]:
     """Return place, curvature and value of the minimum next to the least candidate, by a polynomial through seven."""
     start = np.clip(at - _STENCIL // 2, 0, len(cost) - _STENCIL)
     index = start + np.arange(_STENCIL).reshape(-1, *([1] * at.ndim))
@@ -458,7 +346,7 @@ def _minimum(cost: Floats, at: NDArray[np.int64]) -> tuple[Floats, Floats, Float
     middle = (at - start - _STENCIL // 2).astype(np.float64)
     x = middle.copy()
 
-    def derivative(order: int) -> Floats:
+    def derivative(order: int) -> Values:
         total = np.zeros_like(x)
         for power in range(_STENCIL - 1, order - 1, -1):
             total = total * x + terms[power] * np.prod(np.arange(power, power - order, -1))
@@ -473,26 +361,14 @@ def _minimum(cost: Floats, at: NDArray[np.int64]) -> tuple[Floats, Floats, Float
 
 
 def sharpen(
-    images: Floats,
-    variances: Floats,
-    transfers: Floats,
-    position: Floats,
+    images: Values,
+    variances: Values,
+    transfers: Values,
+    position: Values,
     level: float,
     inner: tuple[slice, slice],
-) -> NDArray[np.float64]:
-    """Return the scene of one channel in focus, by Wiener's filter at the depth of each pixel.
-
-    Parameters
-    ----------
-    images, variances : ndarray, shape (photographs, height, width)
-    transfers : ndarray, shape (photographs, candidates, height // 2 + 1, width // 2 + 1)
-    position : ndarray
-        Of each pixel that the tile answers for, candidates from the first.
-    level : float
-        Power of the texture at 1 cycle a pixel over that of noise.
-    inner : (slice, slice)
-        Where these pixels are in the images.
-    """
+) -> Array:
+    """Return the scene of one channel in focus, by Wiener's filter at the depth of each pixel."""
     transform, h, local = whitened(images, variances, transfers)
     spectrum = squared_frequency(transform.shape).astype(np.float32)
     spectrum[0, 0] = np.inf
@@ -508,3 +384,129 @@ def sharpen(
     weight = 1.0 / variances.mean(axis=(1, 2))
     mean = float((images.mean(axis=(1, 2)) * weight).sum() / weight.sum())
     return out * math.sqrt(float(local.mean())) + mean
+
+
+_CORE = 256  # most that a tile answers for, pixels a side
+_LEAST_MARGIN = 24
+
+Places = NDArray[np.int64]
+Transfer = Callable[[Lens, Array, Sequence[tuple[float, float]], float, tuple[int, int], int], NDArray[np.float32]]
+
+
+@dataclass(frozen=True, eq=False)
+class Exposures:
+    """Several photographs of one scene, as electrons."""
+
+    images: NDArray[np.float32]  # (channels, photographs, height, width): over the relative exposure of each
+    variances: NDArray[np.float32]  # of the noise of each pixel, from the light around it
+    valid: NDArray[np.bool_]  # pixels that all photographs and channels know
+    exposures: tuple[float, ...]  # light of each photograph over that of the first
+
+
+@dataclass(frozen=True, eq=False)
+class Tiling:
+    """Photographs cut into tiles, with the transfer functions of all candidates."""
+
+    exposed: Exposures
+    transfers: list[NDArray[np.float32]]
+    core: tuple[int, int]  # pixels that a tile answers for
+    margin: int  # pixels beyond these on either side
+    sides: tuple[int, int]  # of the transforms
+    blur: float  # largest radius, pixels
+    window: float
+
+    @classmethod
+    def of(
+        cls,
+        exposed: Exposures,
+        lenses: Sequence[Lens],
+        distances: Array,
+        spectra: Sequence[Sequence[tuple[float, float]]],
+        pixel: float,
+        window: float,
+        transfer: Transfer,
+    ) -> Tiling:
+        """Return tiles, with the transfer functions of all lenses at all distances in all channels."""
+        from scipy.fft import next_fast_len
+
+        blur = max(float(lens.pupil(distances).geometric_radius().max()) for lens in lenses) / pixel
+        half = half_window(lenses, distances, pixel)
+        margin = max(_LEAST_MARGIN, math.ceil(2.0 * blur + 3.0 * window))
+        shape = exposed.valid.shape
+        core = tuple(math.ceil(side / math.ceil(side / _CORE)) for side in shape)
+        sides = tuple(next_fast_len(max(side + 2 * margin, 2 * half + 1), real=True) for side in core)
+        known: dict[tuple[tuple[float, float], ...], NDArray[np.float32]] = {}
+        for spectrum in map(tuple, spectra):
+            if spectrum not in known:
+                known[spectrum] = np.stack(
+                    [transfer(lens, distances, spectrum, pixel, sides, half) for lens in lenses]
+                )
+        return cls(
+            exposed, [known[tuple(spectrum)] for spectrum in spectra], core, margin, sides, blur, window
+        )  # fmt: skip
+
+    def search(self, progress: Callable[[int, int], object] | None = None) -> Found:
+        """Return the depth of all tiles."""
+        shape = self.exposed.valid.shape
+        out = Found(*(np.empty(shape, dtype=np.float64) for _ in Found._fields))
+        trust = self._trusted()
+        weigh = Weights.of(self.sides, self.margin, self.core, self.window)
+        tiles = list(self._tiles())
+        for done, (inside, at, within) in enumerate(tiles, 1):
+            own = self._own(inside)
+            tile = Tile(self.exposed.images[:, :, *at], self.exposed.variances[:, :, *at], trust[at] * own, own)
+            for whole, part in zip(out, search(tile, self.transfers, weigh, self.window), strict=True):
+                whole[inside] = part[within]
+            if progress is not None:
+                progress(done, len(tiles))
+        return out
+
+    def sharp(self, position: Array, level: float) -> Array:
+        """Return the electrons of the scene in focus, (channels, height, width), at positions of candidates."""
+        out = np.empty((len(self.transfers), *position.shape))
+        rows, columns = (slice(self.margin, self.margin + side) for side in self.core)
+        inner = rows, columns
+        for inside, at, within in self._tiles():
+            place = position[at][inner]
+            for channel, transfer in enumerate(self.transfers):
+                images, variances = (part[channel][:, *at] for part in (self.exposed.images, self.exposed.variances))
+                out[channel][inside] = sharpen(images, variances, transfer, place, level, inner)[within]
+        return out
+
+    def _tiles(self) -> Iterator[tuple[tuple[slice, slice], tuple[Places, Places], tuple[slice, slice]]]:
+        """Yield where each tile answers, the pixels that it is made of, mirrored, and the part of it that is used."""
+        height, width = self.exposed.valid.shape
+        for top in range(0, height, self.core[0]):
+            for left in range(0, width, self.core[1]):
+                rows, columns = (
+                    _mirrored(np.arange(side) + first - self.margin, whole)
+                    for side, first, whole in zip(self.sides, (top, left), (height, width), strict=True)
+                )
+                inside = slice(top, min(top + self.core[0], height)), slice(left, min(left + self.core[1], width))
+                within = slice(inside[0].stop - top), slice(inside[1].stop - left)
+                yield inside, (rows[:, None], columns), within
+
+    def _own(self, inside: tuple[slice, slice]) -> NDArray[np.float32]:
+        """Return 1 where a tile is made of the image, 0 where it is made of mirrored copies."""
+        own = np.zeros(self.sides, dtype=np.float32)
+        first = [part.start - self.margin for part in inside]
+        rows, columns = (
+            slice(max(0, -start), whole - start) for start, whole in zip(first, self.exposed.valid.shape, strict=True)
+        )
+        own[rows, columns] = 1.0
+        return own
+
+    def _trusted(self) -> NDArray[np.float32]:
+        """Return 1 where pixels are known as far as light is spread, 0 elsewhere."""
+        valid = self.exposed.valid
+        if valid.all():
+            return valid.astype(np.float32)
+        from scipy.ndimage import distance_transform_edt
+
+        return np.asarray(distance_transform_edt(valid) > self.blur + 1.0, dtype=np.float32)
+
+
+def _mirrored(index: NDArray[np.int64], count: int) -> NDArray[np.int64]:
+    """Return pixels of a side of an image for those beyond its ends."""
+    turned = index % (2 * count)
+    return np.where(turned < count, turned, 2 * count - 1 - turned)

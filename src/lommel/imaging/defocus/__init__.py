@@ -1,1 +1,0 @@
-"""Depth from photographs of different focus."""

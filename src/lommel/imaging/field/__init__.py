@@ -1,1 +1,0 @@
-"""Blur that varies over the field."""

@@ -1,0 +1,493 @@
+"""Blur that varies over the field, and with depth: every point spreads the PSF of its own place and distance."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, TypedDict, Unpack, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.base.options import shares
+
+from lommel.field.maps import FieldMap, require_light
+from lommel.imaging.blur import require_depth, require_lens
+from lommel.imaging.field_bank import FieldBank, Nodes, PointLight, build_field_bank
+from lommel.imaging.linear import LinearBlur, gathered
+from lommel.imaging.settings import Settings, Spectrum, spectra
+from lommel.field.psf_grid import sides
+from lommel.optics.lens import Lens
+
+
+class FieldKeywords(TypedDict, total=False):
+    """Options that a blur over the field shares with other blur."""
+
+    border: str
+    energy: float
+    largest: int | None
+    dtype: DTypeLike
+    threads: int | None
+
+
+@shares(FieldKeywords, Settings)
+class FieldBlur(LinearBlur):
+    """What a lens makes of points that have a PSF each: ``out[q] = sum_p image[p] K_p(q - p)``.
+
+    K_p is the PSF of the source point p, averaged over the pixels: that of its place in the field, and of its
+    distance where a depth is given. It is cut to a window that holds `energy` of its light, of one size for all
+    points, and divided by what the window holds. Between nodes over the field (and over defocus) it is interpolated
+    by cubic splines; the nodes are chosen so that K_p errs by less than `tol`. With ``energy=1`` it is the whole PSF:
+    beyond the windows, which then are as large as it takes, that is for each point its share of one far light.
+
+    Parameters
+    ----------
+    field_map : FieldMap
+        Its wavefronts over the field.
+    shape : int or (int, int)
+        Height and width of the image, pixels.
+    pixel : float
+        Pixel pitch, in the unit of the map (metres if it has a wavelength).
+    depth : array_like, shape (height, width), optional
+        Distance of each point from the lens, metres, positive; may be infinite. The defocus that `lens` has for it is
+        added to the wavefront of the map.
+    lens : Lens
+        With `depth`, and only with it. Of the wavelength, f-number and aperture of the map, and without aberrations
+        of its own.
+    center : (float, float), optional
+        Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of the
+        image. It may lie outside of the image, which then is a crop.
+    sensor : (float, float), optional
+        Height and width of the part of the field that the image shows, in the unit of the map; by default
+        ``shape * pixel``. With a larger one PSFs are drawn too large for their places, as for pictures of what a lens
+        does over all of its field.
+    channels : sequence, default (wavelength of the map,)
+        For each channel a wavelength (metres), or its spectrum, pairs of wavelength and weight.
+    tol : float, default 1e-3
+        Bound on the sum of absolute differences between K_p and the exact window, which each have the sum 1; 1e-6
+        to 1e-1. Checked half-way between nodes.
+    {options}
+
+    Attributes
+    ----------
+    banks : tuple of FieldBank
+        One a channel.
+    error : float
+        Largest sum of absolute differences found between interpolated windows and exact ones, of any channel.
+    lost : float
+        Largest share of light beyond the windows that was found. Against the whole PSF a window differs by no more
+        than ``error + 2 * lost``, by the sum of absolute differences.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range; if the image goes beyond the map; if the blur exceeds `largest`, or takes more
+        than 2^27 values.
+
+    Notes
+    -----
+    A source spreads its light by its own PSF (scatter), which is what lenses do; that each pixel of the image be a
+    mean of others by its own PSF (gather) is the transpose. The light of each source is kept, wherever it is: where a
+    lens is darker towards the corners, multiply the image by its relative illumination first.
+
+    Beyond the edges, a copy of a point ("reflect", "extend") spreads the PSF of the point that it copies.
+
+    Examples
+    --------
+    >>> field = lm.FieldMap.from_seidel(6e-3, W131=1.5, W222=1.0, wavelength=550e-9, f_number=4.0)
+    >>> blur = lm.imaging.FieldBlur(field, (60, 80), 2e-6, center=(2000.0, -1500.0))
+    >>> star = np.zeros((60, 80))
+    >>> star[30, 40] = 1.0
+    >>> blur.forward(star).shape
+    (60, 80)
+    """
+
+    def __init__(
+        self,
+        field_map: FieldMap,
+        shape: int | tuple[int, int],
+        pixel: float,
+        *,
+        depth: ArrayLike | None = None,
+        lens: Lens | None = None,
+        center: tuple[float, float] | None = None,
+        sensor: tuple[float, float] | None = None,
+        channels: Sequence[Spectrum] | None = None,
+        tol: float = 1e-3,
+        **options: Unpack[FieldKeywords],
+    ) -> None:
+        validation.instance("field_map", field_map, FieldMap)
+        light = field_map.pupil_without_wavefront
+        metric = light.wavelength is not None
+        self.field_map, self._shape = field_map, validation.image_shape(shape)
+        self.pixel = validation.pixel(pixel, metric=metric)
+        validation.pixel_on(self.pixel, light.scale, metric=metric)
+        validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
+        whole = isinstance(options.get("energy"), int | float) and options["energy"] == 1.0
+        settings = Settings.of(FieldBlur, {**options, "energy": 0.98} if whole else options, FieldKeywords)
+        self.border, self.dtype = settings.border, cast("np.dtype[np.floating]", settings.dtype)
+        self.threads = settings.threads or os.cpu_count() or 1
+        self.y, self.x = self._places(center, sensor)
+        self.lens, self.defocus = self._focus(depth, lens)
+        spans = [(float(along[0]), float(along[-1])) for along in (self.y, self.x)]
+        spans.append((0.0, 0.0) if self.defocus is None else (float(self.defocus.min()), float(self.defocus.max())))
+        if channels is not None and not metric:
+            raise ValueError("channels need a map with a wavelength, to which theirs are related")
+        colours = (None,) if channels is None else spectra("channels", channels)
+        known: dict[Any, tuple[FieldBank, tuple[Part, ...]]] = {}
+        for spectrum in colours:
+            if spectrum not in known:
+                bank = build_field_bank(
+                    PointLight(
+                        field_map,
+                        None if self.lens is None else self.lens.phase,
+                        spectrum,
+                        self.pixel,
+                        min(1e-6, max(1e-10, 1e-3 * tol)),
+                        settings.threads,
+                    ),
+                    spans,
+                    tol=tol,
+                    energy=1.0 if whole else settings.energy,
+                    largest=settings.largest or max(1, min(self.shape) // 2),
+                    farthest=max(self.shape),
+                    dtype=self.dtype,
+                )
+                known[spectrum] = bank, self._made(bank)
+        self.banks = tuple(known[spectrum][0] for spectrum in colours)
+        self._parts = tuple(known[spectrum][1] for spectrum in colours)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width of the images."""
+        return self._shape
+
+    @property
+    def channels(self) -> int:
+        """Number of channels; an image of a single one may lack their axis."""
+        return len(self.banks)
+
+    @property
+    def error(self) -> float:
+        """Largest sum of absolute differences found between interpolated windows and exact ones."""
+        return max(bank.error for bank in self.banks)
+
+    @property
+    def lost(self) -> float:
+        """Largest share of light beyond the windows that was found."""
+        return max(bank.lost for bank in self.banks)
+
+    def window(self, row: int, column: int, channel: int = 0) -> Array:
+        """Return the PSF (side, side) of the point at `row`, `column` in a `channel`; ValueError if there is none."""
+        height, width = self.shape
+        row = validation.integer("row", row, least=0, most=height - 1)
+        column = validation.integer("column", column, least=0, most=width - 1)
+        bank = self.banks[validation.integer("channel", channel, least=0, most=self.channels - 1)]
+        defocus = 0.0 if self.defocus is None else float(self.defocus[row, column])
+        return bank.window(float(self.y[row]), float(self.x[column]), defocus)
+
+    def forward(self, image: Values) -> Values:
+        """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
+
+        def spread(channel: int, plane: Values) -> Values:
+            first, *more = (part.spread(plane) for part in self._parts[channel])
+            return sum(more, first)
+
+        return self.by_channel(image, spread)
+
+    def adjoint(self, image: Values) -> Values:
+        """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
+
+        def collect(channel: int, plane: Values) -> Values:
+            first, *more = (part.collect(plane) for part in self._parts[channel])
+            return sum(more, first)
+
+        return self.by_channel(image, collect)
+
+    def _places(self, center: tuple[float, float] | None, sensor: tuple[float, float] | None) -> tuple[Array, Array]:
+        """Return y of the rows and x of the columns in the field."""
+        unit = self.field_map.unit
+        axis = [0.5 * (side - 1) for side in self.shape] if center is None else validation.position("center", center)
+        pitch = [self.pixel] * 2
+        if sensor is not None:
+            pitch = [length / side for length, side in zip(sides(sensor, unit), self.shape, strict=True)]
+        y, x = (
+            np.asarray(step * (np.arange(n) - at), dtype=np.float64)
+            for step, n, at in zip(pitch, self.shape, axis, strict=True)
+        )
+        try:
+            self.field_map.pupil(x[[0, -1]], y[[0, -1], None])
+        except ValueError as told:
+            height, width = self.shape
+            raise ValueError(
+                f"{told}: as far goes the image, {height} x {width} pixels with y from {y[0]:.4g} to {y[-1]:.4g} and "
+                f"x from {x[0]:.4g} to {x[-1]:.4g} {unit}; take a smaller shape, another center= (row and column of "
+                "the axis), or a map of more of the field"
+            ) from None
+        return y, x
+
+    def _focus(self, depth: ArrayLike | None, lens: Lens | None) -> tuple[Lens | None, Array | None]:
+        """Return the lens and the defocus of each point."""
+        if (depth is None) != (lens is None):
+            missing = "lens" if lens is None else "depth"
+            raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
+        if lens is None or depth is None:
+            return None, None
+        require_lens(lens, "field_map, shape, pixel, and depth= and lens=")
+        distances = require_depth(depth)
+        if distances.shape != self.shape:
+            raise ValueError(f"depth must have the shape of the image, {self.shape}, got {distances.shape}")
+        require_light(self.field_map.pupil_without_wavefront, lens)
+        defocus = lens.defocus(distances)
+        defocus.flags.writeable = False
+        return lens, defocus
+
+    def _made(self, bank: FieldBank) -> tuple[Part, ...]:
+        """Return the operators of a channel: of its windows, and of the light beyond them."""
+        down, across, focus = bank.axes
+        near = Part(
+            bank.coefficients,
+            (down.weights(self.y), across.weights(self.x)),
+            border=self.border,
+            threads=self.threads,
+            focus=focus,
+            defocus=self.defocus,
+        )
+        if bank.far is None:
+            return (near,)
+        held = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
+        inside = [down.weights(self.y) @ plane @ across.weights(self.x).T for plane in np.moveaxis(held, 2, 0)]
+        places = [(0, np.ones(()))] if self.defocus is None else focus.shares(self.defocus)
+        beyond = 1.0 - sum(share * inside[place] for place, share in places)
+        far = Part(
+            bank.far.kernel.astype(self.dtype)[None, None, None],
+            (np.ones((len(self.y), 1)), np.ones((len(self.x), 1))),
+            border=self.border,
+            threads=self.threads,
+            share=np.asarray(beyond, dtype=self.dtype),
+        )
+        return near, far
+
+
+_KEPT = 2**29  # bytes of spectra that are kept, 512 MiB
+_LONGEST = 512  # side of a transform, where windows do not make it longer
+_OVERHEAD = 20_000  # of a block, in samples of a transform
+
+
+@dataclass(frozen=True)
+class Block:
+    """Some of the points that spread light, and the nodes whose windows they mix."""
+
+    rows: slice
+    columns: slice
+    down: slice
+    across: slice
+
+
+class Blocks:
+    """Blur by windows mixed of nodes, and its transpose.
+
+    ``out[q] = sum_kl sum_p D[p_y, k] A[p_x, l] sum_i c_i[p] x[p] W[k, l, i, q - p]``. A block of points takes one
+    transform for each node that it mixes, and one back: the transforms are linear. Those along rows are made before
+    the weights down the image are applied, which they do not depend on.
+    """
+
+    def __init__(self, windows: Values, down: Array, across: Array, threads: int) -> None:
+        self.windows, self.threads = windows, threads
+        self.down, self.across = (weights.astype(windows.dtype) for weights in (down, across))
+        self.beyond = windows.shape[-1] - 1  # rows and columns that a block spreads beyond its own
+        self.sides = _sides(self.down.shape, self.across.shape, self.beyond + 1)
+        self._rows, self._columns = (
+            _parts(weights, side - self.beyond)
+            for weights, side in zip((self.down, self.across), self.sides, strict=True)
+        )
+        self._spectra: Values | None = None
+
+    def spread(self, light: Values, shares: Shares | None = None) -> Values:
+        """Return the blurred light, shape (height + side - 1, width + side - 1), of points."""
+        out = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
+
+        def made(block: Block) -> Values:
+            points = light[block.rows, block.columns]
+            total: Any = 0.0
+            for place, share in _shares(shares, block):
+                total = total + self._mixed(block, points if share is None else share * points, place)
+            return self._back(total, [side + self.beyond for side in points.shape])
+
+        for block, part in self._each(made):
+            rows, columns = (slice(s.start, s.stop + self.beyond) for s in (block.rows, block.columns))
+            out[rows, columns] += part
+        return out
+
+    def collect(self, room: Values, shares: Shares | None = None) -> Values:
+        """Return the transpose of :meth:`spread` applied to its result, shape (height, width)."""
+        out = np.empty([side - self.beyond for side in room.shape], dtype=room.dtype)
+
+        def made(block: Block) -> Values:
+            rows, columns = (slice(s.start, s.stop + self.beyond) for s in (block.rows, block.columns))
+            spectrum = self._transformed(room[rows, columns])
+            total: Any = 0.0
+            for place, share in _shares(shares, block):
+                part = self._taken(block, spectrum, place)
+                total = total + (part if share is None else share * part)
+            return np.broadcast_to(total, [s.stop - s.start for s in (block.rows, block.columns)])
+
+        for block, part in self._each(made):
+            out[block.rows, block.columns] = part
+        return out
+
+    def _each(self, made: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
+        """Yield blocks and their results, a row of blocks at a time."""
+        with ThreadPoolExecutor(self.threads) as pool:
+            for rows, down in self._rows:
+                blocks = [Block(rows, columns, down, across) for columns, across in self._columns]
+                yield from zip(blocks, pool.map(made, blocks), strict=True)
+
+    def _mixed(self, block: Block, points: Values, place: int) -> Values:
+        """Return the transform of the light that points spread by the windows at one place along their third axis."""
+        from scipy.fft import fft, rfft
+
+        down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
+        lines = rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
+        planes = down.T[:, None, :, None] * lines
+        spectra = fft(planes, n=self.sides[0], axis=-2, overwrite_x=True)
+        spectra *= self._of(block, place)
+        return np.asarray(spectra.sum(axis=(0, 1)))
+
+    def _back(self, spectrum: Values, shape: Sequence[int]) -> Values:
+        from scipy.fft import ifft, irfft
+
+        lines = ifft(spectrum, axis=0, overwrite_x=True)[: shape[0]]
+        return np.asarray(irfft(lines, n=self.sides[1], axis=1)[:, : shape[1]])
+
+    def _taken(self, block: Block, spectrum: Values, place: int) -> Values:
+        """Return the transpose of :meth:`_mixed` and :meth:`_back`."""
+        from scipy.fft import ifft, irfft
+
+        down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
+        spectra = np.conj(self._of(block, place))
+        spectra *= spectrum
+        planes = ifft(spectra, axis=-2, overwrite_x=True)[..., : len(down), :]
+        planes = planes * down.T[:, None, :, None]
+        lines = irfft(planes.sum(axis=0), n=self.sides[1], axis=-1)[..., : len(across)]
+        return np.asarray((lines * across.T[:, None, :]).sum(axis=0))
+
+    def _of(self, block: Block, place: int) -> Values:
+        """Return the transforms of the windows that a block mixes."""
+        if self._spectra is None:
+            count, size = math.prod(self.windows.shape[:3]), self.sides[0] * (self.sides[1] // 2 + 1)
+            if count * size * 2 * self.windows.itemsize > _KEPT:
+                return self._transformed(self.windows[block.down, block.across, place])
+            self._spectra = self._transformed(self.windows)
+        return self._spectra[block.down, block.across, place]
+
+    def _transformed(self, images: Values) -> Values:
+        """Return the transforms of images, smaller than these, without those of rows beyond them."""
+        from scipy.fft import fft, rfft
+
+        lines = rfft(images, n=self.sides[1], axis=-1)
+        return np.asarray(fft(lines, n=self.sides[0], axis=-2, overwrite_x=True))
+
+
+Shares = Callable[[slice, slice], list[tuple[int, Values]]]
+
+
+def _shares(shares: Shares | None, block: Block) -> Sequence[tuple[int, Values | None]]:
+    return [(0, None)] if shares is None else list(shares(block.rows, block.columns))
+
+
+def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple[int, int]:
+    """Return sides of the transforms, rows and columns, that make the work least."""
+    rows, columns = (_candidates(points, window) for points, _ in (down, across))
+    best = (math.inf, (0, 0))
+    for fy, by, ny in ((f, b, math.ceil(down[0] / b)) for f, b in rows):
+        for fx, bx, nx in ((f, b, math.ceil(across[0] / b)) for f, b in columns):
+            each = 2.0 + math.prod(
+                min(count, 4.0 + block * (count - 1) / points)
+                for block, (points, count) in ((by, down), (bx, across))
+            )
+            best = min(best, (ny * nx * (fy * fx * each * math.log2(fy * fx) + _OVERHEAD * 10.0), (fy, fx)))
+    return best[1]
+
+
+def _candidates(points: int, window: int) -> list[tuple[int, int]]:
+    """Return sides of transforms that are fast, and how many points each leaves to a block."""
+    from scipy.fft import next_fast_len
+
+    most = next_fast_len(min(points + window - 1, max(_LONGEST, 4 * window)), real=True)
+    sides, side = [], window
+    while side <= most:
+        side = next_fast_len(side, real=True)
+        sides.append((side, side - window + 1))
+        side += 1
+    return [pair for pair in sides if pair[1] >= min(points, 8)] or sides[-1:]
+
+
+def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
+    """Return parts of the points, and of the nodes that have weight there."""
+    parts = []
+    count = math.ceil(len(weights) / length)
+    edges = [round(k * len(weights) / count) for k in range(count + 1)]
+    for first, last in pairwise(edges):
+        used = np.flatnonzero(weights[first:last].any(axis=0))
+        parts.append((slice(first, last), slice(int(used[0]), int(used[-1]) + 1)))
+    return parts
+
+
+class Part:
+    """Blur by windows mixed of nodes with the borders of an image, and its transpose."""
+
+    def __init__(
+        self,
+        windows: Values,
+        weights: tuple[Array, Array],
+        *,
+        border: str,
+        threads: int,
+        focus: Nodes | None = None,
+        defocus: Array | None = None,
+        share: Values | None = None,
+    ) -> None:
+        reach = windows.shape[-1] // 2
+        margin = 0 if border == "zero" else reach
+        mode: Any = "symmetric" if border == "reflect" else "edge"
+        # Which row or column each of those is a copy of that spread light, the ones beyond the edges too.
+        self.rows, self.columns = (
+            np.pad(np.arange(len(part), dtype=np.int64), margin, mode=mode) for part in weights
+        )
+        self.before = margin + reach  # the first pixel of the image, in what blocks make
+        down, across = weights
+        self.blocks = Blocks(windows, down[self.rows], across[self.columns], threads)
+        self.focus, self.defocus, self.share = focus, defocus, share
+
+    def spread(self, plane: Values) -> Values:
+        """Return the blurred image of a plane of light."""
+        source = plane if self.share is None else self.share * plane
+        made = self.blocks.spread(source[self.rows[:, None], self.columns], self._shares())
+        height, width = plane.shape
+        return made[self.before :, self.before :][:height, :width]
+
+    def collect(self, plane: Values) -> Values:
+        """Return the transpose of :meth:`spread` applied to an image."""
+        taken = self.blocks.collect(np.pad(plane, self.before), self._shares())
+        # What points beyond the edges took goes to those that they are copies of.
+        found = gathered(gathered(taken, self.rows, plane.shape[0]).T, self.columns, plane.shape[1]).T
+        return found if self.share is None else self.share * found
+
+    def _shares(self) -> Shares | None:
+        """Return the weights of the windows over defocus for the points of a block, for :class:`Blocks`."""
+        if self.focus is None or self.defocus is None:
+            return None
+        focus, defocus, dtype = self.focus, self.defocus, self.blocks.windows.dtype
+
+        def shares(down: slice, across: slice) -> list[tuple[int, Values]]:
+            places = defocus[self.rows[down][:, None], self.columns[across]]
+            return [(place, share.astype(dtype)) for place, share in focus.shares(places)]
+
+        return shares

@@ -1,0 +1,468 @@
+"""Deblurring: the sharp scene behind a photograph whose depth, lens and noise are known."""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.base.encoding import to_light
+from lommel.base.options import shares
+from lommel.estimation.noise import Noise
+from lommel.field.maps import FieldMap
+from lommel.imaging.blur import DepthBlur, require_lens
+from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.linear import LinearBlur
+from lommel.imaging.observed import NOISE, STEPS, Method, Observed, Tell
+from lommel.imaging.occlusion import Occlusion
+from lommel.imaging.photograph import (
+    TILE,
+    Pixels,
+    TileBlur,
+    Window,
+    depth_range,
+    fill_missing,
+    output,
+    require_scene,
+    stored,
+    tiles_of,
+)
+from lommel.imaging.richardson_lucy import RichardsonLucy
+from lommel.imaging.settings import Keywords, Settings
+from lommel.imaging.total_variation import TotalVariation
+from lommel.optics.lens import Lens
+
+_QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the next
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Restoration:
+    """What :func:`lommel.imaging.restore` returns; converts to an array of its values.
+
+    Attributes
+    ----------
+    values : ndarray
+        Of the shape, type and encoding of the photograph, without the offset of its noise; of a stack float32.
+    light : ndarray of float, or None
+        The same in proportion to light, with what is brighter than white. None where it was done by tiles.
+    discrepancy : float
+        Poisson deviance per pixel between the photograph and the blurred result: about 1 for the scene itself, a
+        little less for a good result, which follows some of the noise.
+    by_channel : tuple of float
+        That of each channel, or plane of a stack.
+    before : float
+        That of the photograph, were it the sharp scene.
+    steps : int
+        Number of steps in all; each applies the blur and its transpose once.
+    stopped : str
+        Why it stopped: "noise" where the result agrees with the photograph as well as its noise allows, "steps" where
+        the limit came first, "misfit: ..." where depth, lens or noise of a photograph, or the PSF or noise of a
+        stack, do not fit.
+    strength : float or None
+        Of the total variation.
+    unknown : float
+        Share of the values of the photograph that were NaN or saturated.
+    clipped : float
+        Share of the values brighter than white, which are white now; 0 where the type holds them.
+    """
+
+    values: Pixels
+    light: Values | None
+    discrepancy: float
+    by_channel: tuple[float, ...]
+    before: float
+    steps: int
+    stopped: str
+    strength: float | None = None
+    unknown: float = 0.0
+    clipped: float = 0.0
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
+        """Return the values."""
+        return np.array(self.values, dtype=dtype, copy=copy)
+
+    def __repr__(self) -> str:
+        """Return the result in one line."""
+        size = " x ".join(map(str, self.values.shape))
+        return (
+            f"<Restoration, {size}: discrepancy {self.before:.3g} before, {self.discrepancy:.3g} after "
+            f"{self.steps} steps, stopped by {self.stopped!r}>"
+        )
+
+
+def restore_with(
+    light: ArrayLike,
+    blur: LinearBlur,
+    noise: Noise,
+    *,
+    method: Method | None = None,
+    saturation: float = math.inf,
+    progress: Tell | None = None,
+) -> Restoration:
+    """Deblur an image that any linear operator has blurred.
+
+    Parameters
+    ----------
+    light : array_like of float, shape (height, width) or (height, width, channels)
+        As it was recorded, in proportion to light but for the offset. NaN where a pixel is unknown.
+    blur : LinearBlur
+        :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.DepthBlur`, or one of your own; no entry of its
+        matrix may be negative.
+    noise : Noise
+        Of the values of `light`.
+    method : RichardsonLucy or TotalVariation, optional
+        By default ``RichardsonLucy()``.
+    saturation : float, default infinity
+        Value from which on pixels are saturated: they received at least so much light.
+    progress : callable, optional
+        Called as ``progress(step, discrepancy, seconds_left)`` at each step; an exception that it raises ends the
+        restoration. By default a line on standard error after two seconds, where that is a terminal.
+
+    Returns
+    -------
+    Restoration
+        Its `values` are its `light`, of the type of the sums of `blur`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is none of these; if `light` has not the shape of `blur`, is infinite, or NaN everywhere.
+
+    Examples
+    --------
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+    >>> blur = lm.imaging.DepthBlur(np.full((40, 60), 2.3), lens, 8e-6)
+    >>> scene = np.full((40, 60), 0.1)
+    >>> scene[10:30, 20:40] = 0.7
+    >>> noise = lm.Noise(white=5000, read=3.0)
+    >>> photo = noise.record(5000 * blur.forward(scene), seed=0)
+    >>> found = lm.imaging.restore_with(photo, blur, noise)
+    >>> found.stopped, bool(abs(found.light - scene).mean() < 0.5 * abs(photo - scene).mean())
+    ('noise', True)
+    """
+    validation.instance("blur", blur, LinearBlur)
+    validation.instance("noise", noise, Noise)
+    way = _checked(method, progress)
+    recorded = validation.array("light", light)
+    if recorded.dtype.kind != "f":
+        raise TypeError(f"light must hold floats in proportion to light, got {recorded.dtype}")
+    if np.isinf(recorded).any():
+        raise ValueError("light must be finite, or NaN where it is unknown, got infinity")
+    wanted = (*blur.shape, blur.channels) if recorded.ndim == 3 or blur.channels > 1 else blur.shape
+    if recorded.shape != wanted:
+        raise ValueError(f"light must have the shape of the blur, {wanted}, got {recorded.shape}")
+    limit = validation.real("saturation", saturation, infinite=True)
+    observed = Observed.of(blur, recorded, noise, limit)
+    with shown(progress) as tell:
+        before = observed.mean(observed.discrepancies_of(observed.image))
+        found = way.solve(observed, tell)
+    after = observed.discrepancies_of(found.light)
+    return Restoration(
+        found.light, found.light, observed.mean(after), tuple(map(float, after)), before, found.steps, found.stopped,
+        found.strength, 1.0 - float(observed.known.sum()) / recorded.size,
+    )  # fmt: skip
+
+
+@shares(Keywords, Settings)
+def restore(
+    photo: ArrayLike,
+    depth: ArrayLike | None,
+    lens: Lens | FieldMap,
+    pixel: float,
+    *,
+    encoding: str,
+    noise: Noise,
+    method: Method | None = None,
+    saturation: float | None = None,
+    tile: int | None = None,
+    out: Pixels | None = None,
+    progress: Callable[..., object] | None = None,
+    **options: Unpack[Keywords],
+) -> Restoration:
+    """Deblur a photograph as far as its noise allows: every point by its own PSF, near points before far ones.
+
+    The inverse of :func:`lommel.imaging.depth_of_field`: the same operator, accurate to its tolerances, and its exact
+    transpose. Arrays are done at once. Memory maps, and arrays with `tile`, are done by tiles in little memory,
+    nearly alike: the tile nearest to the middle finds how many steps, or which strength, the noise asks for, and all
+    others take the same, so that there are no seams. Tiles overlap by twice the reach of the blur and a window more;
+    from the whole image, done with as many steps or the same strength, results differed by 3e-4 of white, rms, and
+    without `occlusion` by up to 1e-2.
+
+    Parameters
+    ----------
+    photo : array_like or memory map, shape (height, width) or (height, width, channels)
+        Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. A NaN
+        is an unknown pixel.
+    depth : array_like or memory map, shape (height, width), or None
+        Distance of each point from the lens, metres; may be infinite. None for a FieldMap.
+    lens : Lens or FieldMap
+        A lens with radially symmetric aberrations; or the wavefront over the field, of all the scene at its distance,
+        the axis being in the middle of the photograph: see :class:`lommel.imaging.FieldBlur`.
+    pixel : float
+        Pixel pitch, metres.
+    encoding : {"srgb", "linear"}
+        Of the values of `photo`, and of the result.
+    noise : Noise
+        Of linear values whose white is 1, whatever `photo` holds: ``white=`` electrons at white.
+    method : RichardsonLucy or TotalVariation, optional
+        By default ``RichardsonLucy()``.
+    saturation : float, optional
+        Light, 1 being white, from which on pixels are saturated: they received at least so much. By default 1; of
+        integers the largest value always is. Infinity for floats that are right beyond.
+    tile : int, optional
+        Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
+        some hundred bytes a pixel of a tile and channel. Not for a FieldMap.
+    out : ndarray, optional
+        Array or memory map of the shape and type of `photo` that the values are written to; shares no memory with it.
+    progress : callable, optional
+        As of :func:`lommel.imaging.restore_with`; by tiles called as ``progress(done, tiles)`` after each.
+    {options}
+
+    Returns
+    -------
+    Restoration
+        By tiles its `light` is None.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
+        the blur exceeds `largest`, if no pixel (of a tile) is known, or if `out` does not fit. What tiles have
+        written by then stays.
+
+    Examples
+    --------
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+    >>> depth = np.full((40, 60), 2.3)
+    >>> scene = np.full((40, 60), 30000, np.uint16)
+    >>> scene[10:30, 20:40] = 50000
+    >>> photo = lm.imaging.depth_of_field(scene, depth, lens, 8e-6, encoding="srgb").values
+    >>> noise = lm.Noise(white=5000, read=3.0)
+    >>> sharp = lm.imaging.restore(photo, depth, lens, 8e-6, encoding="srgb", noise=noise)
+    >>> sharp.values.dtype, sharp.discrepancy < sharp.before
+    (dtype('uint16'), True)
+    """
+    settings = Settings.of(restore, options, Keywords)
+    way = _checked(method, progress)
+    validation.instance("noise", noise, Noise)
+    given = validation.array("photo", photo)
+    over_field = isinstance(lens, FieldMap)
+    if tile is not None:
+        validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
+        if over_field:
+            raise ValueError(
+                "tile is for a Lens, got a FieldMap; leave it out, or restore crops with FieldBlur(center=)"
+            )
+    elif not over_field and any(isinstance(each, np.memmap) for each in (photo, depth, out)):
+        tile = TILE
+    if out is not None:
+        output(out, "photo", given, given, *([] if depth is None else [validation.array("depth", depth)]))
+    if isinstance(lens, FieldMap):
+        light, limit = recorded(given, encoding, saturation)
+        blur: LinearBlur = _over_the_field(given.shape, depth, lens, pixel, settings, options)
+    else:
+        require_lens(lens, "photo, depth, lens, pixel")
+        if depth is None:
+            raise ValueError("depth must be the distance of each point, metres, where lens is a Lens, got None")
+        distances = validation.array("depth", depth)
+        if tile is not None:
+            require_scene("photo", given.shape, distances.shape)
+            restored = _Tiles(given, distances, lens, pixel, encoding, noise, saturation, tile, settings)
+            return restored.solve(way, output(out, "photo", given), progress)
+        light, limit = recorded(given, encoding, saturation)
+        distances = fill_missing(distances, settings.missing)
+        require_scene("photo", given.shape, distances.shape)
+        channels = settings.channels(given.shape, lens.wavelength)
+        by_depth = DepthBlur(distances, lens, pixel, channels=channels, **settings.of_blur)
+        blur = Occlusion(by_depth) if settings.occlusion else by_depth
+    found = restore_with(light, blur, noise, method=way, saturation=limit, progress=progress)
+    assert found.light is not None
+    values, clipped = stored(found.light, encoding, given.dtype, settings.threads or 0)
+    if out is not None:
+        np.copyto(out, values)
+    return replace(found, values=values if out is None else out, clipped=clipped)
+
+
+def recorded(photo: Pixels, encoding: str, saturation: float | None = None) -> tuple[Array, float]:
+    """Return the light of a photograph, NaN where it is unknown, and the light from which on it is saturated."""
+    if photo.ndim not in (2, 3) or 0 in photo.shape:
+        raise ValueError(f"photo must have the shape (height, width) or (height, width, channels), got {photo.shape}")
+    limit = 1.0
+    if saturation is not None:
+        limit = validation.real("saturation", saturation, above=0.0, infinite=True)
+    unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
+    light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
+    if photo.dtype.kind == "u":
+        limit = min(limit, 1.0)
+    light[unknown] = np.nan
+    if not np.any(light < limit):
+        raise ValueError(
+            f"photo must have pixels that are neither NaN nor saturated, got none below {limit:g}; white is 1, "
+            "and saturation= says where else pixels are full"
+        )
+    return light, limit
+
+
+def _over_the_field(
+    shape: tuple[int, ...],
+    depth: ArrayLike | None,
+    field_map: FieldMap,
+    pixel: float,
+    settings: Settings,
+    given: Keywords,
+) -> FieldBlur:
+    """Return the operator of a map, with its middle in the middle of a photograph of this shape."""
+    if depth is not None:
+        raise ValueError(
+            "depth must be None with a FieldMap, which has the defocus of one distance; of several, hand "
+            "FieldBlur(field_map, shape, pixel, depth=, lens=) to lommel.imaging.restore_with"
+        )
+    for name in ("occlusion", "missing", "tol"):
+        if name in given:
+            raise ValueError(
+                f"{name} is for photographs with a depth, got a FieldMap; leave it out, or hand a FieldBlur to "
+                "lommel.imaging.restore_with"
+            )
+    wavelength = field_map.pupil_without_wavefront.wavelength
+    channels = None
+    if wavelength is not None or len(shape) == 3 or settings.wavelengths is not None:
+        channels = settings.channels(shape, wavelength)
+    options = {name: option for name, option in settings.of_blur.items() if name != "tol"}
+    return FieldBlur(field_map, (shape[0], shape[1]), pixel, channels=channels, **options)  # type: ignore[arg-type]
+
+
+class _Tiles:
+    """A photograph that is restored by tiles, and the discrepancies of the parts that these answer for."""
+
+    def __init__(
+        self,
+        photo: Pixels,
+        depth: Pixels,
+        lens: Lens,
+        pixel: float,
+        encoding: str,
+        noise: Noise,
+        saturation: float | None,
+        side: int,
+        settings: Settings,
+    ) -> None:
+        self._depth = fill_missing(depth, "nearest") if settings.missing == "nearest" else depth
+        depths = depth_range(self._depth, settings.missing)
+        self._blur = TileBlur(photo.shape, depths, lens, pixel, encoding, settings)
+        self._parts = list(tiles_of(photo.shape, side, 2 * self._blur.overlap + 2 * self._blur.half))
+        self._photo, self._encoding, self._noise, self._saturation = photo, encoding, noise, saturation
+        self._threads = settings.threads or 0
+        channels = 1 if photo.ndim == 2 else photo.shape[2]
+        self._known = np.zeros(channels, dtype=np.int64)
+        self._after, self._before = np.zeros((2, channels))
+
+    def solve(self, method: Method, out: Pixels, progress: Callable[..., object] | None) -> Restoration:
+        """Return the restored photograph, its values in `out`."""
+        shape = self._photo.shape
+
+        def from_middle(part: tuple[Window, Window, Window]) -> float:
+            return math.hypot(*(at.start + at.stop - size for at, size in zip(part[0], shape, strict=False)))
+
+        middle = min(self._parts, key=from_middle)
+        first = method.solve(self._observed(middle[1]), _silent)
+        alike = method
+        if first.steps and isinstance(method, RichardsonLucy):
+            alike = replace(method, steps=first.steps, target=0.0)
+        elif first.strength is not None and isinstance(method, TotalVariation):
+            alike = replace(method, strength=first.strength)
+        clipped = 0.0
+        for done, part in enumerate(self._parts, 1):
+            place, around, within = part
+            seen = self._observed(around)
+            found = first if part is middle else alike.solve(seen, _silent)
+            self._count(seen, found.light, within)
+            inside = np.ascontiguousarray(found.light[within])
+            out[place], share = stored(inside, self._encoding, out.dtype, self._threads)
+            clipped += share * inside.size / out.size
+            if progress is not None:
+                progress(done, len(self._parts))
+        total = float(self._known.sum())
+        after, before = float(self._after.sum()) / total, float(self._before.sum()) / total
+        each = tuple(map(float, self._after / np.maximum(self._known, 1)))
+        agrees = first.stopped != NOISE or after <= 1.0
+        return Restoration(
+            out, None, after, each, before, first.steps, first.stopped if agrees else STEPS, first.strength,
+            1.0 - total / out.size, clipped,
+        )  # fmt: skip
+
+    def _observed(self, around: Window) -> Observed:
+        """Return what was observed of a part."""
+        try:
+            light, limit = recorded(np.asarray(self._photo[around]), self._encoding, self._saturation)
+        except ValueError as error:
+            rows, columns = around
+            raise ValueError(
+                f"in rows {rows.start} to {rows.stop} and columns {columns.start} to {columns.stop} {error}; "
+                "larger tiles (tile=) hold more"
+            ) from None
+        # Parameters of the noise that each pixel has its own of are cut too.
+        parts = {name: each if np.ndim(each) == 0 else each[around] for name, each in vars(self._noise).items()}
+        return Observed.of(self._blur.operator(np.asarray(self._depth[around])), light, Noise(**parts), limit)
+
+    def _count(self, seen: Observed, light: Values, within: Window) -> None:
+        """Add the discrepancies inside a tile, of the result and of the photograph itself."""
+        here = np.zeros(seen.blur.shape, dtype=bool)
+        here[within] = True
+        here = here.reshape(here.shape + (1,) * (light.ndim - 2))
+        full = None if seen.full is None else seen.full & here
+        inside = replace(seen, weight=seen.weight * here, full=full)
+        self._known += inside.known
+        for total, scene in ((self._after, light), (self._before, seen.image)):
+            total += inside.discrepancies_of(scene) * np.maximum(inside.known, 1)
+
+
+def _silent(*_: object) -> None:
+    return None
+
+
+def _checked(method: object, progress: object) -> Method:
+    """Return a method, Richardson-Lucy for None; TypeError if it is none, or `progress` cannot be called."""
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    if method is None:
+        return RichardsonLucy()
+    if not isinstance(method, RichardsonLucy | TotalVariation):
+        hint = "; write it with brackets" if isinstance(method, type) else ""
+        raise TypeError(
+            f"method must be RichardsonLucy(...) or TotalVariation(...), got {validation.shown(method)}{hint}"
+        )
+    return method
+
+
+@contextmanager
+def shown(progress: Tell | None) -> Iterator[Tell]:
+    """Give what is called at each step: `progress`, or else a line on standard error, where that is a terminal."""
+    _checked(None, progress)
+    if progress is not None or sys.stderr is None or not sys.stderr.isatty():
+        yield progress or _silent
+        return
+    line, due = sys.stderr, time.monotonic() + _QUIET
+
+    def write(step: int, discrepancy: float, left: float) -> None:
+        nonlocal due
+        if (now := time.monotonic()) >= due:
+            line.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {left:.0f} s left\x1b[K")
+            line.flush()
+            due = now + _PAUSE
+
+    start = due
+    try:
+        yield write
+    finally:
+        if due > start:
+            line.write("\r\x1b[K")
+            line.flush()

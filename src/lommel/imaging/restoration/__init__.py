@@ -1,1 +1,0 @@
-"""The way back: what a scene was before a known blur."""

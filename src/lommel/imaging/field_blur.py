@@ -16,13 +16,12 @@ from numpy.typing import ArrayLike, DTypeLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
-
 from lommel.field.maps import FieldMap, require_light
+from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens
 from lommel.imaging.field_bank import FieldBank, Nodes, PointLight, build_field_bank
 from lommel.imaging.linear import LinearBlur, gathered
 from lommel.imaging.settings import Settings, Spectrum, spectra
-from lommel.field.psf_grid import sides
 from lommel.optics.lens import Lens
 
 

@@ -88,6 +88,24 @@ if ! uv pip install --group build --no-python-downloads --help >/dev/null 2>&1; 
 fi
 endef
 
+# What other environments than .venv are asked for.
+everything := --requirement pyproject.toml --extra all --group dev --group tools
+
+# Makes the environment .tools/$(1), beside .venv, of what the options $(2) ask for.
+define environment
+$(find_uv)
+$(find_python)
+rm -rf .tools/$(1)
+"$$uv" venv --quiet --python "$$py" .tools/$(1)
+"$$uv" pip install --quiet --python .tools/$(1)/bin/python $(2)
+endef
+
+# Compiles the package in build/$(1) and installs it in .tools/$(1).
+define installed
+PATH="$(CURDIR)/.tools/$(1)/bin:$$PATH" "$$uv" pip install --quiet --python .tools/$(1)/bin/python \
+	--no-build-isolation --no-deps --config-settings=build-dir=build/$(1) --editable .
+endef
+
 help: ## list these targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
@@ -191,26 +209,16 @@ test: build env lint ## build, lint, check the types and run the tests
 # UV_TORCH_BACKEND=cpu make test-torch takes it from its own index, which has one without; TORCH=... a wheel that is there.
 TORCH ?= torch
 test-torch: build ## run the tests of differentiable functions in PyTorch, in .tools/torch
-	@$(find_uv)
-	$(find_python)
-	rm -rf .tools/torch
-	"$$uv" venv --quiet --python "$$py" .tools/torch
-	"$$uv" pip install --quiet --python .tools/torch/bin/python --requirement pyproject.toml --extra torch --extra all --group dev --group tools "$(TORCH)"
-	PATH="$(CURDIR)/.tools/torch/bin:$$PATH" "$$uv" pip install --quiet --python .tools/torch/bin/python \
-		--no-build-isolation --no-deps --config-settings=build-dir=build/torch --editable .
+	@$(call environment,torch,$(everything) --extra torch "$(TORCH)")
+	$(call installed,torch)
 	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/traced
 
 # Needs clang++ (on Debian and Ubuntu the package clang).
 test-clang: ## compile the core by clang++ and run the tests, in .tools/clang
-	@$(find_uv)
-	$(find_python)
-	command -v clang++ >/dev/null || { echo "make: there is no clang++ on PATH: install clang" >&2; exit 1; }
-	rm -rf .tools/clang
-	"$$uv" venv --quiet --python "$$py" .tools/clang
-	"$$uv" pip install --quiet --python .tools/clang/bin/python --require-hashes --constraint requirements.lock \
-		--requirement pyproject.toml --extra all --group dev --group tools
-	CXX=clang++ PATH="$(CURDIR)/.tools/clang/bin:$$PATH" "$$uv" pip install --quiet --python .tools/clang/bin/python \
-		--no-build-isolation --no-deps --config-settings=build-dir=build/clang --editable .
+	@command -v clang++ >/dev/null || { echo "make: there is no clang++ on PATH: install clang" >&2; exit 1; }
+	$(call environment,clang,--require-hashes --constraint requirements.lock $(everything))
+	export CXX=clang++
+	$(call installed,clang)
 	.tools/clang/bin/python -m pytest -p no:cacheprovider --numprocesses auto --maxprocesses 4 --dist worksteal
 
 # Needs a cross compiler and an emulator (on Debian and Ubuntu the packages g++-aarch64-linux-gnu and qemu-user). There long
@@ -237,22 +245,16 @@ fuzz: build env ## try what no user should: bad arguments, command lines and fil
 # Everything that pyproject.toml names, at the lowest version that it allows. The oldest have no wheels for the newest
 # Pythons: make lowest PYTHON=python3.11.
 lowest: ## run the tests with the oldest versions of all dependencies, in .tools/lowest
-	@$(find_uv)
-	$(find_python)
-	rm -rf .tools/lowest
-	"$$uv" venv --quiet --python "$$py" .tools/lowest
-	# The oldest matplotlib calls functions that newer versions of pyparsing warn of.
-	echo 'pyparsing<3.3' >.tools/lowest/constraints.txt
-	"$$uv" pip install --quiet --python .tools/lowest/bin/python --resolution lowest-direct --only-binary :all: \
-		--constraint .tools/lowest/constraints.txt --requirement pyproject.toml --extra all --group dev --group tools
-	PATH="$(CURDIR)/.tools/lowest/bin:$$PATH" "$$uv" pip install --quiet --python .tools/lowest/bin/python \
-		--no-build-isolation --no-deps --config-settings=build-dir=build/lowest --editable .
+	@# The oldest matplotlib calls functions that newer versions of pyparsing warn of.
+	$(call environment,lowest,--resolution lowest-direct --only-binary :all: $(everything) "pyparsing==3.2.*")
+	$(call installed,lowest)
 	# What newer versions of others deprecate is nothing to the oldest; the stub is as the locked nanobind writes it.
 	.tools/lowest/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning \
 		--deselect tests/test_core.py::test_the_stub_is_what_the_compiled_module_says_of_itself
 
-# Hours of work for one processor; ONLY="ellipse.hpp psf.py:2" takes some, FLAGS=--subject the tests of their subject only,
-# FLAGS="--random 200 --seed 1" faults that chance draws.
+# Of the core, of error bounds and of limits, as tests/mutants lists them: hours of work for one processor. ONLY="ellipse.hpp
+# debye.py:2" takes some, FLAGS=--subject the tests of their subject only, FLAGS="--random 200 --seed 1" faults that chance
+# draws from all of the code.
 mutants: build env ## put faults into a copy of the code, one by one, and see that the tests notice
 	@.venv/bin/python tests/mutants/run.py $(FLAGS) $(ONLY)
 
@@ -270,10 +272,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 		build/$$program
 	}
 	for kind in address,undefined thread; do
-		sanitized $$kind calls
-		sanitized $$kind exercise
-		sanitized $$kind slopes
-		sanitized $$kind layers
+		for program in calls exercise slopes layers; do sanitized $$kind $$program; done
 	done
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double
@@ -318,11 +317,7 @@ lint: env ## check the style and the format
 
 # Beside .venv: 50 MB that no test needs.
 .tools/maintain.stamp: .ci/requirements.lock
-	@$(find_uv)
-	$(find_python)
-	rm -rf .tools/maintain
-	"$$uv" venv --quiet --python "$$py" .tools/maintain
-	"$$uv" pip install --quiet --python .tools/maintain/bin/python --require-hashes --requirement .ci/requirements.lock
+	@$(call environment,maintain,--require-hashes --requirement .ci/requirements.lock)
 	touch $@
 
 # The core's own programs and compiled parts include every header between them; .clang-tidy has the checks.

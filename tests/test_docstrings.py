@@ -24,7 +24,7 @@ from lommel.base import validation
 
 API = (Path(__file__).resolve().parents[1] / "docs" / "api.md").read_text(encoding="utf-8")
 LISTED = re.findall(r"^   ([\w.]+)$", API, flags=re.MULTILINE)
-ROOMS = {room.__name__.removeprefix("lommel."): room.__all__ for room in (imaging, methods)}
+MODULES = {module.__name__.removeprefix("lommel."): module.__all__ for module in (imaging, methods)}
 # Those that raise.
 CHECKS = {name for name, thing in vars(validation).items() if inspect.isfunction(thing)} - {"shown", "brief", "line"}
 BEGINNINGS = ("Return", "Yield", "Build", "Rebuild", "Read", "Draw", "Write")
@@ -32,10 +32,10 @@ BEGINNINGS = ("Return", "Yield", "Build", "Rebuild", "Read", "Draw", "Write")
 
 def resolved(name: str) -> Any:
     """The thing of a dotted name below the package, whose modules are imported as they are met."""
-    *rooms, last = name.split(".")
-    for k in range(len(rooms), 0, -1):
+    *modules, last = name.split(".")
+    for k in range(len(modules), 0, -1):
         try:
-            return functools.reduce(getattr, [*rooms[k:], last], import_module(".".join(["lommel", *rooms[:k]])))
+            return functools.reduce(getattr, [*modules[k:], last], import_module(".".join(["lommel", *modules[:k]])))
         except ModuleNotFoundError as error:
             if not str(error.name).startswith("lommel"):
                 return None  # an adapter, without the package that it adapts
@@ -57,7 +57,7 @@ def ours(kind: type) -> Iterator[type]:
     return (base for base in kind.__mro__ if base.__module__.startswith("lommel"))
 
 
-NAMES = [*LISTED, *lm.__all__, *(f"{room}.{name}" for room, names in ROOMS.items() for name in names)]
+NAMES = [*LISTED, *lm.__all__, *(f"{module}.{name}" for module, names in MODULES.items() for name in names)]
 KNOWN = {  # each by its first name
     thing: name for name in reversed(NAMES) if callable(thing := resolved(name))
 }

@@ -2,11 +2,12 @@
 
 Or faults that chance draws from all of the code: `make mutants FLAGS="--random 200 --seed 1 --only python"`.
 
-The faults are in cpp.toml and python.toml beside this file: for each file of the project the tests of its subject and
-a list of (old, new), old occurring once. Nothing is changed but copies below build/mutants. Those in C++ are compiled
-together into one build, `(lommel_mutant(k) ? new : old)`, and chosen by the environment; those in Python are written
-into a copy of src. For each the tests of its subject run first, and where these pass the rest of the suite. A fault
-that nothing notices must be argued in its list; fewer than 95 % noticed is a failure, of random ones fewer than 90 %.
+The faults are in cpp.toml, of the core, and python.toml, of what computes error bounds and limits: for each file the
+tests of its subject and a list of (old, new), old occurring once. Nothing is changed but copies below build/mutants.
+Those in C++ are compiled together into one build, `(lommel_mutant(k) ? new : old)`, and chosen by the environment;
+those in Python are written into a copy of src. For each the tests of its subject run first, and where these pass the
+rest of the suite. A fault that nothing notices must be argued in its list; fewer than 95 % noticed is a failure, of
+random ones fewer than 90 %.
 
 What was found of random faults is kept in build/mutants/random-*.jsonl. The same command goes on with those that were
 not judged, and judges again those that were not noticed.
@@ -39,8 +40,8 @@ import draw
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "shared"))
+import organisation
 import programs
-import rooms
 
 ROOT = Path(__file__).resolve().parents[2]
 LISTS = [Path(__file__).with_name(name) for name in ("cpp.toml", "python.toml")]
@@ -127,7 +128,7 @@ def misfits(faults: list[Fault]) -> list[str]:
 def _mentions() -> dict[str, Counter[str]]:
     """Return how often each file of tests names what is in each module."""
     # Where names live that packages hand on.
-    entries = (path for suffix in ("py", "pyi") for path in sorted(rooms.PACKAGE.rglob(f"__init__.{suffix}")))
+    entries = (path for suffix in ("py", "pyi") for path in sorted(organisation.PACKAGE.rglob(f"__init__.{suffix}")))
     homes = dict(name for path in entries for name in _imported_names(ast.parse(path.read_text(encoding="utf-8"))))
     mentions = {}
     for path in sorted((ROOT / "tests").rglob("test_*.py")):
@@ -148,7 +149,7 @@ def _imported_names(tree: ast.Module) -> list[tuple[str, str]]:
         for node in ast.walk(tree)
         if isinstance(node, ast.Import | ast.ImportFrom)
         for alias in node.names
-        for _, module in rooms.imported(ast.Module([type(node)(**{**node.__dict__, "names": [alias]})], []))
+        for _, module in organisation.imported(ast.Module([type(node)(**{**node.__dict__, "names": [alias]})], []))
     ]
 
 
@@ -156,8 +157,8 @@ def _imported_names(tree: ast.Module) -> list[tuple[str, str]]:
 def _users() -> dict[str, set[str]]:
     """Return which files import or include each."""
     users: dict[str, set[str]] = {}
-    for name, tree in rooms.modules().items():
-        for _, module in rooms.imported(tree):
+    for name, tree in organisation.modules().items():
+        for _, module in organisation.imported(tree):
             users.setdefault(f"src/lommel/{module}.py", set()).add(f"src/lommel/{name}.py")
     for path in sorted((ROOT / "cpp" / "include").rglob("*.hpp")):
         name = path.relative_to(ROOT).as_posix()

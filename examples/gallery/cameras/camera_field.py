@@ -1,9 +1,9 @@
 """
-PSFs over the field of a camera
-===============================
+PSFs over the field of a camera lens
+====================================
 
-A lens is at its best on the axis. Towards the corners of the sensor coma grows with the distance from the axis,
-astigmatism and field curvature with its square, and every point of the picture has a PSF of its own.
+Towards the corners of the sensor coma grows linearly with the field, astigmatism and field curvature quadratically,
+so that every position has its own PSF.
 """
 
 import matplotlib.pyplot as plt
@@ -12,9 +12,9 @@ import numpy as np
 import lommel as lm
 
 # %%
-# A 35 mm lens at f/2 on a full-frame sensor, 24 mm by 36 mm. The coefficients are in waves in the corner and
-# illustrative, of the size that a classic fast lens has. One call computes all 35 images. Each is drawn enlarged in
-# its place, its brightness the square root of the intensity over its own peak.
+# A 35 mm lens at f/2 on a full-frame sensor of 24 mm by 36 mm. The Seidel coefficients, in waves in the corner, are
+# illustrative for a classic fast lens. One call computes all 35 PSFs. Each is enlarged at its position and shows
+# the square root of the intensity over its own peak.
 
 sensor = (24e-3, 36e-3)
 corner = np.hypot(*sensor) / 2
@@ -25,9 +25,9 @@ grid = field.grid(5, 7, sensor=sensor, shape=49, pixel=0.5e-6)
 grid.plot()
 
 # %%
-# The tails of coma point away from the axis, and the lens is symmetric: what is seen along one line from the axis to
-# the corner is seen along all. Designs are therefore given as Zernike coefficients at a few heights. Here are those
-# of the same lens, at four heights; the map between them is a spline, and rotates.
+# Coma tails point away from the axis. For a rotationally symmetric lens one radial line describes the whole field,
+# which is why designs list Zernike coefficients at a few heights. Here are those of the same lens at four heights;
+# the field map interpolates them by a spline and rotates them.
 
 heights = np.array([0.0, 0.4, 0.7, 1.0]) * corner
 design = field.pupil(heights, 0.0).wavefront.to_zernike(order="fringe", unit="waves", normalization="edge")
@@ -39,8 +39,8 @@ again = same.grid(5, 7, sensor=sensor, shape=49, pixel=0.5e-6)
 print(f"largest difference: {np.abs(again.values - grid.values).max() / grid.values.max():.1e} of the peak")
 
 # %%
-# How much does it cost? The brightest point of each image over that of a perfect lens, along the diagonal, with the
-# sensor where it is and moved by 10 µm either way: no position of a flat sensor suits all of a curved field.
+# Strehl ratio (peak of each PSF over that of a perfect lens) along the diagonal, with the sensor in place and moved
+# by 10 µm either way: with field curvature no sensor position suits the whole field.
 
 fraction = np.linspace(0.0, 1.0, 21)
 along = fraction[:, None] * corner * np.array([0.8, 0.6])

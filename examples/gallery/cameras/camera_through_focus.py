@@ -2,8 +2,8 @@
 A camera lens through focus
 ===========================
 
-A 50 mm lens at f/2.8 is focused at 2 m. What does a point of light look like as it moves through that plane? One
-call computes all distances, since an array of object distances makes a stack of pupils.
+PSFs of a 50 mm lens at f/2.8, focused at 2 m, for object distances around the plane of focus. An array of object
+distances makes a stack of pupils, computed in one call.
 """
 
 import matplotlib.pyplot as plt
@@ -21,8 +21,8 @@ stack = lm.psf(lens.pupil(1 / vergence), shape=141, pixel=0.5e-6, normalize="pea
 half = 0.5e6 * stack.pixel * stack.shape[-1]
 
 # %%
-# A window one pixel high is a slice through the image. Many of them, one for each distance, show the cone of light,
-# the dark and bright points on its axis, and that the pattern is the same on both sides of the focus.
+# A window one pixel high is a section through the PSF. Many of them, one for each distance, show the cone of light,
+# the maxima and minima on its axis, and the symmetry about focus.
 
 many = np.linspace(vergence[0], vergence[-1], 401)
 slices = lm.psf(lens.pupil(1 / many), shape=(1, 301), pixel=0.25e-6, normalize="strehl")
@@ -54,7 +54,6 @@ print(f"error bound {stack.error_bound:.1e} of each peak, {slices.error_bound:.1
 plt.show()
 
 # %%
-# Positive :math:`C_d` is an object nearer than the plane in focus. On the axis the light goes out wherever
-# :math:`C_d` is a multiple of :math:`\pi`, other than zero: the intensity there is :math:`(\sin C_d / C_d)^2`. The
-# dashed lines are the edge of the geometric blur, where the light mostly ends; the rings inside it are what wave
-# optics adds.
+# Positive :math:`C_d` is an object nearer than the plane of focus. The intensity on the axis is :math:`(\sin C_d /
+# C_d)^2`, which vanishes at non-zero multiples of :math:`\pi`, that is whole waves of W020. The dashed lines mark
+# the circle of confusion; the rings inside it are diffraction.

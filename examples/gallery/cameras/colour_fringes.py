@@ -1,10 +1,9 @@
 """
-The colour fringes of a fast lens
-=================================
+Colour fringes of a fast lens
+=============================
 
-A lens focuses colours at different distances. Well corrected ones bring two of them together, and what is left, the
-secondary spectrum, shows at large apertures: purple around what is nearer than the focus, green around what is
-behind it.
+Axial colour: a lens focuses wavelengths at different distances. Achromats bring two of them together; the remaining
+secondary spectrum shows at large apertures as purple fringes in front of the focus and green ones behind it.
 """
 
 import matplotlib.pyplot as plt
@@ -13,8 +12,8 @@ import numpy as np
 import lommel as lm
 
 # %%
-# An 85 mm lens at f/1.4 as an achromat leaves it: blue and red are in focus together, some f/2000 behind the green.
-# ``focus_shift`` is how much longer the focal length is at each wavelength.
+# An 85 mm achromat at f/1.4: blue and red focus together, about f/2000 behind green. ``focus_shift`` is the
+# increase of the focal length at each wavelength.
 
 wavelengths = np.array([420, 460, 500, 550, 600, 650, 690]) * 1e-9
 colour = lm.Colour(wavelengths, focus_shift=np.array([95, 36, 9, 0, 8, 25, 42]) * 1e-6)
@@ -22,7 +21,7 @@ lens = lm.Lens(focal_length=85e-3, f_number=1.4, focus_distance=2.0, wavelength=
 channels = lm.Channels.rgb(width=70e-9)
 
 # %%
-# One call for all distances and channels. Each wavelength is computed once, at the defocus that it has.
+# One call for all distances and channels. Each wavelength is computed once, with its own defocus.
 
 distances = np.array([1.955, 1.975, 1.99, 2.0, 2.01, 2.025, 2.045])
 stack = lm.colour_psf(lens.pupil(distances), 51, 3.76e-6, channels)
@@ -64,6 +63,6 @@ print(f"error bound {stack.error_bound:.1e} of the peak of each channel")
 plt.show()
 
 # %%
-# Nearer than the focus (left) blue and red light, which would meet behind the green, is spread the most, and the rim
-# is blue to purple; behind it (right) the green has passed its focus and is spread the most. By which side a fringe
-# is on a camera knows whether something is before or behind the focus, from one photograph.
+# In front of focus (left) blue and red are blurred most, and the edge is blue to purple; behind it (right) green is
+# blurred most. The colour of the fringe thus tells a camera, from a single photograph, on which side of focus an
+# object lies.

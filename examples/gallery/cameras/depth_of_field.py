@@ -2,8 +2,8 @@
 Depth of field, with and without diffraction
 ============================================
 
-How large is the blur of an object that is not quite in focus? Geometric optics answers with similar triangles, and
-says zero in focus. Wave optics has a floor, and the floor rises as the lens is stopped down.
+How large is the blur of an object near focus? In geometric optics the circle of confusion shrinks to zero in focus.
+With diffraction it has a minimum, which grows as the lens is stopped down.
 """
 
 import matplotlib.pyplot as plt
@@ -44,8 +44,8 @@ curves.set_ylabel(f"radius of {share:.0%} of the light (µm)")
 curves.legend(title="solid: waves\ndashed: rays")
 
 # %%
-# At a fixed distance out of focus there is a best stop: open, defocus blurs; closed, diffraction does. Rays alone
-# would have the smallest stop win always.
+# At a fixed distance out of focus there is an optimal f-number: wide open, defocus dominates; stopped down,
+# diffraction does. In geometric optics the smallest aperture would always be best.
 
 stops = np.geomspace(2.0, 45.0, 60)
 figure, choice = plt.subplots(figsize=(8, 4.6), layout="constrained")

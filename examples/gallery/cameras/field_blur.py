@@ -1,10 +1,9 @@
 """
-A chart through coma and astigmatism
-====================================
+Blur by coma and astigmatism over the field
+===========================================
 
-A lens is sharp in the middle and not in the corners: every point of a picture has a PSF of its own there, and tails
-of coma point away from the axis. :class:`lommel.imaging.FieldBlur` makes the whole picture, and its transpose lets
-solvers undo what can be undone.
+Coma and astigmatism give every position of the image its own PSF. :class:`lommel.imaging.FieldBlur` blurs the whole
+image as a linear operator, and its adjoint lets iterative solvers deblur it.
 """
 
 import matplotlib.pyplot as plt

@@ -1,13 +1,14 @@
 """
-A photograph through a lens, a disc and a Gaussian
-==================================================
+Depth-of-field rendering: exact PSF, disc and Gaussian
+======================================================
 
-A sharp photograph whose depth is known is blurred point by point: near and far, open and stopped down, with and
-without spherical aberration; and beside it what is mostly taken for the blur, a uniform disc and a Gaussian.
+A sharp photograph with a depth map is rendered at different focus and aperture, with and without spherical
+aberration, and compared with the usual approximations of the blur: a uniform disc and a Gaussian.
 
 The scene is the motorcycle of the Middlebury benchmark (Scharstein et al., GCPR 2014,
-`doi:10.1007/978-3-319-11752-2_3 <https://doi.org/10.1007/978-3-319-11752-2_3>`__), as it comes with scikit-image.
-Where its depth is unknown, it is that of the nearest point. The image is 36 mm wide, which makes f = 48.3 mm.
+`doi:10.1007/978-3-319-11752-2_3 <https://doi.org/10.1007/978-3-319-11752-2_3>`__), as distributed with
+scikit-image. Where its depth is unknown, the nearest known depth is used. The image is 36 mm wide, hence f = 48.3
+mm.
 """
 
 from copy import copy
@@ -46,9 +47,9 @@ def seen(blur: DepthBlur) -> np.ndarray:
 
 
 # %%
-# Open at f/1.4 and focused on the machine, on the wall, and stopped down to f/8; and focused on the machine with 25
-# waves of spherical aberration, which leave no plane quite sharp. Points do not hide one another here, which shows
-# where something near stands before something far.
+# At f/1.4 focused on the motorcycle, on the wall, and stopped down to f/8; and focused on the motorcycle with 25
+# waves of spherical aberration, which leave no plane sharp. Rendered without occlusion, which is visible where near
+# objects stand in front of far ones.
 
 blurs = {
     "focus 2.4 m, f/1.4": through(2.4, 1.4),
@@ -66,10 +67,10 @@ places[1, 0].set_xlabel("x (mm)")
 places[0, 0].set_ylabel("y (mm)")
 
 # %%
-# The same banks of windows, filled with a uniform disc of the radius of the cone of rays, and with a Gaussian of the
-# second moment of that disc, each averaged over the pixels. Neither knows diffraction or aberration.
-# In these pixels of 49 µm the disc comes within 0.6 of 255 levels (rms) of a lens without aberration; the Gaussian is
-# off by 2 where the blur is large; and both show a sharp picture where aberration makes it soft.
+# The same windows with a uniform disc (the circle of confusion) and with a Gaussian of the same second moment, each
+# pixel-integrated. Both ignore diffraction and aberrations. With these pixels of 49 µm the disc is within 0.6 of
+# 255 levels (rms) of an unaberrated lens; the Gaussian is off by 2 where the blur is large; and both render a sharp
+# image where spherical aberration makes it soft.
 
 
 def imitated(blur: DepthBlur, kind: str) -> DepthBlur:

@@ -1,9 +1,9 @@
 """
-Pixels that average, pixels that sample
+Pixel-integrated and point-sampled PSFs
 =======================================
 
-A sensor pixel collects the light of its whole area. Sampling the intensity at its centre is the same as long as the
-pixel is small beside the finest detail of the image, about λN. It often is not.
+A sensor pixel integrates the light over its area. Sampling the intensity at its centre is equivalent only if the
+pixel is small compared with the finest detail of the image, about λN.
 """
 
 import matplotlib.pyplot as plt
@@ -14,8 +14,8 @@ import lommel as lm
 pupil = lm.Pupil(lm.Wavefront(defocus=12.0))
 
 # %%
-# One defocused lens on pixels of four sizes, each image sampled and averaged. ``integrate=True`` has the same
-# tolerance as the samples; it is not a sum of a few points with an unknown error.
+# A defocused lens with pixels of four sizes, point-sampled and pixel-integrated. ``integrate=True`` has the same
+# tolerance as point samples; it is not a sum over a few points of unknown error.
 
 sizes = (0.5, 1.5, 3.0, 5.0)
 span = 45.0
@@ -35,7 +35,8 @@ rows[0, 0].set_ylabel("sampled\ny (λN)")
 rows[1, 0].set_ylabel("averaged\ny (λN)")
 
 # %%
-# How far apart are the two? In focus, samples are off by a tenth of the peak for pixels of half of λN.
+# Difference of the two against pixel size. In focus, point samples are off by a tenth of the peak for pixels of
+# half of λN.
 
 pixels = np.geomspace(0.05, 4.0, 40)
 figure, axes = plt.subplots(figsize=(7.5, 4.2), layout="constrained")

@@ -1,14 +1,14 @@
 """
-A photograph restored
-=====================
+Deblurring a photograph
+=======================
 
-A noisy photograph whose depth and lens are known gives back much of what the blur took: by the iteration of
-Richardson and Lucy, and by total variation, both of which stop where only noise is left. With discs or Gaussians for
-PSFs they give back less, and with one average PSF for all of the picture, less than nothing.
+A noisy photograph with known lens and depth map is deblurred by Richardson-Lucy and by total variation, which stop
+at the noise level. Discs or Gaussians as PSFs recover less, and one average PSF makes the image worse.
 
 The scene is the motorcycle of the Middlebury benchmark (Scharstein et al., GCPR 2014,
-`doi:10.1007/978-3-319-11752-2_3 <https://doi.org/10.1007/978-3-319-11752-2_3>`__), as it comes with scikit-image. The
-photograph is made of the whole scene and then cut, so that light comes in from what is not in the picture.
+`doi:10.1007/978-3-319-11752-2_3 <https://doi.org/10.1007/978-3-319-11752-2_3>`__), as distributed with
+scikit-image. The photograph is rendered from the whole scene and then cropped, so that light enters from outside
+the crop.
 """
 
 from copy import copy
@@ -61,8 +61,8 @@ def quality(values: np.ndarray) -> str:
 
 
 # %%
-# A lens of 35 mm at f/2 without aberration, focused at 2.2 m; 5000 electrons at white, read noise 3. Nothing is to be
-# set: both methods stop by the noise.
+# An unaberrated lens of 35 mm at f/2, focused at 2.2 m; 5000 electrons at white, read noise 3. There are no
+# parameters to tune: both methods stop at the noise level.
 
 photo = photographed(perfect)
 seen = Occlusion(blur(perfect, depth[part]))
@@ -83,10 +83,10 @@ places[1, 0].set_xlabel("x (pixels)")
 places[0, 0].set_ylabel("y (pixels)")
 
 # %%
-# The same with other PSFs, by filling the same windows: discs of the radius of the cone of rays, Gaussians of their
-# second moment, and the average of all PSFs of the picture. Without aberration a disc is nearly right at f/2. Three
-# waves of spherical aberration, which fast lenses have, make it wrong: it draws edges twice, gains a third of what
-# the exact PSF does, and the discrepancy says so.
+# The same with other PSFs in the same windows: discs of the circle of confusion, Gaussians of the same second
+# moment, and the average of all PSFs. Without aberrations a disc is nearly right at f/2. With three waves of
+# spherical aberration, as in fast lenses, it doubles edges, gains a third of the exact PSF, and the discrepancy
+# reports a misfit.
 
 
 def imitated(exact: DepthBlur, kind: str) -> DepthBlur:

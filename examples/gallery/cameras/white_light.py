@@ -2,8 +2,7 @@
 White light
 ===========
 
-The rings of a defocused point are interference, and their size is proportional to the wavelength. A spectrum has
-rings of every size at once, which blur one another.
+Diffraction rings scale with the wavelength. In white light the rings of all wavelengths average out.
 """
 
 import matplotlib.pyplot as plt

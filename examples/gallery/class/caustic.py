@@ -2,8 +2,8 @@
 The caustic of spherical aberration
 ===================================
 
-Where a lens has spherical aberration, its rays do not meet in a point: they envelop a surface, the caustic. The
-density of rays is infinite on it, that of the light is not.
+With spherical aberration rays envelop a surface, the caustic, on which the ray density is infinite and the
+intensity is not.
 """
 
 import matplotlib.pyplot as plt
@@ -48,6 +48,6 @@ print(f"brightest: {rays.values.max():.3f} of the rays, {waves.values.max():.3f}
 plt.show()
 
 # %%
-# The light oscillates inside the caustic and falls off smoothly outside of it. Its averages over a few rings are
-# those of the rays. On the axis, where rays from a whole ring of the pupil meet, their density is infinite too: how
-# bright a pixel there is depends on its size alone, and only wave optics knows the peak.
+# The intensity oscillates inside the caustic and decays outside. Its averages over a few rings equal the ray
+# density. On the axis, where rays from a whole ring of the pupil meet, the ray density is infinite too: the
+# brightness of a pixel there depends on its size, and only wave optics predicts the peak.

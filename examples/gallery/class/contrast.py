@@ -1,9 +1,9 @@
 """
-The contrast of aberrations
-===========================
+MTF of aberrations
+==================
 
-A lens images a pattern of lines with less contrast the finer they are: the modulation transfer function (MTF). It is
-the autocorrelation of the pupil function, and is computed from the wavefront without an image.
+The modulation transfer function (MTF) is the contrast of a line pattern against its spatial frequency. It is the
+modulus of the autocorrelation of the pupil function, computed from the wavefront without an image.
 """
 
 import matplotlib.pyplot as plt
@@ -12,9 +12,9 @@ import numpy as np
 import lommel as lm
 
 # %%
-# Four aberrations of the same rms, a tenth of a wave, and hence of about the same Strehl ratio. Lines along either
-# axis are imaged alike by spherical aberration, but not by coma. Astigmatism at its best focus treats the two axes
-# alike, too, and lines between them differently.
+# Four aberrations of a tenth of a wave rms, hence of about the same Strehl ratio. Spherical aberration affects
+# lines of all directions alike, coma does not; balanced astigmatism treats the two axes alike, and diagonal lines
+# differently.
 
 names = {"defocus": (2, 0), "spherical aberration": (4, 0), "coma in x": (3, 1), "astigmatism": (2, 2)}
 pupils = {name: lm.Pupil(lm.Wavefront.zernike({term: 0.1}, unit="waves")) for name, term in names.items()}
@@ -36,7 +36,7 @@ axes.set_ylim(0, 1)
 axes.legend(fontsize=8)
 
 # %%
-# Through focus, the transfer function changes its sign again and again: where it is negative, light lines appear dark
+# Through focus the transfer function changes its sign repeatedly: where it is negative, contrast is reversed
 # (spurious resolution).
 
 defocus = np.linspace(-12.0, 12.0, 97)
@@ -55,5 +55,5 @@ figure.colorbar(mesh, ax=axes, label="transfer function (clipped at ±0.3)", ext
 plt.show()
 
 # %%
-# Red is contrast as it should be, blue is reversed, and the lines between them are frequencies that vanish
-# altogether. What is lost there no restoration brings back.
+# Red is positive contrast, blue is reversed, and the lines between them are zeros of the transfer function, which
+# no deconvolution recovers.

@@ -1,9 +1,8 @@
 """
-Error against time
-==================
+Accuracy and speed of all methods
+=================================
 
-One defocused lens and one image, computed in every way the package knows. What is the largest error in the image,
-and how long did it take?
+One PSF of a defocused lens, computed by every method of the package: largest error against computing time.
 """
 
 import time
@@ -59,7 +58,7 @@ families = {
 }
 
 # %%
-# Up and to the left is worse and faster. A bar above a point is the bound that the method gives.
+# Points to the upper left are faster and less accurate. Bars above points are proven error bounds.
 
 figure, axes = plt.subplots(figsize=(9.5, 5.8), layout="constrained")
 for k, (name, methods) in enumerate(families.items()):
@@ -81,7 +80,7 @@ axes.legend(loc="lower right", fontsize=9)
 plt.show()
 
 # %%
-# Two of the points are not errors of a method. ``HuygensFresnel`` sums over exact distances: what sets it apart is
-# the error of Fresnel's approximation, which all the others share. ``Geometric`` leaves diffraction out and averages
-# over pixels: it answers another question. The times are of the machine that made these pages; ``NijboerZernike``,
-# ``TunedClosedForm`` and ``HuygensFresnel`` are compiled, the others are NumPy and SciPy.
+# Two points are not errors of a method: ``HuygensFresnel`` uses exact distances and differs by the Fresnel
+# approximation of all others; ``Geometric`` ignores diffraction and is pixel-integrated. Times are those of the
+# machine that built these pages; ``NijboerZernike``, ``TunedClosedForm`` and ``HuygensFresnel`` are compiled, the
+# others use NumPy and SciPy.

@@ -2,8 +2,8 @@ r"""
 The pyramid of Zernike aberrations
 ==================================
 
-One radian rms of each Zernike term up to the sixth degree, as the textbooks arrange them: a row for each degree n,
-and across it the azimuthal order m, sines on the left and cosines on the right.
+PSFs of one radian rms of each Zernike term up to degree 6: a row for each degree n, with azimuthal order m across,
+sines on the left and cosines on the right.
 """
 
 import matplotlib.pyplot as plt

@@ -1,8 +1,8 @@
 r"""
-What each Zernike term does to a point of light
-===============================================
+The first fifteen Zernike terms
+===============================
 
-The first fifteen terms, their phase across the pupil and the image of a point: a fifth of a wave rms of each.
+Phase over the pupil, and PSF, for a fifth of a wave rms of each term.
 """
 
 import matplotlib.pyplot as plt

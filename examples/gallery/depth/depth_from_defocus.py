@@ -1,15 +1,14 @@
 """
-Depth from two photographs
-==========================
+Depth from defocus with two photographs
+=======================================
 
-How far away is everything? Two photographs of different focus tell: each part of a scene is blurred by its distance,
-differently in the two, and what they differ by gives the distance, how well it is known, and the scene in focus
-everywhere. Beside it what becomes of that with what is mostly taken for the blur, a uniform disc and a Gaussian.
+Two photographs at different focus give a depth map with its standard deviation, and an all-in-focus image. The
+exact PSF is compared with the usual approximations, a uniform disc and a Gaussian.
 
 The scene is the motorcycle of the Middlebury benchmark (Scharstein et al., GCPR 2014,
-`doi:10.1007/978-3-319-11752-2_3 <https://doi.org/10.1007/978-3-319-11752-2_3>`__), as it comes with scikit-image,
-seen through a lens: near points hide far ones, electrons are counted one by one, and reading adds noise. The lens of
-35 mm at f/4 is focused at 2.2 m and at 3.6 m; pixels are 6 µm.
+`doi:10.1007/978-3-319-11752-2_3 <https://doi.org/10.1007/978-3-319-11752-2_3>`__), as distributed with
+scikit-image, rendered with occlusion, shot noise and read noise. The lens of 35 mm at f/4 is focused at 2.2 m and
+at 3.6 m; pixels are 6 µm.
 """
 
 import matplotlib.pyplot as plt
@@ -43,9 +42,8 @@ photographs = [
 truth, scene = depth[part], light[part]
 
 # %%
-# Depth, its standard deviation and the sharp image come from the two photographs, the lens and the noise. What has no
-# texture has no depth, and is grey; and so is much of where something near stands before something far, for a window
-# that sees both has no single depth.
+# Depth, standard deviation and all-in-focus image from the two photographs, the lens and the noise. Grey is
+# unknown: areas without texture, and many pixels at depth edges, where a window sees two depths.
 
 camera = {"encoding": "linear", "noise": noise, "between": (1.9, 5.2)}
 found = lm.imaging.depth_from_defocus(photographs, lenses, pixel, **camera)
@@ -74,8 +72,8 @@ for place in places[1]:
     place.set_xlabel("x (pixels)")
 
 # %%
-# The same with discs and Gaussians in place of the PSFs of the lens, as large as the cone of rays; these are averaged
-# over the pixels like it.
+# The same with discs of the circle of confusion and Gaussians of the same second moment in place of the PSF of the
+# lens, also pixel-integrated.
 
 
 def imitated(shape_of):

@@ -1,9 +1,9 @@
 r"""
-What a camera can know
-======================
+Achievable depth precision
+==========================
 
-How far away is a point of light? Its blur tells, and the information in the image says how well, before anybody has
-written a line that estimates it: no method can do better.
+The Cramér-Rao bound of the distance of a point source, from the Fisher information of its image: no unbiased
+estimate has a smaller standard deviation.
 """
 
 import matplotlib.pyplot as plt
@@ -16,14 +16,14 @@ camera = {"shape": 65, "pixel": 4.5e-6, "background": 5.0, "noise": lm.Noise(rea
 unknown = ("object_distance", "photons", "background")
 
 # %%
-# One image of a point at 2.1 m, of which nothing else is known either: neither where it is, nor how bright. Its place
-# does not correlate with its distance, and is left out from here on.
+# One image of a point at 2.1 m of unknown position and brightness. The position does not correlate with the
+# distance, and is omitted from here on.
 
 print(lm.fisher(lens.pupil(2.1), of=(*unknown, "row", "column"), photons=1e4, **camera))
 
 # %%
-# One exposure, with every focus and stop. A wider stop lets in more light and blurs more, both of which tell; but in
-# focus nothing changes to first order, and the distance cannot be known at all.
+# One exposure, for all focus settings and f-numbers. A wider aperture collects more light and blurs more; both add
+# information. In focus the image does not change with distance to first order, and the bound is infinite.
 
 focus = np.linspace(1.6, 2.6, 41)
 stops = np.geomspace(1.4, 16.0, 13)
@@ -40,8 +40,8 @@ def deviation(f_number: float, focus_distance: float) -> float:
 known = 1e3 * np.array([[deviation(stop, distance) for distance in focus] for stop in stops])
 
 # %%
-# Two images that share the light, focused before and behind the point, know it everywhere. Pupils in a list are
-# images of one scene; a stack of distances is a scene each.
+# Two images that share the light, focused in front of and behind the point, determine its distance everywhere.
+# Pupils in a list are images of one scene; a stack of distances is one scene each.
 
 distance = np.linspace(1.7, 2.5, 161)
 one = lm.fisher(lens.pupil(distance), of=unknown, photons=1e4, **camera)

@@ -2,9 +2,8 @@
 Fitting defocus to a noisy image
 ================================
 
-The default method gives the derivatives of the image with respect to defocus and spherical aberration along with the
-image. A least-squares fit with them needs a handful of evaluations, and their matrix says how well the answer is
-known.
+The PSF comes with its derivatives with respect to defocus and spherical aberration. A least-squares fit needs a few
+evaluations, and the derivatives give the covariance of the estimate.
 """
 
 import matplotlib.pyplot as plt
@@ -40,8 +39,8 @@ def fit(counts: np.ndarray, start: tuple[float, float]) -> np.ndarray:
 
 
 # %%
-# One image, with photon noise. No image can tell a wavefront from its negative, so the fit starts on the right side;
-# a second image at another focus would settle it.
+# One image, with photon noise. A single image leaves the sign of the wavefront open, so the fit starts on the right
+# side; a second image at another focus would decide it.
 
 truth = np.array([6.0, 4.0, photons, background])
 expected, slopes = model(truth)
@@ -49,7 +48,8 @@ counts = rng.poisson(expected).astype(float)
 found = fit(counts, start=(5.0, 2.0))
 
 # %%
-# The Cramér-Rao bound, from the derivatives at the truth, against the scatter of 300 fits to new noise.
+# The Cramér-Rao bound, from the derivatives at the ground truth, against the scatter of 300 fits with independent
+# noise.
 
 covariance = np.linalg.inv(slopes.T @ (slopes / expected[:, None]))
 fits = np.array([fit(rng.poisson(expected).astype(float), start=(5.5, 3.0)) for _ in range(300)])

@@ -2,8 +2,8 @@
 Beads through focus
 ===================
 
-One bead of 100 nm is recorded at a depth of 2 um, another at 20 um, through oil into water: the deeper one is longer,
-dimmer, and not where the stage says.
+Images of 100 nm beads at depths of 2 um and 20 um, through oil into water: the deeper bead is elongated, dimmer and
+shifted in focus.
 """
 
 import matplotlib.pyplot as plt
@@ -22,8 +22,8 @@ objective = lm.Objective(
 wavelength, pixel, size = 520e-9, 6e-6, 100e-9
 
 # %%
-# Planes of the stage about the brightest one, roots of the values over their largest: for the deeper bead light of
-# the rim arrives beyond, that of the middle before it.
+# Sections about the brightest plane, square root of the values over their maximum: for the deeper bead marginal
+# rays focus beyond paraxial rays.
 
 window = (-0.8, 0.8, 0.8, -0.8)
 z = np.array([-1.2, -0.6, 0.0, 0.6, 1.2]) * 1e-6
@@ -40,8 +40,8 @@ for axes in panels[1]:
     axes.set_xlabel("x (µm)")
 
 # %%
-# Where the beads are in focus: each is brightest beyond the focus of rays near the axis, the deeper one by far. The
-# width along z is that of the PSF, for 100 nm are little.
+# Focus of the beads: each is brightest beyond its paraxial focus, the deeper one by far. The axial width is that of
+# the PSF, since 100 nm are small beside it.
 
 figure, axes = plt.subplots(figsize=(7.0, 3.6), layout="constrained")
 for depth, color in ((2e-6, "C0"), (20e-6, "C1")):

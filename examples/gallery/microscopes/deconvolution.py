@@ -1,9 +1,9 @@
 """
-A specimen restored, and what a wrong PSF costs
-===============================================
+3-D deconvolution with right and wrong PSFs
+===========================================
 
-A hollow ball, a filament and some points, 10 um deep in water below an oil objective: recorded plane by plane, in
-photons, and restored by the PSF of that depth, and by those that one takes who does not know it.
+A hollow sphere, a filament and some points, 10 um deep in water below an oil objective: a noisy stack is
+deconvolved with the PSF of that depth, and with PSFs of wrong depth.
 """
 
 import matplotlib.pyplot as plt
@@ -29,8 +29,8 @@ def psf_at(depth):
 
 
 # %%
-# The specimen is known, and so is what each point of it becomes. The recording counts photons, some hundred in the
-# brightest voxels, which the camera reads with a noise of 1.5 electrons.
+# The ground truth is known. The recording has some hundred photons in the brightest voxels and a read noise of 1.5
+# electrons.
 
 planes, side = 16, 40
 k, y, x = np.ogrid[:planes, :side, :side]
@@ -53,9 +53,8 @@ def error(values):
 
 
 # %%
-# Forty steps of Richardson and Lucy's iteration with the right PSF; with that of an emitter on the glass, whose two
-# sides of the focus are alike; and with that of twice the depth. Slices through the middle of the ball, roots of the
-# values.
+# Forty steps of Richardson-Lucy with the right PSF, with that of an emitter on the glass, which is symmetric in z,
+# and with that of twice the depth. Sections through the centre of the sphere, square root of the values.
 
 way = lm.imaging.RichardsonLucy(steps=40, target=0.0)
 psfs = {"the right one": right, "of depth 0": psf_at(0.0), "of depth 20 µm": psf_at(20e-6)}
@@ -77,8 +76,8 @@ panels[0, 0].set_ylabel("y (µm)")
 panels[1, 0].set_ylabel("z of the stage (µm)")
 
 # %%
-# How the error falls with the steps, and the discrepancy, which needs no truth: it goes on to 1, what noise leaves,
-# where the PSF is right, and shows which is not.
+# Error against steps, and the discrepancy, which needs no ground truth: it falls to 1, the noise level, only for
+# the right PSF.
 
 counts = [5, 10, 20, 40]
 figure, (left, middle) = plt.subplots(1, 2, figsize=(9.0, 3.4), layout="constrained")

@@ -1,9 +1,9 @@
 """
-A microscope that looks deep
-============================
+Focal shift and elongation with depth
+=====================================
 
-An oil objective and a sample of water: the deeper an emitter, the longer and dimmer its image along z. The stage
-moves farther than the emitter is deep, by a factor that depends on the depth.
+With an oil objective and a sample of water, the PSF becomes longer and dimmer with depth, and the stage moves
+farther than the depth of the emitter, by a factor that depends on depth.
 """
 
 import matplotlib.pyplot as plt
@@ -22,9 +22,8 @@ objective = lm.Objective(
 wavelength = 520e-9
 
 # %%
-# Slices through the light of emitters at four depths, each about the plane in which it is brightest: roots of the
-# intensity over its largest value. z is the movement of the stage. One side of the focus is not like the other, since
-# rays of the rim meet farther than those near the axis.
+# Axial sections of PSFs at four depths, each about its brightest plane: square root of the intensity over its
+# maximum. z is the movement of the stage. Spherical aberration makes the two sides of focus different.
 
 depths = np.array([0.0, 2e-6, 10e-6, 40e-6])
 focus = objective.focus(depths, wavelength=wavelength)
@@ -41,8 +40,8 @@ for axes, depth, best, peak in zip(panels, depths, focus.brightest, focus.peak, 
 panels[0].set_ylabel("z of the stage, from the brightest plane (µm)")
 
 # %%
-# How deep is what the stage tells? The ratio of depth to movement is that of the indices nowhere, and the width along
-# z grows with the depth. An emitter nearer to the glass than a wavelength sends in light beyond the critical angle.
+# Ratio of depth to stage movement: nowhere the ratio of the refractive indices, and the axial width grows with
+# depth. An emitter closer to the glass than a wavelength sends supercritical light.
 
 depths = np.geomspace(0.2e-6, 100e-6, 25)
 focus = objective.focus(depths, wavelength=wavelength)

@@ -1,9 +1,9 @@
 """
-Molecules that do not turn
-==========================
+Fixed dipoles
+=============
 
-A molecule that is fixed shines like a dipole, not like a point: its image depends on how it is tilted, and who takes
-it for one that turns finds it in the wrong place.
+The image of a fixed molecule, a dipole, depends on its orientation; assuming a freely rotating dipole biases its
+position.
 """
 
 import matplotlib.pyplot as plt
@@ -30,8 +30,8 @@ def image(emitter):
 
 
 # %%
-# Tilts from the axis, below each the image in three planes of the stage, over its own largest value; last, a molecule
-# that turns freely. The tilt is towards the right.
+# Dipoles at several tilts towards the right, with their images in three planes, each over its own maximum; last, a
+# freely rotating dipole.
 
 tilts = np.radians([0.0, 30.0, 60.0, 90.0])
 emitters = [lm.Dipole(tilt, 0.0) for tilt in tilts] + [lm.Dipole(0.0, 0.0, wobble=1.0)]
@@ -48,8 +48,8 @@ for axes, at in zip(panels[:, 0], z, strict=True):
     axes.set_ylabel(f"z {1e6 * at:+.1f} µm\ny (µm)")
 
 # %%
-# Where the centre of its light is, in the sample: out of focus the image of a tilted molecule moves by up to a
-# hundred nanometres, one way before the focus and the other way behind it.
+# Centroid of the image, in the sample: out of focus the image of a tilted dipole shifts by up to a hundred
+# nanometres, in opposite directions in front of and behind the focus.
 
 fine = np.radians(np.arange(0.0, 91.0, 15.0))
 shift = np.array([[part[0] for part in image(lm.Dipole(tilt, 0.0)).centroid] for tilt in fine]) / 100

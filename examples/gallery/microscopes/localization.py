@@ -1,9 +1,8 @@
 """
-Where a molecule is, in three dimensions
-========================================
+Localization of molecules in three dimensions
+=============================================
 
-The image of one molecule tells where it is, along z as well where the focus is chosen well. Maximum likelihood with
-derivatives of the exact PSF finds it as exactly as the photons allow: at the bound of Cramér and Rao.
+Maximum-likelihood localization with derivatives of the exact PSF reaches the Cramér-Rao bound in x, y and z.
 """
 
 import matplotlib.pyplot as plt
@@ -24,8 +23,9 @@ photons, background = 3000.0, 10.0
 names = ("z", "row", "column")
 
 # %%
-# Molecules at ten heights of the stage, forty of each, anywhere within the middle pixel, and what a camera counts of
-# them. Molecules on the glass are sharpest where the stage says 0; near there, an image does not tell z.
+# Molecules at ten stage positions, forty each, anywhere within the central pixel, as a camera counts them.
+# Molecules on the glass are in focus at stage position 0, where an image carries no information about z to first
+# order.
 
 random = np.random.default_rng(1)
 heights = np.linspace(0.25e-6, 0.75e-6, 10)
@@ -42,7 +42,7 @@ def model(z, place):
 counts = random.poisson(photons * model(z, place).values + background)
 
 # %%
-# Steps of Fisher's scoring, of all molecules at once: five unknowns each, the light and the background too.
+# Fisher scoring for all molecules at once, with five unknowns each, including flux and background.
 
 found = np.array([z + random.normal(0.0, 5e-8, z.size), *np.full((2, z.size), side // 2)])
 light, dark = np.full(z.size, 2500.0), np.full(z.size, 8.0)
@@ -61,8 +61,8 @@ for _ in range(12):
     light, dark = light + step[:, 3], np.maximum(dark + step[:, 4], 0.5)
 
 # %%
-# The deviation of what was found from the truth, at each height, and the least that any
-# estimator can have, as :func:`lommel.fisher` tells. z is that of the stage, the others are lengths in the sample.
+# Standard deviation of the estimates at each height, and the Cramér-Rao bound of :func:`lommel.fisher`. z is that
+# of the stage, the others are lengths in the sample.
 
 unit = 1e9 * np.array([1.0, pixel / 100, pixel / 100])
 error = unit[:, None] * (found - np.array([z, *place]))

@@ -1,9 +1,9 @@
 """
-Polarised lasers, fixed dipoles, and a doughnut
-===============================================
+Polarised lasers, fixed dipoles and STED
+========================================
 
-Spots of scanning microscopes are longer along the field of a polarised laser, change with how a dipole lies, and are
-as sharp as the second beam of a STED microscope is strong.
+Confocal spots with a polarised laser and with fixed dipoles, and the STED spot against the saturation of the
+depletion beam.
 """
 
 import matplotlib.pyplot as plt
@@ -28,7 +28,7 @@ circular, linear = (objective.pupil(**planes, wavelength=640e-9, emitter=lm.Beam
 doughnut = objective.pupil(**planes, wavelength=775e-9, emitter=lm.Beam("vortex"))
 
 # %%
-# The dipole absorbs the part of the field along it. Widths at half of the largest value, along the field and across.
+# The dipole absorbs the field component along it. Full widths at half maximum, along the field and across.
 
 spots = {
     "circular laser": lm.microscopy.confocal(circular, emission, 49, pixel, tol=1e-4),
@@ -49,7 +49,7 @@ for axes, (name, spot) in zip(panels, spots.items(), strict=True):
 panels[0].set_ylabel("y (µm)")
 
 # %%
-# What is left grows sharper with the root of the saturation, and is as bright on the axis as before.
+# The width falls with the root of the saturation, at constant peak brightness.
 
 saturation = np.array([0.0, 1.0, 3.0, 10.0, 30.0, 100.0])
 made = [lm.microscopy.sted(circular, doughnut, emission, 9, pixel, saturation=s, tol=1e-4) for s in saturation]

@@ -1,8 +1,8 @@
 """
-Pinholes, two photons and sheets of light
+Confocal, two-photon and light-sheet PSFs
 =========================================
 
-What makes a microscope sharper along z than the wide field: each sees less of what is out of focus.
+Axial sections of widefield, confocal, two-photon and light-sheet PSFs, and their optical sectioning.
 """
 
 import matplotlib.pyplot as plt
@@ -22,12 +22,12 @@ depth, pixel = 20e-6, 3e-6
 z = np.linspace(-2e-6, 2e-6, 21)
 emission = objective.pupil(depth=depth, z=z, wavelength=525e-9)
 laser = lm.Beam("circular")
-# Colours have their foci apart: the excitation is asked for in the planes of the emission.
+# Excitation and emission have different foci: the excitation is computed in the planes of the emission.
 excitation = objective.pupil(depth=depth, z=emission.focus, origin="coverslip", wavelength=488e-9, emitter=laser)
 infrared = objective.pupil(depth=depth, z=z, wavelength=800e-9, emitter=laser)
 
 # %%
-# One slice along z of each, roots of the values. The widths are those at half of the largest value, across and along.
+# Axial sections, square root of the values, with lateral and axial FWHM.
 
 stacks = {
     "wide field": lm.psf(emission, 33, pixel, tol=1e-4),
@@ -49,8 +49,7 @@ for axes, (name, stack) in zip(panels, stacks.items(), strict=True):
 panels[0].set_ylabel("z of the stage (µm)")
 
 # %%
-# How much of a thin, even layer is seen in each plane: in the wide field all of it, wherever it is. The wider the
-# pinhole, the more.
+# Signal of a thin uniform layer against z: constant in widefield, and falling with smaller pinholes.
 
 radius = 3e-4  # on the camera, where nearly all of the light is
 figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")

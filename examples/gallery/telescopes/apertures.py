@@ -1,9 +1,8 @@
 """
-Apertures that are not round
-============================
+Spiders, vignetting and masks
+=============================
 
-Vanes that hold a mirror, the cat's eyes that a lens shows towards the edge of the field, a mirror of hexagons: what
-the aperture is, and what it makes of a point.
+Apertures with a spider, cat's-eye vignetting, and a segmented mirror as a mask, with their PSFs.
 """
 
 import matplotlib.pyplot as plt
@@ -54,8 +53,8 @@ for axes in rows[:, 1:].ravel():
     axes.set_ylabel("")
 
 # %%
-# How exact is it? Against itself at a tolerance of 1e-11, and beside the lattices: the matrix Fourier transform of
-# Soummer et al. with whole and with grey cells at the edges.
+# Accuracy, against a tolerance of 1e-11, beside sampled pupils: the matrix Fourier transform of Soummer et al. with
+# binary and grey edges.
 
 pupil = pupils["four vanes"]
 exact = lm.psf(pupil, 65, 0.5, tol=1e-11)

@@ -1,10 +1,8 @@
 r"""
-The spikes of a telescope
-=========================
+Diffraction spikes
+==================
 
-Vanes that hold the secondary mirror of a telescope are thin, and stop little light. What they take from the aperture
-is a cross, and the diffraction of a cross is a cross: every vane sends a spike to both sides, at right angles to
-itself.
+The vanes of a spider block little light, but each diffracts a pair of spikes at right angles to itself.
 """
 
 import matplotlib.pyplot as plt
@@ -37,9 +35,8 @@ axes[0].set_ylabel("y (λN)")
 figure.colorbar(shown, ax=axes, label="log10 of the intensity over the peak", shrink=0.8)
 
 # %%
-# Without vanes the light falls with the third power of the distance. A spike is the pattern of a slit as wide as its
-# vane: it hardly falls before its first zero, at the diameter of the aperture over that width, here 100 lambda*N.
-# Thinner vanes make fainter spikes, and longer ones. Averages over 3 lambda*N to the right of the axis:
+# Without vanes the intensity falls with the third power of the distance. A spike is the diffraction pattern of a
+# slit as wide as the vane: it extends to its first zero, here at 100 lambda*N.
 
 figure, axes = plt.subplots(figsize=(7.5, 4.2), layout="constrained")
 line = lm.psf(lm.Pupil(obscuration=0.3, spider=apertures["four vanes"]), (1, 1201), 0.1, normalize="strehl")
@@ -55,5 +52,4 @@ axes.legend()
 plt.show()
 
 # %%
-# Vanes need not be straight through: a lens file describes any of them in a section ``[aperture.spider]``, as the
-# Newtonian among the examples does.
+# A lens file describes any spider in a section ``[aperture.spider]``, as in the Newtonian example.

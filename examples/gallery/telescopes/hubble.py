@@ -1,9 +1,9 @@
 """
-Hubble, before and after
-========================
+The Hubble Space Telescope before and after its repair
+======================================================
 
-The primary mirror of the Hubble Space Telescope was ground too flat towards its rim. The corrective optics of 1993
-took the spherical aberration away. How much light did it cost?
+The primary mirror of the Hubble Space Telescope had spherical aberration, corrected in 1993. How much light did it
+lose within 0.1 arcsec?
 """
 
 import math
@@ -59,6 +59,5 @@ axes.legend(loc="lower right")
 plt.show()
 
 # %%
-# This is the aberration alone: no jitter, no micro-roughness of the mirror, no struts, one wavelength. The encircled
-# energies do not come from the pixels but from the profile, by quadrature; they are good to the tolerance of the
-# method.
+# This is the effect of spherical aberration alone: no jitter, micro-roughness, struts or bandwidth. Encircled
+# energies are computed from the profile by quadrature, to the tolerance of the method.

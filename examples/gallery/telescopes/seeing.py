@@ -1,9 +1,9 @@
 """
-A star through the air
-======================
+A star through the atmosphere
+=============================
 
-How much of the light of a star does a small telescope put on one pixel, on a good night, on a bad one, and when the
-mount shakes? Each of these is a further factor of the transfer function, and the error stays proven.
+Fraction of the light of a star on one pixel of a small telescope, for good and bad seeing and with mount jitter.
+Each multiplies the transfer function, within the proven error bound.
 """
 
 import matplotlib.pyplot as plt
@@ -12,9 +12,8 @@ import numpy as np
 import lommel as lm
 
 # %%
-# A 0.3 m telescope at f/10 with an obscuration of 0.35, in light of 600 nm. Seeing is told at 500 nm, as monitors
-# tell it, by the width of the image of a star; jitter by its rms along the axis of right ascension, where the mount
-# errs by more.
+# A 0.3 m telescope at f/10 with an obscuration of 0.35, at 600 nm. Seeing is the FWHM at 500 nm, as seeing monitors
+# report it; jitter is rms, larger along right ascension.
 
 arcsec = 4.848e-6
 focal_length = 3.0

@@ -1,9 +1,10 @@
 """
-A wavefront from three defocused stars
+Phase retrieval from three star images
 ======================================
 
-A telescope looks at a star three times, the sensor in focus and moved to either side. Each image alone is no use for
-telling which way the mirror is bent; together they tell fifteen aberrations to a thousandth of a wave.
+The wavefront of a telescope from three images of a star, in focus and on either side of it (phase diversity). A
+single image leaves the sign of even aberrations open; together they determine fifteen Zernike terms to a thousandth
+of a wave.
 """
 
 import matplotlib.pyplot as plt
@@ -16,8 +17,8 @@ pixel, defocus = 5.25e-6, [-4.0, 0.0, 4.0]
 camera = lm.Noise(white=0.8, read=3.0, offset=100.0)  # electrons per count, rms electrons, counts
 
 # %%
-# What the telescope is like, which nobody knows: half a radian of astigmatism, coma, spherical aberration, trefoil.
-# The stars stand wherever they happen to, and one was brighter than the others.
+# The ground truth: half a radian of astigmatism, coma, spherical aberration and trefoil. The stars have arbitrary
+# subpixel positions, and one image is brighter.
 
 true = lm.Wavefront.zernike({4: 0.2, 5: 0.5, 7: -0.35, 9: 0.25, 11: 0.3}, order="noll")
 rows, columns = np.array([20.3, 19.6, 20.1]), np.array([19.8, 20.4, 20.2])
@@ -34,15 +35,15 @@ for image, extra, ax in zip(stars, defocus, axes, strict=True):
 axes[0].set_ylabel("row (pixels)")
 
 # %%
-# The fit knows aperture, wavelength, pixel, the noise of the camera and how far the sensor was moved. Everything
-# else is found along: the place, the light and the background of each image.
+# Known are aperture, wavelength, pixel, camera noise and sensor displacement. Position, flux and background of each
+# image are estimated jointly.
 
 found = lm.retrieve(stars, lm.Pupil(**telescope), pixel=pixel, noise=camera, defocus=defocus, terms=15)
 print(found.message)
 found.plot()
 
 # %%
-# What was found, beside what is so. Errors are as large as the deviations say.
+# Estimates beside the ground truth, with standard errors.
 
 truth = true.to_zernike()
 waves, deviations = found.in_unit("waves")

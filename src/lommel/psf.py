@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from lommel.blur.blurs import Blur
     from lommel.methods.derivative_names import Name
     from lommel.optics.pupil import Pupil
-    from lommel.traced.plan_function import Twin
+    from lommel.traced.traced_psf import TracedPSF
 
 
 def psf(
@@ -272,25 +272,25 @@ class Plan:
 
     def traced(
         self, pupil: Pupil, xp: ModuleType | str | None = None, *, device: object = None, precision: str = "auto"
-    ) -> Twin:
+    ) -> TracedPSF:
         """Return the plan as a differentiable function of coefficients, in JAX, PyTorch or any array API.
 
         Parameters
         ----------
         pupil : Pupil
-            A stack: its coefficients are the reach that the function is made for. Of radially symmetric pupils that
-            is the box around them; of others what is no larger than a member. Aperture, amplitude and lengths are
-            those of the stack.
+            A stack, whose coefficients are the valid range of the function: for radially symmetric pupils the box
+            around them, for others pupils no larger than a member. Aperture, amplitude and lengths are those of the
+            stack.
         xp : module or str, optional
             ``jax.numpy``, ``torch``, ``cupy``, ``numpy`` or another of the array API, or its name; NumPy by default.
         device : optional
-            Of the framework, where tables are and coefficients must be.
+            Device of the framework for tables and coefficients.
         precision : {"auto", "float64", "float32"}, default "auto"
-            Of what is inside: float64 wherever the framework has it there. In float32 no error of 1e-6 can be proven.
+            Of the computation: float64 wherever the framework has it. In float32 no error of 1e-6 can be proven.
 
         Returns
         -------
-        Twin
+        TracedPSF
             ``images = f(c)``, with c of shape (..., k) a column for each of ``f.terms``, radians.
 
         Raises
@@ -305,22 +305,22 @@ class Plan:
         Examples
         --------
         >>> import lommel as lm
-        >>> reach = lm.Pupil(lm.Wavefront([-10.0, 10.0]))
-        >>> f = lm.Plan(shape=33, pixel=0.5).traced(reach)
+        >>> pupils = lm.Pupil(lm.Wavefront([-10.0, 10.0]))
+        >>> f = lm.Plan(shape=33, pixel=0.5).traced(pupils)
         >>> f.terms
         ('defocus', 'spherical')
         >>> f([[3.0, 0.0], [4.0, 0.5]]).shape
         (2, 33, 33)
         """
         from lommel.optics.pupil import checked
-        from lommel.traced import plan
+        from lommel.traced import traced_psf
 
         validation.choice("precision", precision, ("auto", "float64", "float32"))
         if not self.plain:
-            raise ValueError("pixel must be one number for a twin, and fill and blur left out")
+            raise ValueError("pixel must be one number for a traced plan, and fill and blur left out")
         grid = self.grid(checked(pupil))
         values = self.tol, self.normalize, str(self.dtype)
-        return plan.traced(pupil, grid, self.method, values, (xp, device, precision))
+        return traced_psf.traced(pupil, grid, self.method, values, (xp, device, precision))
 
 
 # Calls like the last ones take the plans of these, types and all: 1 and True are equal, and only one is a number.

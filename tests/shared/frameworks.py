@@ -1,4 +1,4 @@
-"""Frameworks that twins are tested in: what is installed, each on the devices that a processor can stand for."""
+"""Frameworks that traced plans are tested in, each on the devices that a processor can emulate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The sums of float32 twins by the compiled core: those of the framework, within its bounds."""
+"""The sums of float32 traced plans by the compiled core: those of the framework, within its bounds."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from lommel.optics.grid import Grid
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from lommel.traced import chordal
-from sampled_twins import CASES, EDGE, by_steps, pupils, traced
+from traced_windows import CASES, EDGE, by_steps, pupils, traced
 
 KINDS = pytest.mark.parametrize("case", CASES.values(), ids=CASES)
 NOLL = [zernike.term(j, "noll") for j in range(2, 46)]  # n from 1 to 8

@@ -1,4 +1,4 @@
-"""What a twin promises: images as those of the core, and no error above the bound that it states."""
+"""The contract of a traced plan: images as those of the core, and no error above the bound that it states."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from scipy.special import j0, roots_legendre
 import lommel as lm
 from frameworks import THERE
 from lommel.traced import certificate
-from lommel.traced.images import Pixels
 from lommel.traced.namespaces import Namespace
+from lommel.traced.pixels import Pixels
 
 WHITE = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
 SENSOR = {"wavelength": 550e-9, "f_number": 8.0}
@@ -98,7 +98,7 @@ def test_images_of_any_terms_are_those_of_the_core_and_so_says_the_bound(framewo
 
 
 def quadrature(pupil, v):
-    """Return I by 400 nodes in rho, a rule that the twin does not use, shape (n, radii)."""
+    """Return I by 400 nodes in rho, a rule that the traced plan does not use, shape (n, radii)."""
     x, w = roots_legendre(400)
     low = pupil.obscuration
     rho = low + 0.5 * (1 - low) * (1 + x)

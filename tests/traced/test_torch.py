@@ -10,21 +10,20 @@ import pytest
 
 import lommel as lm
 from lommel.traced.chordal import Sums
-from lommel.traced.module import module
-from sampled_twins import CASES, EDGE, by_steps, traced
+from traced_windows import CASES, EDGE, by_steps, traced
 
 torch = pytest.importorskip("torch")
 make_fx = pytest.importorskip("torch.fx.experimental.proxy_tensor").make_fx
 # What torch says of itself as it loads its parts.
 pytestmark = pytest.mark.filterwarnings("ignore::FutureWarning", "ignore::DeprecationWarning")
 
-REACH = lm.Pupil(lm.Wavefront([-10.0, 10.0], [-1.0, 1.0]))
+RANGE = lm.Pupil(lm.Wavefront([-10.0, 10.0], [-1.0, 1.0]))
 C = np.array([[3.0, 0.5], [-9.0, -1.0], [0.1, 0.0]])
 
 
 @pytest.fixture(scope="module")
 def f():
-    return lm.Plan(9, 0.5, tol=1e-9).traced(REACH, torch)
+    return lm.Plan(9, 0.5, tol=1e-9).traced(RANGE, torch)
 
 
 def test_gradients_of_first_and_second_order_are_those_of_differences(f):
@@ -51,7 +50,7 @@ def test_what_is_not_proven_is_told_or_poisoned(f):
 
 
 def test_a_module_has_the_tables_as_buffers_and_no_parameters(f):
-    layer = module(f)
+    layer = f.torch_module()
     assert not list(layer.parameters())
     assert len(list(layer.buffers())) == len(f.tables[0])
     assert torch.equal(layer(torch.tensor(C)), f(torch.tensor(C)))
@@ -64,12 +63,12 @@ def test_a_module_has_the_tables_as_buffers_and_no_parameters(f):
 def test_coefficients_of_another_kind_are_refused(f):
     with pytest.raises(ValueError, match="on the device"):
         f(torch.zeros(1, 2, device="meta"))
-    with pytest.raises(TypeError, match="twin must be of torch"):
-        module(lm.Plan(9, 0.5).traced(REACH))
+    with pytest.raises(TypeError, match="needs a plan traced in torch"):
+        lm.Plan(9, 0.5).traced(RANGE).torch_module()
 
 
 def test_products_of_less_precision_widen_the_bound():
-    f = lm.Plan(9, 0.5, tol=3e-2).traced(REACH, torch, precision="float32")
+    f = lm.Plan(9, 0.5, tol=3e-2).traced(RANGE, torch, precision="float32")
     before = f.error(torch.tensor(C))
     torch.set_float32_matmul_precision("high")
     try:

@@ -1,4 +1,4 @@
-"""What frameworks do with a twin: gradients of any order, vmap, jit, trees, poison where nothing can be raised."""
+"""Transforms of a traced plan: gradients of any order, vmap, jit, trees, poison where nothing can be raised."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from frameworks import hasty_programs
 jax = pytest.importorskip("jax")
 jnp = jax.numpy
 
-REACH = lm.Pupil(lm.Wavefront([-10.0, 10.0], [-1.0, 1.0]))
+RANGE = lm.Pupil(lm.Wavefront([-10.0, 10.0], [-1.0, 1.0]))
 C = np.array([[3.0, 0.5], [-9.0, -1.0], [0.1, 0.0]])
 
 
@@ -32,7 +32,7 @@ def hasty():
 @pytest.fixture(scope="module")
 def f():
     with jax.enable_x64(True):
-        return lm.Plan(9, 0.5, tol=1e-9).traced(REACH, jnp)
+        return lm.Plan(9, 0.5, tol=1e-9).traced(RANGE, jnp)
 
 
 def test_derivatives_are_those_of_the_core_forward_and_reverse(f, hasty):
@@ -70,7 +70,7 @@ def test_derivatives_of_wavefronts_of_any_terms_are_those_of_the_core(hasty):
 
 
 def test_float32_has_the_same_derivatives_but_for_its_rounding(hasty):
-    f = lm.Plan(9, 0.5, tol=2e-3).traced(REACH, jnp, precision="float32")
+    f = lm.Plan(9, 0.5, tol=2e-3).traced(RANGE, jnp, precision="float32")
     found = jax.jit(jax.jacrev(lambda c: f(c)[4, 5]))(jnp.asarray(C[0], dtype=jnp.float32))
     exact = lm.psf(lm.Pupil(lm.Wavefront(*C[0])), 9, 0.5, derivatives=("defocus", "spherical"))
     told = np.array([exact.derivatives[name][4, 5] for name in ("defocus", "spherical")])
@@ -84,20 +84,20 @@ def test_vmap_jit_scan_and_checkpoint_change_nothing(f, hasty):
         jax.jit(jax.vmap(f))(C),
         jax.lax.scan(lambda carry, c: (carry, f(c)), 0, C)[1],
         jax.checkpoint(f)(jnp.asarray(C)),
-        jax.jit(lambda twin, c: twin(c))(f, C),
+        jax.jit(lambda plan, c: plan(c))(f, C),
     ):
         assert np.abs(made - plain).max() < 1e-15
     assert f(C.reshape(3, 1, 2)).shape == (3, 1, 9, 9)
     assert f(np.zeros((0, 2))).shape == (0, 9, 9)
 
 
-def test_one_program_serves_all_coefficients_and_another_twin_of_the_same_kind(f):
+def test_one_program_serves_all_coefficients_and_another_plan_of_the_same_kind(f):
     count = []
 
     @jax.jit
-    def images(twin, c):
+    def images(plan, c):
         count.append(1)
-        return twin(c)
+        return plan(c)
 
     for k in range(3):
         images(f, C + 0.01 * k)
@@ -111,7 +111,7 @@ def test_traced_within_a_program_a_plan_leaks_nothing():
     plan, kept = lm.Plan(5, 0.5), []
 
     def inside(c):
-        kept.append(plan.traced(REACH, jnp))
+        kept.append(plan.traced(RANGE, jnp))
         return kept[-1](c)
 
     jax.jit(inside)(C)
@@ -142,16 +142,16 @@ def test_the_bound_has_no_gradient_and_gradients_of_images_have_their_own(f):
 def test_without_float64_bounds_are_those_of_float32():
     with jax.enable_x64(False):
         with pytest.raises(ValueError, match="jax_enable_x64"):
-            lm.Plan(9, 0.5).traced(REACH, jnp, precision="float64")
+            lm.Plan(9, 0.5).traced(RANGE, jnp, precision="float64")
         with pytest.raises(ValueError, match="dtype must be float32"):
-            lm.Plan(9, 0.5, tol=1e-9).traced(REACH, jnp)
+            lm.Plan(9, 0.5, tol=1e-9).traced(RANGE, jnp)
         with pytest.raises(lm.ToleranceError, match="jax_enable_x64"):
-            lm.Plan(9, 0.5, tol=1e-6).traced(REACH, jnp)
-        f = lm.Plan(9, 0.5, tol=1e-3).traced(REACH, jnp)
+            lm.Plan(9, 0.5, tol=1e-6).traced(RANGE, jnp)
+        f = lm.Plan(9, 0.5, tol=1e-3).traced(RANGE, jnp)
         assert f.precision == "float32"
         assert f.error(C).max() > 1e-6
     with jax.enable_x64(True):
-        f = lm.Plan(9, 0.5, tol=1e-6).traced(REACH, jnp)
+        f = lm.Plan(9, 0.5, tol=1e-6).traced(RANGE, jnp)
         assert (f.precision, str(f(C).dtype)) == ("float64", "float32")
         with jax.enable_x64(False), pytest.raises(TypeError, match="trace the plan anew"):
             jax.jit(f)(C.astype(np.float32))

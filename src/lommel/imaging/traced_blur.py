@@ -1,33 +1,123 @@
-"""Blur by depth that JAX and PyTorch can differentiate: windows as polynomials of defocus, of low rank."""
+"""Depth-dependent blur as a differentiable function: PSFs for all defocus as polynomials of low rank."""
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from functools import cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.imaging.blur import require_lens
 from lommel.imaging.sensor_light import SensorLight
 from lommel.methods.pixels.rule import octant
 from lommel.optics.lens import Lens
-from lommel.traced import depth_blur
-from lommel.traced.depth_blur import TracedBlur
-from lommel.traced.namespaces import Namespace
-from lommel.traced.plan_function import Distances
+from lommel.traced.namespaces import Namespace, Operand, Tensor
+from lommel.traced.traced_psf import Distances
 
 _MOST = 2000  # windows
 
 
+class Blur(NamedTuple):
+    """The part of a blur that holds no arrays: C_d from `low` to `high` (radians), and `half` the side of windows."""
+
+    namespace: Namespace
+    distances: Distances
+    low: float
+    high: float
+    half: int
+    precision: str
+    error: float
+
+
+class TracedBlur:
+    """Depth-dependent blur as a differentiable function: ``out = blur(image, distance)``, linear in the image.
+
+    ``out[q] = sum_p image[p] K(q - p; C_d(distance[p]))``, without light from beyond the edges and without occlusion.
+    Made by :func:`lommel.imaging.traced_blur`. The derivative by the image is the adjoint; that by the distance
+    exists everywhere in the valid range, beyond which everything is NaN.
+
+    Parameters
+    ----------
+    static : Blur
+        All but the arrays.
+    weights : array, shape (degrees, rank)
+        Of Chebyshev polynomials of the defocus.
+    windows : array, shape (rank, side, side)
+        Convolution kernels.
+
+    Attributes
+    ----------
+    rank : int
+        Number of convolutions.
+    half : int
+        Pixels from the middle of windows to their edge.
+    error : float
+        Largest error of a window over its peak, of all tested.
+    """
+
+    def __init__(self, static: Blur, weights: Tensor, windows: Tensor) -> None:
+        self._static, self._weights, self._windows = static, weights, windows
+
+    rank = property(lambda self: self._weights.shape[-1])
+    half = property(lambda self: self._static.half)
+    error = property(lambda self: self._static.error)
+
+    def defocus(self, distance: Operand) -> Any:
+        """Return C_d in radians of objects at a `distance`, metres; differentiable."""
+        there = self._static.distances
+        return there.waves * (there.vergence + 1.0 / distance)
+
+    def __call__(self, image: Operand, distance: Operand) -> Any:
+        """Return the blurred image.
+
+        Parameters
+        ----------
+        image, distance : array, shape (height, width)
+            Linear light of one channel, and metres from the lens.
+
+        Returns
+        -------
+        array, shape (height, width)
+
+        Raises
+        ------
+        ValueError
+            If they are not of one shape.
+        """
+        static = self._static
+        ns, xp = static.namespace, static.namespace.xp
+        if len(image.shape) != 2 or tuple(image.shape) != tuple(distance.shape):
+            shapes = f"{tuple(image.shape)} and {tuple(distance.shape)}"
+            raise ValueError(f"image and distance must be of one shape (height, width), got {shapes}")
+        image, distance = (xp.astype(part, self._weights.dtype) for part in (image, distance))
+        height, width = image.shape
+        middle, radius = 0.5 * (static.low + static.high), 0.5 * (static.high - static.low)
+        x = (self.defocus(distance) - middle) * (1.0 / radius)
+        x = xp.where(xp.abs(x) <= 1.0 + 1e-5, x, xp.full_like(x, float("nan")))
+        before, here = xp.ones_like(x), x
+        powers = [before, here]
+        for _ in range(self._weights.shape[0] - 2):
+            before, here = here, 2.0 * x * here - before
+            powers.append(here)
+        factors = ns.matmul(xp.stack(powers, axis=-1), self._weights)
+        parts = xp.permute_dims(factors, (2, 0, 1)) * image
+        size = _fast(height + 2 * static.half), _fast(width + 2 * static.half)
+        spectrum = xp.fft.rfftn(parts, s=size, axes=(-2, -1)) * xp.fft.rfftn(self._windows, s=size, axes=(-2, -1))
+        whole = xp.fft.irfftn(xp.sum(spectrum, axis=0), s=size, axes=(-2, -1))
+        return whole[static.half : static.half + height, static.half : static.half + width]
+
+
 def traced_blur(
     lens: Lens,
-    reach: ArrayLike,
+    distances: ArrayLike,
     pixel: float,
-    xp: Any = None,
+    xp: object = None,
     *,
-    device: Any = None,
+    device: object = None,
     precision: str = "float32",
     tol: float = 1e-4,
     energy: float = 0.98,
@@ -35,17 +125,16 @@ def traced_blur(
 ) -> TracedBlur:
     r"""Return the blur of a lens as a differentiable function of an image and its depth, in JAX, PyTorch or NumPy.
 
-    The PSF averaged over pixels is an entire function of C_d, so that on a range it is a sum of few Chebyshev
-    polynomials times windows; of these, singular vectors leave fewer. All defocus has one window, and is divided by
-    the light within it, so that nothing jumps: derivatives by depth are those of the image. See `Twins` in
-    docs/certificate.md.
+    The pixel-integrated PSF is an entire function of C_d: over a range it is a sum of few Chebyshev polynomials times
+    windows, and by singular vectors of fewer still. All defocus has one size of window, and is divided by the light
+    within it, so that derivatives by depth are those of the image. See docs/certificate.md.
 
     Parameters
     ----------
     lens : Lens
         Paraxial, with a round aperture and radially symmetric aberrations.
-    reach : array_like
-        Distances, metres; those between the least and the largest are possible.
+    distances : array_like
+        Metres; the valid range is from the least to the largest.
     pixel : float
         Pixel pitch, metres.
     xp, device
@@ -72,7 +161,7 @@ def traced_blur(
     ----------
     L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), Theorem 8.2.
     """
-    require_lens(lens, "lens, reach, pixel")
+    require_lens(lens, "lens, distances, pixel")
     if lens.model != "paraxial" or not lens.aberrations.radial or lens.aberrations.shape:
         raise ValueError("lens must be paraxial, with one set of radially symmetric aberrations")
     if lens.spider or lens.vignetting or lens.mask:
@@ -84,7 +173,7 @@ def traced_blur(
     validation.choice("precision", precision, ("float32", "float64"))
     if precision == "float64" and not ns.has_double(device):
         raise ValueError(f'precision must be "float32" here: {ns.name} has no float64, or was not told to use it')
-    found = lens.defocus(reach)
+    found = lens.defocus(distances)
     low, high = float(found.min()), float(found.max())
     low, high = (low, high) if high - low > 0.2 else (low - 0.1, high + 0.1)
     light = SensorLight.of(lens, [(lens.wavelength, 1.0)], pitch)
@@ -93,23 +182,23 @@ def traced_blur(
 
 
 def _made(
-    ns: Namespace, light: SensorLight, lens: Lens, where: tuple[float, float, int], how: tuple[str, float, Any]
+    ns: Namespace, light: SensorLight, lens: Lens, where: tuple[float, float, int], how: tuple[str, float, object]
 ) -> TracedBlur:
     (low, high, half), (precision, tol, device) = where, how
-    middle, reach = 0.5 * (low + high), 0.5 * (high - low)
+    middle, radius = 0.5 * (low + high), 0.5 * (high - low)
 
-    def windows(x: Any) -> Any:
-        shares = light.shares(light.defocused(middle + reach * x), half)
+    def windows(x: Array) -> Array:
+        shares = light.shares(light.defocused(middle + radius * x), half)
         column, row = octant(half)
         alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
         return shares / (shares @ alike)[:, None]
 
-    # |I| grows like exp(2 |Im C|): what is left out of a polynomial, but for that of the division by the light.
+    # |I| grows like exp(2 |Im C|), which bounds the truncation but for the division by the light.
     rho = 1.0 + np.geomspace(1e-3, 20.0, 200)
-    logarithm = reach * (rho - 1.0 / rho) + np.log(4.0 / (1e-9 * (rho - 1.0)))
+    logarithm = radius * (rho - 1.0 / rho) + np.log(4.0 / (1e-9 * (rho - 1.0)))
     count = 8 + math.ceil(float((1.0 + logarithm / np.log(rho)).min()))
     if count > _MOST:
-        raise ValueError(f"reach spans C_d from {low:.4g} to {high:.4g} rad, which takes {count} windows, too many")
+        raise ValueError(f"distances span C_d from {low:.4g} to {high:.4g} rad and take {count} windows, too many")
     angle = (np.arange(count) + 0.5) * (math.pi / count)
     transform = np.cos(np.outer(np.arange(count), angle)) * (2.0 / count)
     transform[0] *= 0.5
@@ -117,11 +206,11 @@ def _made(
     between = np.cos(np.linspace(0.0, math.pi, 2 * count + 1))
     exact, polynomials = windows(between), np.cos(np.outer(np.arccos(between), np.arange(count)))
     coefficients, peak = transform @ at_nodes, exact.max(axis=1)
-    # Degrees that no pixel has anything of are left out: windows at nodes are known to 1e-7 of their peaks.
+    # Negligible degrees are left out: windows at nodes have errors of 1e-7 of their peaks.
     tail = np.cumsum(np.abs(coefficients).max(axis=1)[::-1])[::-1]
     degrees = max(2, int((tail > 1e-2 * tol * peak.min()).sum()))
-    # As a whole picture adds these up, errors are to be small beside the faintest peak.
-    weights, kept = depth_blur.factored(coefficients[:degrees], polynomials[:, :degrees], 0.4 * tol * peak.min())
+    # A picture sums over pixels at all depths, so errors have to be small beside the faintest peak.
+    weights, kept = _factored(coefficients[:degrees], polynomials[:, :degrees], 0.4 * tol * peak.min())
     error = float((np.abs(polynomials[:, :degrees] @ weights @ kept - exact).max(axis=1) / peak).max())
     column, row = octant(half)
     cell = np.empty((half + 1, half + 1), dtype=np.int64)
@@ -129,5 +218,37 @@ def _made(
     away = np.abs(np.arange(-half, half + 1))
     waves = math.pi / (2.0 * lens.wavelength) * (0.5 * lens.aperture_diameter) ** 2
     distances = Distances(1.0 / lens.sensor_distance - 1.0 / lens.focal_length, waves)
-    static = depth_blur.Blur(ns, distances, low, high, half, precision, error)
-    return depth_blur.placed(static, weights, kept[:, cell[away[:, None], away]], device)
+    static = Blur(ns, distances, low, high, half, precision, error)
+    kind = getattr(ns.xp, precision)
+    if ns.name == "jax":
+        _register()
+    kernels = kept[:, cell[away[:, None], away]]
+    return TracedBlur(static, ns.put(weights, device, kind), ns.put(kernels, device, kind))
+
+
+def _fast(side: int) -> int:
+    from scipy.fft import next_fast_len
+
+    return int(next_fast_len(side, real=True))
+
+
+def _factored(coefficients: Array, windows: Array, allowed: float) -> tuple[Array, Array]:
+    """Return factors of Chebyshev `coefficients` (degrees, pixels), of the least rank for an error of the windows."""
+    left, size, right = np.linalg.svd(coefficients, full_matrices=False)
+    exact = windows @ coefficients
+    for rank in range(1, len(size) + 1):
+        if np.abs((windows @ (left[:, :rank] * size[:rank])) @ right[:rank] - exact).max() <= allowed:
+            break
+    return left[:, :rank] * size[:rank], right[:rank]
+
+
+@cache
+def _register() -> None:
+    """Register the class with JAX as a tree of its tables."""
+    import jax
+
+    jax.tree_util.register_pytree_node(
+        TracedBlur,
+        lambda blur: ((blur._weights, blur._windows), blur._static),
+        lambda static, parts: TracedBlur(static, *parts),
+    )

@@ -1,32 +1,39 @@
-"""What twins prove of their field, computed where the field is, and what that makes of images.
+r"""Error bounds of the fields and images of traced plans, computed on the device of the field.
 
-A field of error e whose largest modulus in the window was found to be M makes an intensity that is off by at most
-``2 M e + e^2``, over a peak that falls short of the one found by at most as much: docs/certificate.md, section 6.
+A field of error e with the largest modulus M in the window makes an intensity that is off by at most ``2 M e + e^2``,
+over a peak that falls short of the computed one by at most as much: docs/certificate.md, section 6.
+
+Of the chordal rule, the integrand off the disk is bounded by its mean on a curve. Terms do not reach their largest
+values at one place, so the mean of ``|F| = exp(h + l)``, l that of the kernel, is far below its largest value. Over
+the window it is convex, and largest at a corner. There, under the weight of the curve and ``exp(l)``, h has a mean m
+and a variance s^2, a linear and a square form in the coefficients, whose tables are integrals. As ``(e^x - 1 - x) /
+x^2`` rises with x and ``h <= H``, ``<e^h> <= e^m (1 + k s^2)``, k that of ``H - m``. On either curve h is a
+trigonometric polynomial in two angles, so H is the largest of samples, a little widened. Conjugate points have
+opposite h, so that half of the angles suffice.
 """
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
-from lommel.traced.namespaces import Namespace
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.special.legendre import gauss_legendre
+from lommel.traced.namespaces import Namespace, Tables, Tensor
 from lommel.traced.phases import PhaseRule
 
-_MOST = 60.0  # of a logarithm that is exponentiated: what is larger is as good as infinite
+_MOST = 60.0  # of a logarithm that is exponentiated: more counts as infinite
 _ROOM = 1.001  # for what is computed in float32
 
 
 class Exponents(NamedTuple):
-    """How a bound on quadrature follows from coefficients; see :func:`quadrature`.
+    """Numbers of ellipses and of points on each, and how much samples are widened; see :func:`quadrature`.
 
-    Attributes
-    ----------
-    curves : int
-        How many were chosen.
-    points : int
-        On each.
-    widening, curved : float
-        What the largest value on the points is multiplied by; 0 and what is added of that of the phase, where
-        neighbours are joined.
+    `widening` multiplies the largest sample; where `curved` is not 0, neighbours are joined, and it is added times
+    the largest phase.
     """
 
     curves: int
@@ -35,8 +42,8 @@ class Exponents(NamedTuple):
     curved: float
 
 
-def quadrature(ns: Namespace, rule: Exponents, tables: dict[str, Any], c: Any, unit: float) -> Any:
-    """Bound the error of quadrature, shape (n,), by the tables imaginary, kernel, constant and most."""
+def quadrature(ns: Namespace, rule: Exponents, tables: Tables, c: Tensor, unit: float) -> Tensor:
+    """Return a bound on the error of quadrature on the radius, shape (n,)."""
     xp = ns.xp
     phase = xp.abs(ns.matmul(c, tables["imaginary"]))
     phase = xp.reshape(phase, (phase.shape[0], rule.curves, rule.points))
@@ -45,35 +52,35 @@ def quadrature(ns: Namespace, rule: Exponents, tables: dict[str, Any], c: Any, u
         largest = xp.max(pairs, axis=-1) + rule.curved * xp.max(phase, axis=-1)
     else:
         largest = xp.max(phase + tables["kernel"], axis=-1) * rule.widening
-    # What the products above may have lost, and the sums of logarithms.
+    # Rounding of the products above, and of the sums of logarithms.
     lost = (c.shape[-1] + 8) * (unit + ns.coarseness(unit)) * ns.matmul(xp.abs(c), tables["most"])
     logarithm = xp.min(largest + lost + tables["constant"], axis=-1)
     return exponential(ns, logarithm)
 
 
-def exponential(ns: Namespace, logarithm: Any) -> Any:
-    """Return e to a logarithm and a little more; what would be out of range is infinite."""
+def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
+    """Return e to a logarithm and a little more; inf out of range."""
     xp = ns.xp
     big = logarithm > _MOST
     least = xp.exp(xp.where(big, xp.zeros_like(logarithm), logarithm)) * _ROOM
-    return xp.where(big, _infinite(xp, least), least)
+    return xp.where(big, _infinite(ns, least), least)
 
 
 class FieldError(NamedTuple):
-    """What a field is off by, but for quadrature.
+    """Errors of a field but for quadrature.
 
     Attributes
     ----------
     unit : float
         Unit roundoff of the sums.
     sums : float
-        Largest sum over nodes of what is multiplied with waves.
+        Largest sum over nodes of the factors of the waves.
     rounding : float
         Of sums, waves and tables.
     left_out : float
-        What terms and amplitude do not hold of the pupil that is meant.
+        From phase and amplitude that the terms leave out.
     products : float
-        What `sums` is multiplied by where products round operands by a unit.
+        Factor of `sums` for matrix products that round their operands.
     """
 
     unit: float
@@ -82,41 +89,199 @@ class FieldError(NamedTuple):
     left_out: float
     products: float
 
-    def total(self, ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any, quadrature_error: Any) -> Any:
-        """Bound the error of the field; infinite where a phase is larger than sums of terms were made for."""
+    def total(
+        self, ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor, quadrature_error: Tensor | float
+    ) -> Tensor:
+        """Return a bound on the error of the field; inf where a phase is beyond the valid range of the rule."""
         xp = ns.xp
         coarse = ns.coarseness(self.unit)
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
         each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
         error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
         error = error + (self.rounding + self.left_out)
-        return xp.where(size <= rule.limit, error, _infinite(xp, error))
+        return xp.where(size <= rule.limit, error, _infinite(ns, error))
 
 
-def of_intensity(ns: Namespace, intensity: Any, error: Any, unit: float) -> Any:
-    """Bound the error of the squared modulus of a field, shape (n,), all of whose values are given."""
+def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
+    """Return a bound on the error of the squared modulus of a field, shape (n,)."""
     largest = ns.xp.max(intensity, axis=-1)
     return (2.0 * ns.xp.sqrt(largest) + error) * error + 4.0 * unit * largest
 
 
-def over_peak(ns: Namespace, values: Any, error: Any, stored: float, *, divided: bool) -> Any:
-    """Bound the error over the exact peak of the values, once they are stored, or first divided by their peak.
-
-    Infinite where there is none, NaN never.
-    """
+def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, divided: bool) -> Tensor:
+    """Return a bound on the error over the exact peak of stored values, or of values divided by it; never NaN."""
     xp = ns.xp
     peak = xp.max(values, axis=-1)
     room = peak - error
     ratio = error / xp.where(room > 0.0, room, xp.ones_like(peak))
-    ratio = xp.where(room > 0.0, ratio, _infinite(xp, ratio))
+    ratio = xp.where(room > 0.0, ratio, _infinite(ns, ratio))
     if divided:
         small = ratio < 0.5
         ratio = xp.where(small, ratio, xp.zeros_like(ratio))
-        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), _infinite(xp, ratio))
+        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), _infinite(ns, ratio))
     bound = (ratio + (1.0 + ratio) * stored) * _ROOM
-    # What is not a number compares as False.
-    return xp.where(bound >= 0.0, bound, _infinite(xp, bound))
+    # NaN compares as False.
+    return xp.where(bound >= 0.0, bound, _infinite(ns, bound))
 
 
-def _infinite(xp: Any, like: Any) -> Any:
-    return xp.full_like(like, float("inf"))
+def _infinite(ns: Namespace, like: Tensor) -> Tensor:
+    return ns.xp.full_like(like, float("inf"))
+
+
+_STEPS = 5  # of half a turn, for each degree
+_WIDENED = 1.0 / math.cos(0.5 * math.pi / _STEPS) ** 2
+CURVES = np.geomspace(0.04, 1.6, 24)
+_MOST_OF_MEAN = 40.0  # of logarithms of means on usable curves
+_ROUNDED = 0.05  # for the rounding of exponentials and logarithms
+_LEAST, _FAR = 0.5, 60.0  # the least H - m that is used, and where its exponential would overflow
+_NUMPY = Namespace.of(None)
+Reals = NDArray[np.floating[Any]]
+
+
+class Mean(NamedTuple):
+    """The bound of one sum on a curve: numbers of disks and of corners of the window, and the unit roundoff."""
+
+    disks: int
+    corners: int
+    unit: float
+
+    def logarithm(self, ns: Namespace, tables: Tables, name: str, c: Tensor) -> Tensor:
+        """Return a bound on the logarithm of the error of the sum, shape (n,)."""
+        total = self._of_disk(ns, tables, f"{name} 0", c)
+        for k in range(1, self.disks):
+            total = ns.xp.logaddexp(total, self._of_disk(ns, tables, f"{name} {k}", c))
+        return total
+
+    def _of_disk(self, ns: Namespace, tables: Tables, name: str, c: Tensor) -> Tensor:
+        xp, terms = ns.xp, c.shape[-1]
+        c = xp.permute_dims(c, (1, 0))
+        values, forms = ns.matmul(tables[f"{name} samples"], c), ns.matmul(tables[f"{name} forms"], c)
+        size = ns.matmul(tables[f"{name} size"], xp.abs(c))
+        lost = ((terms + 10) * (self.unit + ns.coarseness(self.unit)) + 1e-6) * size[0, ...]
+        top = _WIDENED * xp.max(xp.abs(values), axis=0) + lost
+        mean = forms[: self.corners, :] + lost
+        square = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
+        spread = xp.sqrt(xp.sum(square * square, axis=1)) + lost
+        x, variance = top - mean + 2.0 * lost, spread * spread
+        near = xp.where(x < _LEAST, xp.full_like(x, _LEAST), x)
+        near = xp.where(x > _FAR, xp.full_like(x, _FAR), near)
+        tail = xp.log1p(variance * ((xp.exp(near) - 1.0 - near) / (near * near)))
+        tail = xp.where(x > _FAR, x + xp.log1p(variance), tail)
+        return xp.max(mean + tail + tables[f"{name} constant"], axis=0)
+
+
+def fewest(
+    name: str,
+    where: tuple[tuple[Any, ...], float, tuple[Array, Array]],
+    c: Array,
+    disks: list[tuple[float, Array]],
+    error: float,
+    chords: int,
+    unit: float,
+) -> tuple[int, Mean, Tables] | None:
+    """Return the fewest chords or nodes for an error of all members `c`, with their bound; None without a curve.
+
+    `where` are terms, stretch and window, `disks` their radii and constants of the logarithms on the curves.
+    """
+    found = None
+    for j, b in enumerate(CURVES.tolist()):
+        if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
+            break
+        tables: Tables = {}
+        for k, (radius, constants) in enumerate(disks):
+            mean, one = mean_on_curve(*where, name, b, chords, (k, radius))
+            one[f"{name} {k} constant"] = one[f"{name} {k} constant"] + (float(constants[j]) + _ROUNDED)
+            tables |= one
+        mean = mean._replace(disks=len(disks), unit=unit)
+        with np.errstate(over="ignore", invalid="ignore"):
+            size = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
+        if not size < _MOST_OF_MEAN:
+            continue
+        count = even((size - math.log(error)) / (2.0 * b))
+        if found is None or count < found[0]:
+            for k in range(len(disks)):
+                tables[f"{name} {k} constant"] = tables[f"{name} {k} constant"] - 2.0 * count * b
+            found = count, mean, tables
+    return found
+
+
+def even(needed: float) -> int:
+    """Return the next even number of chords or nodes, at least four."""
+    return max(4, 2 * math.ceil(0.5 * needed))
+
+
+def mean_on_curve(
+    terms: tuple[tuple[int, int], ...],
+    stretch: float,
+    window: tuple[Array, Array],
+    name: str,
+    b: float,
+    chords: int,
+    disk: tuple[int, float] = (0, 1.0),
+) -> tuple[Mean, Tables]:
+    """Return the bound of the sum over "chords", or over "nodes" of so many chords, on a curve b, and its tables.
+
+    `window` are rows and columns in v, `disk` is the number and the radius of the disk; without constants.
+    """
+    (y, x), radius = window, disk[1]
+    degrees = np.array([n for n, _ in terms], dtype=np.float64)
+    steps = _STEPS * max(2, int(degrees.max()))
+    angle = np.arange(steps + 1) * (math.pi / steps)
+    at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
+    samples = stretch * polynomials(terms, *at).imag
+    # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
+    reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
+    count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
+    half = (np.arange(count) + 0.5) * (math.pi / count)
+    if name == "chords":
+        eta, gauss = gauss_legendre(count, -1.0, 1.0)
+        curve = _curve(name, b, half, eta, half)
+        share = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
+    else:
+        phi = np.arange(1, chords + 1) * (math.pi / (chords + 1))
+        curve = _curve(name, b, phi, half, half)
+        share = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
+    at = [radius * places for places in curve]
+    values = stretch * polynomials(terms, *at).imag
+    values, share = np.concatenate([-values, values], axis=1), 0.5 * np.concatenate([share.ravel(), share.ravel()])
+    constants, means, forms = [], [], []
+    corners = sorted({(u, w) for u in (float(y.min()), float(y.max())) for w in (float(x.min()), float(x.max()))})
+    for u, w in corners:
+        lift = w * at[0].imag + u * at[1].imag
+        weight = share * np.exp(np.concatenate([lift, -lift]))
+        total = float(weight.sum())
+        mean = values @ (weight / total)
+        off = values - mean[:, None]
+        size, vectors = np.linalg.eigh((off * (weight / total)) @ off.T)
+        constants.append(math.log(total))
+        means.append(mean)
+        forms.append(np.sqrt(np.maximum(size, 0.0))[:, None] * vectors.T)
+    of_disk: Tables = {
+        "samples": np.ascontiguousarray(samples.T),
+        "forms": np.concatenate([np.stack(means), *forms]),
+        "size": stretch * np.sinh(degrees * b)[None, :],
+        "constant": np.array(constants)[:, None],
+    }
+    return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
+
+
+def _curve(name: str, b: float, first: Reals, eta: Reals, second: Reals) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
+    if name == "chords":
+        px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
+    else:
+        px, py = np.cos(first)[:, None] + 0.0j * second, np.sin(first)[:, None] * np.cos(second + 1j * b)
+    return px.ravel(), py.ravel()
+
+
+def polynomials(terms: tuple[tuple[int, int], ...], x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.complex128]:
+    """Return Zernike terms at complex points, shape ``(terms,) + x.shape``."""
+    from scipy.special import eval_jacobi
+
+    square, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
+    found = []
+    for n, m in terms:
+        order = abs(m)
+        around = 0.5 * (plus**order + minus**order) if m >= 0 else -0.5j * (plus**order - minus**order)
+        found.append(eval_jacobi((n - order) // 2, 0.0, float(order), square + 0j) * around)
+    return np.stack(found)

@@ -1,9 +1,9 @@
-r"""The field of pupils with any Zernike terms, by the rule of chords: products of matrices.
+r"""The field of pupils with any Zernike terms by the chordal rule, as products of matrices.
 
-Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; over each chord the kernel is that of the rows of a window, over
-the chords that of its columns. What is proven of the two sums is in docs/certificate.md, section 8: with W_p the
-amplitude of the terms of a degree n_p and |m|, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in
-W_p, so that its bound is a product too. An inner disk is more chords, of negative weights.
+Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; along a chord the kernel is that of the rows of a window, across
+chords that of its columns. The bounds of the two sums are in docs/certificate.md, section 8: with W_p the amplitude
+of the terms of a degree n_p and |m|, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in W_p, so
+that the bound is a product too. An inner disk is more chords, of negative weights.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,43 +19,43 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError
 from lommel.core.engine import DiskStack, Window, chordal_sums, chordal_sums_gradient
+from lommel.methods.derivative_names import Term
 from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from lommel.traced import phases
-from lommel.traced.certificate import FieldError, exponential
-from lommel.traced.means import CURVES, Mean, best, even
-from lommel.traced.namespaces import Namespace
+from lommel.traced.certificate import CURVES, FieldError, Mean, even, exponential, fewest
+from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 from lommel.traced.phases import UNIT, PhaseRule, waves
 from lommel.traced.radial import columns
 
-# At the four images ``(+-x, +-y)`` of a node the waves have parts that are even and odd in either coordinate. With
-# these the kernel is a product of a cosine or sine of ``v_x x`` and one of ``v_y y``, real, and the same at the
-# images of a pixel but for signs. Pupils stand last throughout: all products are of small tables with long rows.
+# At the four images (+-x, +-y) of a node the waves have parts that are even and odd in either coordinate. With these
+# the kernel is a product of a cosine or sine of v_x x and one of v_y y, real, and the same at the images of a pixel
+# but for signs. Pupils are the last axis throughout, so that all products are of small tables with long rows.
 
 IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))  # of a node: signs of x and y
 
 
 class Axis(NamedTuple):
-    """How the places of a window along one axis follow from those on one side of its middle.
+    """The places of a window along one axis by those on one side of its middle.
 
     Attributes
     ----------
     first : int
-        Of those, the first with an image: 1 where the middle is a place itself.
+        The first of those with an image: 1 where the middle is a place itself.
     negative, positive : int
-        How many are on either side; none is negative where places are no images of each other, and all are kept.
+        Numbers of places on either side; none is negative where the window is not symmetric, and all are kept.
     """
 
     first: int
     negative: int
     positive: int
 
-    def whole(self, ns: Namespace, below: Any, above: Any, axis: int) -> Any:
-        """Return values at all places, along an axis, from those at the images and at the places that are kept."""
-        here: list[Any] = [slice(None)] * 3
+    def whole(self, ns: Namespace, below: Tensor, above: Tensor, axis: int) -> Tensor:
+        """Return values at all places along an axis, from those at images and at kept places."""
+        here = [slice(None)] * 3
         here[axis] = slice(0, self.positive)
         above = above[tuple(here)]
         if not self.negative:
@@ -86,19 +86,11 @@ def folded_tables(x: Array, y: Array, weights: Array, columns: Array, rows: Arra
 
 
 def folded_intensity(
-    ns: Namespace, kernels: dict[str, Any], waves: list[tuple[Any, Any]], axes: tuple[Axis, Axis]
-) -> Any:
+    ns: Namespace, kernels: Tables, waves: list[tuple[Tensor, Tensor]], axes: tuple[Axis, Axis]
+) -> Tensor:
     """Return the squared modulus of the sum, shape ``(n, columns * rows)``, columns one after another.
 
-    Parameters
-    ----------
-    ns : Namespace
-    kernels : dict
-        Those of :func:`tables`.
-    waves : list of (array, array)
-        Cosine and sine at each of :data:`IMAGES`, chord by chord, ``(nodes, n)``.
-    axes : (Axis, Axis)
-        Of columns and rows.
+    `waves` are cosine and sine at each of :data:`IMAGES`, ``(nodes, n)``, `axes` those of columns and rows.
     """
     parts = [part for images in zip(*waves, strict=True) for part in _transformed(ns, kernels, images)]
     image = ns.apart(_assembled(ns, axes), *ns.apart(_quadrants(axes), *parts))
@@ -106,22 +98,22 @@ def folded_intensity(
     return ns.xp.permute_dims(ns.xp.reshape(image, (across * down, count)), (1, 0))
 
 
-def _transformed(ns: Namespace, kernels: dict[str, Any], images: tuple[Any, ...]) -> list[Any]:
+def _transformed(ns: Namespace, kernels: Tables, images: tuple[Tensor, ...]) -> list[Tensor]:
     """Return the sums of parts even in both, odd in y, odd in x and odd in both, each ``(columns, rows, n)``."""
-    found = []
+    found: list[Tensor] = []
     for across in ("across even", "across odd"):
         for along in ("along even", "along odd"):
             part, given = _part(ns, along, across), (kernels[along], kernels[across], *images)
-            # One after the other, lest what is between two products go to the memory and come back.
+            # One after the other: intermediate results then stay in the cache.
             found.append(ns.apart(part, *given))
     return found
 
 
 @cache
 def _part(ns: Namespace, along: str, across: str) -> Callable[..., Any]:
-    """Return what sums that part of values at four images which is even or odd in y and x, as kernels are called."""
+    """Return the function that sums the part of values at four images that is even or odd in y and x."""
 
-    def made(rows: Any, columns: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
+    def made(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
         one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
         part = one + other if across == "across even" else one - other
         chords, places, nodes = rows.shape
@@ -134,10 +126,10 @@ def _part(ns: Namespace, along: str, across: str) -> Callable[..., Any]:
 
 
 @cache
-def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Any, ...]]:
-    """Return what makes values at images of the places that are kept, of the parts of a sum, real and imaginary."""
+def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
+    """Return the function from real and imaginary parts of a sum to intensities at images of the kept places."""
 
-    def made(*parts: Any) -> tuple[Any, ...]:
+    def made(*parts: Tensor) -> tuple[Tensor, ...]:
         real, imaginary = parts[:4], parts[4:]
         alike = real[0] - real[3], imaginary[1] + imaginary[2], imaginary[0] - imaginary[3], real[1] + real[2]
         other = real[0] + real[3], imaginary[2] - imaginary[1], imaginary[0] + imaginary[3], real[2] - real[1]
@@ -150,15 +142,15 @@ def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Any, ...]]:
     return made
 
 
-def _square(real: Any, imaginary: Any) -> Any:
+def _square(real: Tensor, imaginary: Tensor) -> Tensor:
     return real * real + imaginary * imaginary
 
 
 @cache
-def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Any]:
-    """Return what makes images ``(columns, rows, n)`` of the quadrants that there are."""
+def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Tensor]:
+    """Return the function that joins quadrants to images ``(columns, rows, n)``."""
 
-    def made(*quadrants: Any) -> Any:
+    def made(*quadrants: Tensor) -> Tensor:
         across, down = axes
         each = 2 if down.negative else 1
         sides = [down.whole(ns, quadrants[k + each - 1], quadrants[k], 1) for k in range(0, len(quadrants), each)]
@@ -168,34 +160,16 @@ def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Any]:
 
 
 # Each step of PyTorch is a pass over the memory, and its products of small matrices alone take as long as the core.
-# So where nothing but values or a first gradient is asked for, the core sums over the same chords and nodes. It is
-# for float32 alone: what the core loses there is less than what is counted for the framework (docs/certificate.md),
-# so that bounds stay what they are.
+# So for values and a first gradient the core sums over the same chords and nodes, in float32 only: its rounding is
+# less than what the bound counts for the framework (docs/certificate.md).
 
-_DEGREE = 30  # what rounding to parts of a turn adds rises with the number of terms
+_DEGREE = 30  # rounding to parts of a turn grows with the number of terms
 
 
 class Sums(NamedTuple):
-    """Which sums they are.
+    """Chordal sums of the compiled core, with `stretch` multiplying coefficients and pitch."""
 
-    Attributes
-    ----------
-    terms : tuple of (n, m)
-    stretch : float
-        That coefficients and pitch are multiplied by.
-    obscuration : float
-    exponent : tuple of float
-        Of the amplitude.
-    shape : (int, int)
-        Rows and columns.
-    axis : (float, float)
-        Row and column of the axis.
-    step : float
-        Pitch in v.
-    chords, nodes : int
-    """
-
-    terms: tuple[tuple[int, int], ...]
+    terms: tuple[Term, ...]
     stretch: float
     obscuration: float
     exponent: tuple[float, ...]
@@ -205,7 +179,7 @@ class Sums(NamedTuple):
     chords: int
     nodes: int
 
-    def _asked(self, c: Array) -> tuple[DiskStack, Window, tuple[int, int]]:
+    def _arguments(self, c: Array) -> tuple[DiskStack, Window, tuple[int, int]]:
         edge = np.multiply(c, self.stretch, dtype=np.float64, order="C")
         terms, exponent = np.array(self.terms, dtype=np.int32), np.array(self.exponent)
         window = Window(self.shape, self.axis, self.stretch * self.step)
@@ -213,33 +187,33 @@ class Sums(NamedTuple):
 
     def intensity(self, c: Array, threads: int) -> NDArray[np.float32]:
         """Return I of pupils `c`, shape ``(n, columns * rows)``, columns one after another."""
-        return chordal_sums(*self._asked(c), threads).reshape(len(c), -1)
+        return chordal_sums(*self._arguments(c), threads).reshape(len(c), -1)
 
     def gradient(self, c: Array, weights: Array, threads: int) -> Array:
-        """Return the derivatives by `c` of the sum of weights times what :meth:`intensity` returns."""
+        """Return the derivatives by `c` of a weighted sum of :meth:`intensity`."""
         by_row = weights.reshape(len(c), *self.shape[::-1]).transpose(0, 2, 1)
         by_row = np.ascontiguousarray(by_row, dtype=np.float64)
-        return self.stretch * chordal_sums_gradient(*self._asked(c), by_row, threads)
+        return self.stretch * chordal_sums_gradient(*self._arguments(c), by_row, threads)
 
 
 def compiled_sums(
-    pupil: Pupil, grid: Grid, stretch: float, terms: tuple[Any, ...], counts: tuple[int, int]
+    pupil: Pupil, grid: Grid, stretch: float, terms: tuple[Term, ...], counts: tuple[int, int]
 ) -> Sums | None:
-    """Return the sums of samples of square pixels by so many chords and nodes; None where the core has none such."""
+    """Return the sums for samples of square pixels by so many chords and nodes; None if the core has none."""
     if grid.integrate or not isinstance(grid.pixel, float) or not all(0 < n <= _DEGREE for n, _ in terms):
         return None
     light = tuple(pupil.illumination.exponent.tolist())
     return Sums(terms, stretch, pupil.obscuration, light, grid.shape, grid.axis, grid.step(pupil), *counts)
 
 
-def intensity(ns: Namespace, sums: Sums | None, c: Any, followed: Callable[[Any], Any]) -> Any:
-    """Return what `followed` makes of coefficients `c`, by the sums where it need not be followed step by step."""
-    values = ns.values_now(c) if sums and len(c) else None
+def intensity(ns: Namespace, sums: Sums | None, c: Tensor, followed: Callable[[Tensor], Tensor]) -> Tensor:
+    """Return the intensity for coefficients `c` by the core where possible, else by the framework in `followed`."""
+    values = ns.values_now(c) if sums and c.shape[0] else None
     if sums is None or values is None:
         return followed(c)
     if ns.name == "numpy":
         return sums.intensity(values, 0)
-    return _of_torch().apply(c, sums, followed)
+    return _of_torch().apply(c, sums, followed)  # type: ignore[no-any-return]
 
 
 @cache
@@ -249,16 +223,16 @@ def _of_torch() -> Any:
     ns = Namespace.of("torch")
 
     class Compiled(torch.autograd.Function):  # type: ignore[misc]
-        """The sums with their gradient; that has its own from the steps of PyTorch."""
+        """The sums with their gradient; higher derivatives are those of PyTorch."""
 
         @staticmethod
-        def forward(ctx: Any, c: Any, sums: Sums, followed: Callable[[Any], Any]) -> Any:
+        def forward(ctx: Any, c: Operand, sums: Sums, followed: Callable[[Tensor], Tensor]) -> Tensor:
             ctx.save_for_backward(c)
             ctx.sums, ctx.followed = sums, followed
-            return torch.from_numpy(sums.intensity(c.detach().numpy(), torch.get_num_threads()))
+            return torch.from_numpy(sums.intensity(c.detach().numpy(), torch.get_num_threads()))  # type: ignore[no-any-return]
 
         @staticmethod
-        def backward(ctx: Any, weights: Any) -> tuple[Any, None, None]:
+        def backward(ctx: Any, weights: Operand) -> tuple[Tensor, None, None]:
             (c,) = ctx.saved_tensors
             given = None if torch.is_grad_enabled() else ns.values_now(weights)
             if given is not None:
@@ -277,7 +251,7 @@ _SAMPLED, _MEMBERS = 12, 64  # degrees and pupils that means are sampled for
 
 
 class Chordal(NamedTuple):
-    """The field of one wavelength: all that is no array."""
+    """The field of any pupil at one wavelength, without its tables."""
 
     phase: PhaseRule
     error: FieldError
@@ -285,21 +259,21 @@ class Chordal(NamedTuple):
     means: tuple[Mean, Mean] | None
     sums: Sums | None
 
-    def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
+    def intensity(self, ns: Namespace, tables: Tables, c: Tensor) -> tuple[Tensor, Tensor]:
         """Return I, shape ``(n, columns * rows)``, column by column, and a bound on the error of the field, (n,)."""
 
-        def followed(c: Any) -> Any:
+        def followed(c: Tensor) -> Tensor:
             of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(IMAGES))]
             both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
             return folded_intensity(ns, tables, both, self.axes)
 
-        error = self._field_error(ns, tables, c)  # first, lest its room be beside that of images
+        error = self._field_error(ns, tables, c)  # first: its memory is free again before the images
         return intensity(ns, self.sums, c, followed), error
 
-    def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
+    def _field_error(self, ns: Namespace, tables: Tables, c: Tensor) -> Tensor:
         xp = ns.xp
         still = ns.stop(xp.astype(c, tables["size"].dtype))
-        total = 0.0
+        total: Tensor | float = 0.0
         for name, mean in zip(("chords", "nodes"), self.means or (None, None), strict=True):
             if mean is not None:
                 total = total + exponential(ns, mean.logarithm(ns, tables, name, still))
@@ -312,7 +286,7 @@ class Chordal(NamedTuple):
         return self.error.total(ns, self.phase, tables, still, total)
 
 
-def pairs(terms: tuple[Any, ...]) -> tuple[Array, Array]:
+def pairs(terms: tuple[Term, ...]) -> tuple[Array, Array]:
     """Return which terms share a degree and abs(m), shape ``(terms, pairs)``, and the degree of each pair."""
     kinds = sorted({(n, abs(m)) for n, m in terms})
     matrix = np.zeros((len(terms), len(kinds)))
@@ -322,7 +296,7 @@ def pairs(terms: tuple[Any, ...]) -> tuple[Array, Array]:
 
 
 def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
-    """Return what is added to the logarithm of the integrand on curves, of both sums, but for ``-2 N b``."""
+    """Return the constants of the logarithms of both sums on curves, without ``-2 N b``."""
     grown = light.growth(np.cosh(2.0 * b)) if not light.uniform else 0.0
     # With four chords or more, 1 - exp(-2 (N + 1) b) is more than 1 - exp(-10 b).
     chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + grown
@@ -331,29 +305,14 @@ def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
 
 def make(
     pupil: Pupil, grid: Grid, stretch: float, window: tuple[Array, Array], error: float, precision: str
-) -> tuple[Chordal, dict[str, Array]]:
-    """Return the field of a stack at rows and columns in v, and of pupils no larger than a member, and its tables.
+) -> tuple[Chordal, Tables]:
+    """Return the field at rows and columns in v of pupils no larger than a member of a stack, and its tables.
 
-    Parameters
-    ----------
-    pupil : Pupil
-        At its own wavelength.
-    grid : Grid
-    stretch : float
-        That wavelength over the one of the field.
-    window : (ndarray, ndarray)
-        Rows and columns, at the wavelength of the field.
-    error : float
-        Of the quadrature.
-    precision : str
-
-    Raises
-    ------
-    ToleranceError
-        If it takes too many chords.
+    `stretch` is the wavelength of the pupil over that of the field and of `window`. ToleranceError if it takes too
+    many chords.
     """
     y, x = window
-    terms, c = columns(pupil)
+    terms, c = _terms(pupil)
     low, light = pupil.obscuration, pupil.illumination
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
@@ -369,12 +328,13 @@ def make(
     basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
     degree = max(n for n, _ in terms)
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
-    phase, tables = phases.make(basis, degree**2, largest, precision, pupils_last=True)
+    phase, arrays = phases.make(basis, degree**2, largest, precision, pupils_last=True)
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
-    tables |= {name: tables[name].reshape(len(IMAGES), py.size, -1) for name in phase.tables}
+    tables: Tables = {**arrays}
+    tables |= {name: arrays[name].reshape(len(IMAGES), py.size, -1) for name in phase.tables}
     (across, right), (down, below) = axis_of(x), axis_of(y)
     tables |= folded_tables(px, py, weights, right, below) | bounds
     left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
@@ -382,40 +342,53 @@ def make(
     return Chordal(phase, left, (across, down), means, core), tables
 
 
-def _sampled(
-    pupil: Pupil, where: tuple[Any, ...], disks: list[tuple[float, Apodization]], error: float, unit: float
-) -> Any:
-    """Return chords, nodes and their bounds by means, of few terms at `where`, terms, stretch and window; or None."""
+_Counts = tuple[int, int, tuple[Mean, Mean] | None, Tables]
+
+
+def _terms(pupil: Pupil) -> tuple[tuple[Term, ...], Array]:
+    """Return the Zernike terms of a stack that is not radial, and their coefficients."""
     terms, c = columns(pupil)
+    return cast("tuple[Term, ...]", terms), c
+
+
+def _sampled(
+    pupil: Pupil,
+    where: tuple[tuple[Term, ...], float, tuple[Array, Array]],
+    disks: list[tuple[float, Apodization]],
+    error: float,
+    unit: float,
+) -> _Counts | None:
+    """Return chords, nodes and their bounds by means, for low degrees; `where` are terms, stretch and window."""
+    terms, c = _terms(pupil)
     if max(n for n, _ in terms) > _SAMPLED:
         return None
     members = c[np.argsort(-np.abs(c) @ [n for n, _ in terms], kind="stable")[:_MEMBERS]]
-    # The inner disk counts by its area.
+    # The inner disk has the weight of its area.
     of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
-    chords = best("chords", where, members, [(radius, of[0]) for radius, of in of_disks], 0.5 * error, 0, unit)
+    chords = fewest("chords", where, members, [(radius, of[0]) for radius, of in of_disks], 0.5 * error, 0, unit)
     if chords is None:
         return None
     parts = [(radius, of[1]) for radius, of in of_disks]
-    nodes = best("nodes", where, members, parts, 0.5 * error, chords[0], unit)
+    nodes = fewest("nodes", where, members, parts, 0.5 * error, chords[0], unit)
     return None if nodes is None else (chords[0], nodes[0], (chords[1], nodes[1]), chords[2] | nodes[2])
 
 
 def _largest(
     pupil: Pupil, stretch: float, disks: list[tuple[float, Apodization]], reach: tuple[float, float], error: float
-) -> Any:
-    """Return chords, nodes and their bounds by the largest values."""
-    terms, c = columns(pupil)
+) -> _Counts:
+    """Return chords, nodes and their bounds by the largest values of the integrand."""
+    terms, c = _terms(pupil)
     matrix, degrees = pairs(terms)
     growth = stretch * np.sinh(np.minimum(degrees[:, None] * _B, 300.0))
     size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
-    # That of the inner disk is as large at most, but for its amplitude, and counts by its area.
+    # The integrand of the inner disk is no larger, but for its amplitude, and has the weight of its area.
     of_disks = [_constants(one, _B) for _, one in disks]
     added = math.log1p(pupil.obscuration**2)
     parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
     needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
     chords, nodes = (even(float(each.min())) for each in needed)
     chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
-    bounds = {
+    bounds: Tables = {
         "pairs": matrix,
         "growth": growth[:, chosen],
         "chords": parts[0][chosen] - 2.0 * chords * _B[chosen],

@@ -1,55 +1,85 @@
-"""The framework that arrays belong to, and the few things that frameworks do each in a way of their own."""
+"""Array namespaces (NumPy, JAX, PyTorch, CuPy), typed, and the operations that each needs in a way of its own."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from importlib import import_module
-from typing import Any
+from typing import Any, Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.optional import library
 
 _EXTRAS = ("jax", "torch", "cupy")
 _NEEDED = ("matmul", "take", "where", "isfinite", "concat", "flip")
+_Result = TypeVar("_Result")
+Operand: TypeAlias = Any
+"""An array of the same namespace, or a number: NumPy overloads its operators by types that a Protocol cannot name."""
+
+
+class Tensor(Protocol):
+    """An array of any namespace of the array API standard."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Its sides."""
+
+    @property
+    def dtype(self) -> object:
+        """The type of its elements."""
+
+    def __add__(self, other: Operand, /) -> Tensor: ...
+    def __radd__(self, other: Operand, /) -> Tensor: ...
+    def __sub__(self, other: Operand, /) -> Tensor: ...
+    def __rsub__(self, other: Operand, /) -> Tensor: ...
+    def __mul__(self, other: Operand, /) -> Tensor: ...
+    def __rmul__(self, other: Operand, /) -> Tensor: ...
+    def __truediv__(self, other: Operand, /) -> Tensor: ...
+    def __rtruediv__(self, other: Operand, /) -> Tensor: ...
+    def __lt__(self, other: Operand, /) -> Tensor: ...
+    def __le__(self, other: Operand, /) -> Tensor: ...
+    def __gt__(self, other: Operand, /) -> Tensor: ...
+    def __ge__(self, other: Operand, /) -> Tensor: ...
+    def __neg__(self) -> Tensor: ...
+    def __getitem__(self, index: Operand, /) -> Tensor: ...
+
+
+Tables = dict[str, Tensor]
+"""Tables of one wavelength, by name."""
+
+
+class ArrayFunctions(Protocol):
+    """The functions of a namespace of the array API standard."""
+
+    @property
+    def fft(self) -> ArrayFunctions:
+        """The Fourier transforms."""
+
+    def __getattr__(self, name: str, /) -> Callable[..., Tensor]: ...
 
 
 @dataclass(frozen=True)
 class Namespace:
-    """A framework with the functions of the Python array API standard.
-
-    Attributes
-    ----------
-    name : str
-        "numpy", "jax", "torch", "cupy", or of another module.
-    xp : module
-        The functions themselves, looked up once.
-    """
+    """A namespace `xp` of the array API standard, by its name: "numpy", "jax", "torch", "cupy" or another module."""
 
     name: str
-    xp: Any = field(compare=False, repr=False)
+    xp: ArrayFunctions = field(compare=False, repr=False)
 
     @classmethod
-    def of(cls, given: Any) -> Namespace:
-        """Return that of a module, or of its name; None is NumPy.
-
-        Raises
-        ------
-        TypeError
-            If it is neither, or has not the functions of the standard.
-        ImportError
-            If what is named is not installed; the message says how to get it.
-        """
+    def of(cls, given: object) -> Namespace:
+        """Return the namespace of a module or of its name, NumPy for None; TypeError if it has not the functions."""
         module = "numpy" if given is None else given
         name = module if isinstance(module, str) else str(getattr(module, "__name__", ""))
         name = name.removeprefix("array_api_compat.")
         top = name.partition(".")[0]
         if top in _EXTRAS:
-            library(top, f"a twin in {top} needs", top)
+            library(top, f"a traced plan in {top} needs", top)
             home = "jax.numpy" if top == "jax" else f"array_api_compat.{top}"
-            return cls(top, library(home, f"a twin in {top} needs", top))
+            return cls(top, library(home, f"a traced plan in {top} needs", top))
         try:
             found = import_module(name) if isinstance(module, str) else module
         except (ImportError, ValueError):
@@ -59,15 +89,15 @@ class Namespace:
                 "xp must be a module of the array API such as numpy, jax.numpy, torch or cupy, or its name, got "
                 f"{validation.shown(given)}"
             )
-        return cls(name, found)
+        return cls(name, cast("ArrayFunctions", found))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[Callable[[str], Namespace], tuple[str]]:
         return Namespace.of, (self.name,)
 
-    def put(self, values: Any, device: Any, dtype: Any = None) -> Any:
-        """Return an array of the framework made of one of NumPy, on a device, and at once even while it traces."""
+    def put(self, values: NDArray[Any], device: object, dtype: object = None) -> Tensor:
+        """Return a NumPy array as one of the namespace, on a device, and at once even while JAX traces."""
         if self.name == "torch":
-            values = np.array(values)  # it warns of arrays that are not to be written to
+            values = np.array(values)  # PyTorch warns of arrays that are read-only
         if self.name != "jax":
             return self.xp.asarray(values, dtype=dtype, device=device)
         import jax
@@ -75,21 +105,21 @@ class Namespace:
         with jax.ensure_compile_time_eval():
             return self.xp.asarray(values, dtype=dtype, device=device)
 
-    def has_double(self, device: Any) -> bool:
-        """Whether arrays there may be float64: JAX has them if it was told so, some devices have none."""
+    def has_double(self, device: object) -> bool:
+        """Return whether a device has float64: JAX only if configured, some devices never."""
         try:
             return bool(self.put(np.zeros(1), device).dtype == self.xp.float64)
         except (TypeError, ValueError, RuntimeError):  # torch on a device without them
             return False
 
-    def matmul(self, a: Any, b: Any) -> Any:
+    def matmul(self, a: Tensor, b: Tensor) -> Tensor:
         """Return a matrix product in the full precision of its type."""
         if self.name == "jax":
             return self.xp.matmul(a, b, precision="highest")
         return self.xp.matmul(a, b)
 
     def coarseness(self, unit: float) -> float:
-        """Return what products round operands to where a user allowed it for float32, told by its `unit`."""
+        """Return the unit roundoff of operands where a user allows less than float32; `unit` is that of the type."""
         if unit < 1e-10:
             return 0.0
         if self.name == "torch":
@@ -100,46 +130,42 @@ class Namespace:
             return 2.0**-11 if os.environ.get("CUPY_TF32", "0") != "0" else 0.0
         return 0.0
 
-    def apart(self, function: Any, *given: Any) -> Any:
-        """Return what a function makes, which in JAX XLA for processors is not to join with what is around it.
-
-        There it would compute what is used in several places in each of them, and turn axes value by value.
-        """
+    def apart(self, function: Callable[..., _Result], *given: Tensor) -> _Result:
+        """Call a function, in JAX without fusing it with what is around it."""
+        # XLA for processors would compute values that are used in several places in each, and turn axes one by one.
         if self.name != "jax":
             return function(*given)
         import jax
         from jax.experimental.xla_metadata import set_xla_metadata
 
-        def alone(*given: Any) -> Any:
+        def alone(*given: Tensor) -> _Result:
             with set_xla_metadata(inlineable="false"):  # type: ignore[no-untyped-call]
-                return jax.jit(function)(*given)
+                return jax.jit(function)(*given)  # type: ignore[no-any-return]
 
-        return jax.lax.platform_dependent(*given, cpu=alone, default=function)
+        return jax.lax.platform_dependent(*given, cpu=alone, default=function)  # type: ignore[no-any-return]
 
-    def flip(self, x: Any, axis: int) -> Any:
-        """Return an array with one axis reversed, in JAX by no function that :meth:`apart` would keep apart."""
+    def flip(self, x: Operand, axis: int) -> Tensor:
+        """Return an array with one axis reversed, in JAX by an operation that :meth:`apart` fuses."""
         if self.name == "jax":
             import jax
 
             return jax.lax.rev(x, (axis,))
         return self.xp.flip(x, axis=axis)
 
-    def turned(self, x: Any) -> Any:
+    def turned(self, x: Tensor) -> Tensor:
         """Return an array of three axes with these in the opposite order."""
-        if self.name == "jax":
-            return self.apart(_turned, x)
-        return self.xp.permute_dims(x, (2, 1, 0))
+        return self.apart(_turned, x) if self.name == "jax" else self.xp.permute_dims(x, (2, 1, 0))
 
-    def stop(self, x: Any) -> Any:
-        """Return `x`, through which no gradient passes."""
+    def stop(self, x: Operand) -> Tensor:
+        """Return `x` as a constant, through which no gradient passes."""
         if self.name == "jax":
             import jax
 
-            return jax.lax.stop_gradient(x)
-        return x.detach() if self.name == "torch" else x
+            return jax.lax.stop_gradient(x)  # type: ignore[no-any-return]
+        return x.detach() if self.name == "torch" else x  # type: ignore[no-any-return]
 
-    def concrete(self, x: Any) -> bool:
-        """Whether `x` has values now, rather than when what is being traced is run."""
+    def concrete(self, x: Tensor) -> bool:
+        """Return whether `x` has values now, rather than when a traced program runs."""
         if self.name == "jax":
             import jax
 
@@ -155,13 +181,10 @@ class Namespace:
                 return False
         return True
 
-    def values_now(self, x: Any) -> Any:
-        """Return the values of `x` as an array of NumPy if they are known, on a processor, and nobody follows them.
-
-        That is a transform, a program that is being made, or a derivative forwards; None then.
-        """
+    def values_now(self, x: Operand) -> NDArray[Any] | None:
+        """Return the values of `x` on a processor as a NumPy array, or None under transforms and tracing."""
         if self.name == "numpy":
-            return x
+            return np.asarray(x)
         if self.name != "torch" or x.device.type != "cpu":
             return None
         import torch
@@ -172,37 +195,24 @@ class Namespace:
         if torch.autograd.forward_ad.unpack_dual(x).tangent is not None:
             return None
         try:
-            return x.detach().numpy()
-        except (RuntimeError, TypeError):  # within torch.func; of a type that NumPy has not
+            return np.asarray(x.detach().numpy())
+        except (RuntimeError, TypeError):  # within torch.func; of a type that NumPy lacks
             return None
 
-    def times(self, x: Any, factor: Any) -> Any:
-        """Return a product, where that is possible in the memory of `x`, which is nobody else's."""
-        if self._alone(x):
-            x *= factor
-            return x
-        return x * factor
-
-    def plus(self, x: Any, added: Any) -> Any:
-        """Return a sum, where that is possible in the memory of `x`, which is nobody else's."""
-        if self._alone(x):
-            x += added
-            return x
-        return x + added
-
-    def _alone(self, x: Any) -> bool:
+    def in_place(self, x: Operand) -> bool:
+        """Return whether a temporary `x` may be overwritten, which saves PyTorch a pass over the memory."""
         return self.name == "torch" and not x.requires_grad and self.values_now(x) is not None
 
-    def to_numpy(self, x: Any) -> Any:
-        """Return values as an array of NumPy."""
+    def to_numpy(self, x: Operand) -> NDArray[Any]:
+        """Return an array as one of NumPy."""
         if self.name == "cupy":
-            return x.get()
+            x = x.get()
         if self.name == "torch":
-            return x.detach().cpu().numpy()
+            x = x.detach().cpu().numpy()
         if hasattr(x, "to_device") and self.name == "array_api_strict":
             x = x.to_device(self.xp.Device("CPU_DEVICE"))
         return np.asarray(x)
 
 
-def _turned(x: Any) -> Any:
-    return x.transpose((2, 1, 0))
+def _turned(x: Operand) -> Tensor:
+    return x.transpose((2, 1, 0))  # type: ignore[no-any-return]

@@ -1,6 +1,6 @@
-r"""Sums of terms over the pupil, in float64, or in float32 without losing whole turns.
+r"""Phases at the nodes from coefficients, in float64, or in float32 without losing whole turns, and their waves.
 
-In float32 a phase of 100 rad would be off by 6e-6 before anything is done with it. So coefficients are split,
+In float32 a phase of 100 rad would be off by 6e-6. So coefficients are split,
 ``c = n / s + r`` with a whole number n, and terms in turns, ``B / (2 pi s) = B_1 + B_2`` with B_1 a multiple of
 ``2^-q``: as ``n B_1`` are multiples of it too, and their sum is less than ``2^(23 - q)``, products, sums and what is
 left without whole turns are exact. ``n B_2 + r B / 2 pi`` is a small part of a turn, and only it is rounded. With u
@@ -14,32 +14,25 @@ Rounding n to whole numbers has the derivative 0, and that of r by c is 1: deriv
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.traced.namespaces import Namespace
+from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
 _ADDED = 4  # terms up to which products of columns and rows are added, which compilers make one pass of
 
 
 class PhaseRule(NamedTuple):
-    """How sums of terms are made, and what is proven of them.
+    """Scale s of split coefficients (0 in float64), and the error bound of phases.
 
-    Attributes
-    ----------
-    scale : float
-        s; 0 in float64.
-    each, fixed : float
-        The phase is off by at most `each` times ``sum abs(c_j) max abs(B_j)`` and `fixed`.
-    limit : float
-        What that sum may be at most.
-    pupils_last : bool
-        Whether phases are ``(nodes, n)``, rather than ``(n, nodes)``.
+    Phases are off by at most `each` times ``S = sum abs(c_j) max abs(B_j)``, plus `fixed`, for S up to `limit`; they
+    have the shape ``(nodes, n)`` where `pupils_last`, else ``(n, nodes)``.
     """
 
     scale: float
@@ -56,25 +49,16 @@ class PhaseRule(NamedTuple):
         return ("coarse", "rest") if self.pupils_last else ("coarse", "fine", "basis")
 
     def multiplied(self, terms: int) -> bool:
-        """Whether phases of so many terms are matrix products."""
+        """Return whether phases of so many terms are matrix products."""
         return self.pupils_last or terms > _ADDED
 
 
 def make(
     basis: Array, degree: int, largest: float, precision: str, *, pupils_last: bool = False
 ) -> tuple[PhaseRule, dict[str, Array]]:
-    """Return the rule and the tables for terms at the nodes.
+    """Return the rule and the tables for terms at the nodes, `basis` (terms, nodes), of at most this degree.
 
-    Parameters
-    ----------
-    basis : ndarray, shape (terms, nodes)
-    degree : int
-        Highest, of polynomials in the coordinate that nodes are given in: nodes are rounded, too.
-    largest : float
-        Of ``sum abs(c_j) max abs(B_j)`` within reach.
-    precision : str
-    pupils_last : bool
-        Where pupils are to stand.
+    `largest` is the largest ``sum abs(c_j) max abs(B_j)`` in the valid range.
     """
     count, size = len(basis), np.abs(basis).max(axis=1)
     each = UNIT["float64"] * (count + 2.0 * degree + 9.0)
@@ -98,11 +82,8 @@ def make(
     return rule, {"size": size, "coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
 
 
-def turns(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> tuple[Any, ...]:
-    """Return phases in turns from coefficients ``(n, terms)``: one array, or two where they are split.
-
-    Of the first of two, which is exact, whole turns are to be dropped before the second is added.
-    """
+def turns(ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor) -> tuple[Tensor, ...]:
+    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact one and a small rest."""
     xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
         return (_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
@@ -115,7 +96,7 @@ def turns(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> tup
     return exact, _sum(ns, rule, whole, tables["fine"]) + _sum(ns, rule, rest, tables["basis"])
 
 
-def _sum(ns: Namespace, rule: PhaseRule, c: Any, table: Any) -> Any:
+def _sum(ns: Namespace, rule: PhaseRule, c: Tensor, table: Tensor) -> Tensor:
     if rule.pupils_last:
         return ns.matmul(table, ns.xp.permute_dims(c, (1, 0)))
     if rule.multiplied(table.shape[0]):
@@ -126,8 +107,8 @@ def _sum(ns: Namespace, rule: PhaseRule, c: Any, table: Any) -> Any:
     return total
 
 
-# JAX reduces the argument of its own cosine as if it were of any size, one value after another on a processor. Phases
-# are known in turns here, so that what is left of a turn is exact, ``cos 2 pi t = sin 2 pi z``, ``z = 1/4 - |t|``,
+# On a processor JAX reduces the argument of its cosine one value after another, whatever its size. Phases are known
+# in turns here, so that the remainder of a turn is exact, ``cos 2 pi t = sin 2 pi z``, ``z = 1/4 - |t|``,
 # and the sine of so little is a polynomial: n terms of its series are off by less than the next one, ``(pi /
 # 2)^(2n+1) / (2n+1)!``. Both are off by at most 5 u, but for the rounding of ``t - 1/4``, of which the sine
 # is the cosine: no more than that of ``2 pi t`` elsewhere.
@@ -136,10 +117,10 @@ _COUNT = {"float32": 7, "float64": 11}
 _TURN = Fraction("6.28318530717958647692528676655900576839433879875")
 
 
-def waves(ns: Namespace, turns: tuple[Any, ...]) -> tuple[Any, Any]:
-    """Return cosine and sine of what :func:`lommel.traced.phases.turns` made."""
+def waves(ns: Namespace, turns: tuple[Tensor, ...]) -> tuple[Tensor, Tensor]:
+    """Return cosine and sine of phases in :func:`turns`."""
     if ns.name == "jax":
-        return ns.apart(_of_jax(), *turns)  # type: ignore[no-any-return]
+        return ns.apart(_of_jax(), *turns)
     total = turns[0]
     if len(turns) > 1:
         total = (total - ns.xp.round(total)) + turns[1]
@@ -149,38 +130,38 @@ def waves(ns: Namespace, turns: tuple[Any, ...]) -> tuple[Any, Any]:
 
 @cache
 def coefficients(kind: str) -> tuple[float, ...]:
-    """Return those of ``sin(2 pi z) / z`` in powers of ``z^2``, for a type of numbers."""
+    """Return the coefficients of ``sin(2 pi z) / z`` in powers of ``z^2`` for a type."""
     return tuple(float((-1) ** k * _TURN ** (2 * k + 1) / math.factorial(2 * k + 1)) for k in range(_COUNT[kind]))
 
 
 @cache
-def _of_jax() -> Any:
+def _of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
     import jax
     from jax import lax
 
-    def without_whole(turns: Any) -> Any:
+    def without_whole(turns: Operand) -> Operand:
         return turns - lax.round(turns, lax.RoundingMethod.TO_NEAREST_EVEN)
 
-    def cosine(turns: Any) -> Any:
+    def cosine(turns: Operand) -> Operand:
         z = 0.25 - lax.abs(without_whole(turns))
         square = z * z
-        total: Any
+        total: Operand
         *rest, total = coefficients(str(turns.dtype))
         for coefficient in reversed(rest):
             total = total * square + coefficient
         return z * total
 
     @jax.custom_jvp
-    def both(turns: Any) -> tuple[Any, Any]:
+    def both(turns: Operand) -> tuple[Tensor, Tensor]:
         return cosine(turns), cosine(turns - 0.25)
 
     @both.defjvp
-    def slopes(given: Any, tangents: Any) -> tuple[Any, Any]:
+    def slopes(given: Operand, tangents: Operand) -> tuple[tuple[Tensor, Tensor], tuple[Tensor, Tensor]]:
         cos, sin = both(*given)
         turned = tangents[0] * math.tau
         return (cos, sin), (-sin * turned, cos * turned)
 
-    def of_parts(exact: Any, *rest: Any) -> tuple[Any, Any]:
+    def of_parts(exact: Operand, *rest: Operand) -> tuple[Tensor, Tensor]:
         return both(without_whole(exact) + rest[0] if rest else exact)
 
     return of_parts

@@ -1,9 +1,9 @@
-r"""The field of radially symmetric pupils as one matrix product.
+r"""The field of radially symmetric pupils as a matrix product.
 
 ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at
-K nodes from a few coefficients, its cosine and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)``,
-made in double precision here. How many nodes a tolerance takes, and what each pupil is off by, follow from how large
-the integrand is on Bernstein ellipses: :mod:`lommel.methods.bounds`, whose bound is computed anew for each pupil.
+K nodes from a few coefficients, its cosine and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)``
+in double precision. The number of nodes and the error of each pupil follow from the integrand on Bernstein ellipses:
+:mod:`lommel.methods.bounds`.
 """
 
 from __future__ import annotations
@@ -17,27 +17,28 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError
 from lommel.methods import bounds
+from lommel.methods.derivative_names import Name
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 from lommel.traced import phases
 from lommel.traced.certificate import Exponents, FieldError, quadrature
-from lommel.traced.namespaces import Namespace
+from lommel.traced.namespaces import Namespace, Tables, Tensor
 from lommel.traced.phases import UNIT, PhaseRule, waves
 
 _ETA = np.geomspace(2e-3, 4.0, 80)
-_CHOSEN = 4  # ellipses on the device, around that which the reach takes
+_CHOSEN = 4  # ellipses on the device, around the best one for the stack
 _MOST_NODES = 4096
 
 
 class Radial(NamedTuple):
-    """The field of one wavelength: all that is no array; see :class:`lommel.traced.certificate.FieldError`."""
+    """The field of a radially symmetric pupil at one wavelength, without its tables."""
 
     phase: PhaseRule
     exponents: Exponents
     error: FieldError
     nodes: int
 
-    def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
+    def intensity(self, ns: Namespace, tables: Tables, c: Tensor) -> tuple[Tensor, Tensor]:
         """Return I at the radii of the table, shape ``(n, radii)``, and a bound on the error of the field."""
         cos, sin = waves(ns, phases.turns(ns, self.phase, tables, c))
         real, imaginary = ns.matmul(cos, tables["table"]), ns.matmul(sin, tables["table"])
@@ -47,8 +48,8 @@ class Radial(NamedTuple):
         return real * real + imaginary * imaginary, error
 
 
-def columns(pupil: Pupil) -> tuple[tuple[Any, ...], Array]:
-    """Return the names of the columns of coefficients, and those of the flattened stack: powers, or terms (n, m)."""
+def columns(pupil: Pupil) -> tuple[tuple[Name, ...], Array]:
+    """Return the names of the coefficients, powers or terms (n, m), and those of the flattened stack."""
     wavefront = pupil.wavefront
     if wavefront._powers is None or not pupil.radial:
         return wavefront.terms, wavefront.edge.reshape(-1, len(wavefront.terms))
@@ -56,15 +57,15 @@ def columns(pupil: Pupil) -> tuple[tuple[Any, ...], Array]:
     return ("defocus", "spherical", *(f"rho^{2 * k + 2}" for k in range(2, wavefront.symmetric))), powers
 
 
-def symmetric_columns(pupil: Pupil) -> tuple[tuple[Any, ...], Array]:
-    """Return those of :func:`columns` that a radially symmetric pupil has; the others are all 0."""
+def symmetric_columns(pupil: Pupil) -> tuple[tuple[Name, ...], Array]:
+    """Return the radially symmetric ones of :func:`columns`."""
     terms, c = columns(pupil)
     keep = [j for j, term in enumerate(terms) if isinstance(term, str) or term[1] == 0]
     return tuple(terms[j] for j in keep), c[:, keep]
 
 
-def _basis(terms: tuple[Any, ...], t: NDArray[Any]) -> NDArray[Any]:
-    """Return the terms at t, real or complex, each but for a constant, shape ``(terms,) + t.shape``."""
+def _basis(terms: tuple[Name, ...], t: NDArray[Any]) -> NDArray[Any]:
+    """Return the terms at real or complex t, each up to a constant, shape ``(terms,) + t.shape``."""
     if isinstance(terms[0], str):
         return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, len(terms)))])
     found, x, before, here = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
@@ -75,24 +76,9 @@ def _basis(terms: tuple[Any, ...], t: NDArray[Any]) -> NDArray[Any]:
 
 
 def make(pupil: Pupil, stretch: float, v: Array, error: float, precision: str) -> tuple[Radial, dict[str, Array]]:
-    """Return the field of a stack at radii v, and of all pupils in the box of its coefficients, and its tables.
+    """Return the field at radii v of all pupils in the box of a stack, and its tables, for an error of quadrature.
 
-    Parameters
-    ----------
-    pupil : Pupil
-        At its own wavelength.
-    stretch : float
-        That wavelength over the one of the field.
-    v : ndarray, shape (radii,)
-        At the wavelength of the field.
-    error : float
-        Of the quadrature.
-    precision : str
-
-    Raises
-    ------
-    ToleranceError
-        If it takes too many nodes.
+    `stretch` is the wavelength of the pupil over that of the field. ToleranceError if it takes too many nodes.
     """
     from scipy.special import j0
 

@@ -10,7 +10,7 @@ import pytest
 import lommel as lm
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
-from lommel.traced import means
+from lommel.traced import certificate
 from lommel.traced.namespaces import Namespace
 
 TERMS = ((2, 0), (4, 0), (1, -1), (3, 1), (3, -3), (4, 2), (5, 1))
@@ -28,7 +28,7 @@ def true_mean(name, c, b, chords, window):
         phi = np.arange(1, chords + 1) * (math.pi / (chords + 1))
         x, y = np.cos(phi)[:, None] + 0 * around, np.sin(phi)[:, None] * np.cos(around + 1j * b)
         share = (2 * np.sin(phi) ** 2 / (chords + 1))[:, None] / 300 + 0 * around
-    phase = np.tensordot(c, means.polynomials(TERMS, x, y), 1)
+    phase = np.tensordot(c, certificate.polynomials(TERMS, x, y), 1)
     down, across = window
     corners = [(u, w) for u in (down[0], down[-1]) for w in (across[0], across[-1])]
     return max(math.log(np.sum(share * np.exp(-(phase - w * x - u * y).imag))) for u, w in corners)
@@ -39,7 +39,7 @@ def true_mean(name, c, b, chords, window):
 def test_the_mean_on_a_curve_is_below_its_bound_and_not_far_below(name, b):
     draw = np.random.default_rng(1)
     for chords, window in ((8, (V, V)), (31, (V[10:20], V[:9]))):
-        mean, tables = means.make(TERMS, 1.0, window, name, b, chords)
+        mean, tables = certificate.mean_on_curve(TERMS, 1.0, window, name, b, chords)
         for size in (0.0, 0.3, 1.0):
             c = size * draw.normal(size=len(TERMS))
             found = float(mean.logarithm(Namespace.of(None), tables, name, c[None])[0])
@@ -52,7 +52,7 @@ def test_the_terms_of_complex_points_are_those_of_real_ones():
     x, y = np.random.default_rng(0).uniform(-0.7, 0.7, (2, 30))
     terms = tuple((n, m) for n in range(9) for m in range(-n, n + 1, 2))
     exact = [zernike.polynomial(n, m, np.hypot(x, y), np.arctan2(y, x)) for n, m in terms]
-    assert np.abs(means.polynomials(terms, x, y) - exact).max() < 1e-13
+    assert np.abs(certificate.polynomials(terms, x, y) - exact).max() < 1e-13
 
 
 @pytest.mark.parametrize(("tol", "low"), [(1e-3, 0.0), (1e-6, 0.0), (1e-9, 0.0), (1e-6, 0.5)])
@@ -79,7 +79,7 @@ def test_images_of_pupils_far_beyond_the_stack_are_within_their_bounds(tol, low)
 @pytest.mark.parametrize("name", ["chords", "nodes"])
 @pytest.mark.parametrize("b", [0.1, 0.5])
 def test_the_size_of_terms_on_a_curve_bounds_their_imaginary_parts_and_is_reached(name, b):
-    _, tables = means.make(TERMS, 2.0, (V, V), name, b, 31)
+    _, tables = certificate.mean_on_curve(TERMS, 2.0, (V, V), name, b, 31)
     largest = np.abs(tables[f"{name} 0 samples"]).max(axis=0)
     ratio = tables[f"{name} 0 size"][0] / largest
     assert np.all(ratio >= 1.0 - 1e-12)

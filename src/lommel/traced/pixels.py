@@ -1,4 +1,4 @@
-"""From intensities to images: averages over pixels, and what windows mirror of a quadrant."""
+"""Images from intensities: averages over pixels, and windows mirrored from a quadrant."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from lommel.base.arrays import Array
 from lommel.methods.pixels.rule import octant, pixel_rule
 from lommel.optics.grid import Grid
 from lommel.special.legendre import gauss_legendre
-from lommel.traced.namespaces import Namespace
+from lommel.traced.namespaces import Namespace, Tables, Tensor
 
-_RULE_ERROR = 1e-11  # of PixelRule, over the largest intensity: measured, ten times what was found
+_RULE_ERROR = 1e-11  # of PixelRule over the largest intensity: ten times the largest measured
 _MOST_SAMPLES = 24  # a side of each pixel
 
 
 class Pixels(NamedTuple):
-    """How intensities become images.
+    """Pixel averages and mirrored quadrants: how intensities become images.
 
     Attributes
     ----------
     height, width : int
     mirrored : bool
-        Whether values are those of a quadrant, each at the radius that an index names.
+        Whether values are those of a quadrant, each at an indexed radius.
     growth : float
-        What averages multiply errors by at most; 0 where there are none.
+        Largest factor by which averages multiply errors; 0 for point samples.
     added : float
         Error of the averages: over the largest intensity of a radial pupil, absolute of any other.
     samples : int
@@ -41,8 +41,10 @@ class Pixels(NamedTuple):
     added: float
     samples: int = 0
 
-    def means(self, ns: Namespace, tables: dict[str, Any], values: Any, error: Any, unit: float) -> tuple[Any, Any]:
-        """Return what pixels have of intensities, and the error of it, from that of the intensities."""
+    def means(
+        self, ns: Namespace, tables: Tables, values: Tensor, error: Tensor, unit: float
+    ) -> tuple[Tensor, Tensor]:
+        """Return the averages of intensities over pixels, and bounds on their errors."""
         xp = ns.xp
         if self.samples > 1:
             if "index" in tables:
@@ -57,8 +59,8 @@ class Pixels(NamedTuple):
             return ns.matmul(values, tables["matrix"]), self.growth * (error + lost * most) + self.added * most
         return values, error
 
-    def unfold(self, ns: Namespace, tables: dict[str, Any], values: Any) -> Any:
-        """Return images ``(n, height, width)`` of values of distinct radii, of cells, or of pixels by columns."""
+    def unfold(self, ns: Namespace, tables: Tables, values: Tensor) -> Tensor:
+        """Return images ``(n, height, width)`` from values at distinct radii, of cells, or of pixels by columns."""
         xp = ns.xp
         if self.samples:
             by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, values.shape[0]))
@@ -77,22 +79,9 @@ class Pixels(NamedTuple):
 def of_radii(
     grid: Grid, step: float, stretch: float, allowed: float
 ) -> tuple[Pixels, Array, dict[str, NDArray[Any]]]:
-    """Return how images of a radial pupil are made, the radii in v that they take, and tables.
+    """Return the pixels of a radial pupil, the radii in v of its samples, and tables.
 
-    Parameters
-    ----------
-    grid : Grid
-    step : float
-        Pixel pitch in v.
-    stretch : float
-        By how much v is larger at the shortest wavelength.
-    allowed : float
-        Error of averages around another place than the default, for which there is no rule of few radii.
-
-    Raises
-    ------
-    ValueError
-        If there are several axes, or pixels are too large.
+    `step` is the pitch in v, `stretch` its factor at the shortest wavelength, `allowed` the error of averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:
@@ -124,12 +113,10 @@ def _places(index: NDArray[Any]) -> NDArray[np.int32]:
 def of_lattice(
     grid: Grid, step: float, stretch: float, allowed: float
 ) -> tuple[Pixels, tuple[Array, Array], dict[str, NDArray[Any]]]:
-    r"""Return how images of any pupil are made, the rows and columns in v that they take, and tables.
-
-    ``I(v) = U(v) conj(U(conj(v)))`` is entire in either coordinate, and at most ``exp(2 |Im v|)`` times the square of
-    the amplitude of the pupil. On the ellipse of b round a pixel that is ``exp(step sinh b)``, so that p Gauss nodes
-    a side err by at most ``2 (32/15) exp(step sinh b - 2 p b) / (1 - exp(-2 b))``.
-    """
+    """Return the pixels of any pupil, the rows and columns in v of its samples, and tables."""
+    # I(v) = U(v) conj(U(conj(v))) is entire in either coordinate, and at most exp(2 |Im v|) times the square of the
+    # amplitude of the pupil. On the ellipse of b round a pixel that is exp(step sinh b), so that p Gauss nodes a side
+    # err by at most 2 (32/15) exp(step sinh b - 2 p b) / (1 - exp(-2 b)).
     grid.require_one_axis()
     rows, cols = step / grid.side * grid.y, step / grid.side * grid.x
     if not grid.integrate:

@@ -1,4 +1,4 @@
-"""The one door to twins: what it takes, what it refuses, and what it imports."""
+"""Plan.traced: its arguments, its refusals and its imports."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ import pytest
 import lommel as lm
 from lommel.traced.namespaces import Namespace
 
-REACH = lm.Pupil(lm.Wavefront([-10.0, 10.0]))
+RANGE = lm.Pupil(lm.Wavefront([-10.0, 10.0]))
 LENS = lm.Lens(focal_length=50e-3, f_number=8.0, focus_distance=2.0, wavelength=550e-9)
 
 
-def test_importing_the_package_and_making_a_twin_of_numpy_load_no_framework():
+def test_importing_the_package_and_tracing_in_numpy_load_no_framework():
     code = (
         "import sys, lommel as lm; lm.Plan(5, 0.5).traced(lm.Pupil(lm.Wavefront([-1.0, 1.0])))([0.5, 0.0]);"
         "print(*{name.partition('.')[0] for name in sys.modules})"
@@ -69,8 +69,8 @@ def test_an_aplanatic_lens_leaves_out_what_it_says_and_has_no_formula_for_distan
         f.defocus(1.0)
 
 
-def test_a_twin_is_pickled_with_its_tables():
-    f = lm.Plan(9, 0.5).traced(REACH)
+def test_a_traced_plan_is_pickled_with_its_tables():
+    f = lm.Plan(9, 0.5).traced(RANGE)
     again = pickle.loads(pickle.dumps(f))
     assert np.array_equal(again([3.0, 0.0]), f([3.0, 0.0]))
     assert repr(again) == repr(f)
@@ -92,7 +92,7 @@ def test_a_twin_is_pickled_with_its_tables():
 )
 def test_coefficients_that_are_no_answer_are_refused(c, error, message):
     with pytest.raises(error, match=message):
-        lm.Plan(9, 0.5).traced(REACH)(c)
+        lm.Plan(9, 0.5).traced(RANGE)(c)
 
 
 @pytest.mark.parametrize(
@@ -109,9 +109,9 @@ def test_coefficients_that_are_no_answer_are_refused(c, error, message):
         ({}, {"center": ([1.0, 2.0], [1.0, 2.0])}, ValueError, "center must be one"),
     ],
 )
-def test_what_no_twin_can_be_made_of_is_refused(options, plan, error, message):
+def test_what_cannot_be_traced_is_refused(options, plan, error, message):
     with pytest.raises(error, match=message):
-        lm.Plan(9, 0.5, **plan).traced(REACH, **options)
+        lm.Plan(9, 0.5, **plan).traced(RANGE, **options)
 
 
 def test_what_is_no_round_pupil_is_refused():
@@ -131,8 +131,8 @@ def test_where_a_framework_is_missing_it_is_said_how_to_get_it(name, monkeypatch
 
 def test_phases_beyond_what_float32_was_split_for_have_no_bound():
     far, near = [14.0, 0.0], [11.0, 0.0]
-    assert np.isfinite(lm.Plan(41, 0.5, tol=1e-2).traced(REACH).error(far))
-    f = lm.Plan(41, 0.5, tol=1e-2).traced(REACH, precision="float32")
+    assert np.isfinite(lm.Plan(41, 0.5, tol=1e-2).traced(RANGE).error(far))
+    f = lm.Plan(41, 0.5, tol=1e-2).traced(RANGE, precision="float32")
     assert np.isfinite(f.error(near))
     assert np.isinf(f.error(far))
 
@@ -152,8 +152,8 @@ def test_wavefronts_refuse_tensors_and_name_what_takes_them():
 
 
 @pytest.mark.parametrize("given", [{"pixel": (0.5, 0.6)}, {"fill": 0.5, "integrate": True}, {"blur": lm.Jitter(0.5)}])
-def test_what_no_twin_has_is_refused(given):
-    with pytest.raises(ValueError, match="one number for a twin, and fill and blur left out"):
+def test_pixels_and_blur_that_cannot_be_traced_are_refused(given):
+    with pytest.raises(ValueError, match="one number for a traced plan, and fill and blur left out"):
         lm.Plan(**{"shape": 9, "pixel": 0.5} | given).traced(lm.Pupil(lm.Wavefront([0.0, 1.0])))
 
 

@@ -68,7 +68,7 @@ def test_its_derivatives_are_the_adjoint_and_those_by_depth(precision):
             assert abs(jnp.sum(by_depth * turn) - difference) < 1e-6 * jnp.sum(jnp.abs(by_depth * turn))
 
 
-def test_beyond_reach_there_is_no_image_and_far_away_is_within():
+def test_beyond_the_valid_range_there_is_no_image_and_far_away_is_within():
     blur = lm.imaging.traced_blur(LENS, [1.5, np.inf], PIXEL)
     assert np.isfinite(blur(IMAGE, np.where(DEPTH > 2.0, np.inf, DEPTH))).all()
     assert np.isnan(blur(IMAGE, DEPTH - 1.0)).any()
@@ -82,14 +82,14 @@ def test_beyond_reach_there_is_no_image_and_far_away_is_within():
         ({"lens": lm.Lens(focal_length=16e-3, f_number=4.0, wavelength=550e-9, model="aplanatic")}, "paraxial"),
         ({"lens": lm.Lens(focal_length=1e-2, f_number=4.0, wavelength=5e-7, spider=lm.Spider(0.1, [0.0]))}, "round"),
         ({"pixel": 0.0}, "pixel"),
-        ({"reach": [-1.0, 2.0]}, "object_distance"),
+        ({"distances": [-1.0, 2.0]}, "object_distance"),
         ({"energy": 1.0}, "energy"),
         ({"largest": 2}, "largest"),
         ({"precision": "half"}, "precision"),
     ],
 )
 def test_what_no_blur_can_be_made_of_is_refused(change, message):
-    asked = {"lens": LENS, "reach": [1.5, 4.0], "pixel": PIXEL} | change
+    asked = {"lens": LENS, "distances": [1.5, 4.0], "pixel": PIXEL} | change
     with pytest.raises(ValueError, match=message):
         lm.imaging.traced_blur(**asked)
 

@@ -1,4 +1,4 @@
-"""Float32 twins of sampled windows, as the compiled core sums them and as their framework does."""
+"""Float32 traced plans of sampled windows, as the compiled core sums them and as their framework does."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 import lommel as lm
-from lommel.traced.plan_function import Twin
+from lommel.traced.traced_psf import TracedPSF
 
 WHITE = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
 SENSOR = {"wavelength": 550e-9, "f_number": 8.0}
@@ -27,13 +27,13 @@ def pupils(c: np.ndarray, **options: Any) -> lm.Pupil:
     return lm.Pupil(lm.Wavefront.zernike(dict(zip(TERMS, c.T, strict=True)), normalization="edge"), **options)
 
 
-def traced(case: tuple[Any, ...], c: np.ndarray, xp: Any = None) -> Twin:
-    """Return the twin that is made for coefficients."""
+def traced(case: tuple[Any, ...], c: np.ndarray, xp: Any = None) -> TracedPSF:
+    """Return the traced plan for coefficients."""
     shape, options, light = case
     return lm.Plan(shape, tol=2e-3, **options).traced(pupils(c, **light), xp, precision="float32")
 
 
-def by_steps(f: Twin) -> Twin:
-    """Return the twin whose framework makes all of it."""
+def by_steps(f: TracedPSF) -> TracedPSF:
+    """Return the traced plan without sums of the compiled core."""
     lights = tuple((weight, light._replace(sums=None)) for weight, light in f._static.lights)
-    return Twin(f._static._replace(lights=lights), f.tables)
+    return TracedPSF(f._static._replace(lights=lights), f.tables)

@@ -1,0 +1,514 @@
+"""Traced plans: PSFs as differentiable functions of wavefront coefficients, for JAX, PyTorch and the array API."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.optional import library
+from lommel.core.answers import ToleranceError
+from lommel.methods.derivative_names import Name
+from lommel.methods.method import Method
+from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.colour.spectrum import Component
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil, checked
+from lommel.traced import certificate, chordal, pixels, radial
+from lommel.traced.chordal import Chordal
+from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
+from lommel.traced.phases import UNIT
+from lommel.traced.pixels import Pixels
+from lommel.traced.radial import Radial
+
+_OF_NUMPY = (np.ndarray, np.generic)
+_FINER = 0.1  # factor of the error of quadrature from one trial to the next
+_LEAST = 2.0**-52
+_MEMBERS, _BETWEEN = 128, 48  # pupils of the stack, and between these, that a tolerance is tried with
+_BLOCK = 2**21  # values that trials hold at once
+_X64 = '; call jax.config.update("jax_enable_x64", True) first, or give the plan a tolerance that float32 can prove'
+
+
+class Distances(NamedTuple):
+    """Numbers of ``C_d = waves (vergence + 1 / distance)``; metres."""
+
+    vergence: float
+    waves: float
+
+
+class Static(NamedTuple):
+    """The part of a traced plan that holds no arrays: hashable, so that compiled programs can depend on it.
+
+    Attributes
+    ----------
+    namespace : Namespace
+    terms : tuple
+        Names of the columns of coefficients.
+    kept : tuple of int
+        The columns that the field depends on.
+    ranges : tuple of (float, float)
+        Least and largest coefficients of the stack.
+    lights : tuple of (float, Radial or Chordal)
+        Weight and field of each wavelength.
+    pixels : Pixels
+    scale : float or None
+        Factor of intensities; None divides by the largest value.
+    tol : float
+    precision, dtype : str
+    distances : Distances or None
+    """
+
+    namespace: Namespace
+    terms: tuple[Name, ...]
+    kept: tuple[int, ...]
+    ranges: tuple[tuple[float, float], ...]
+    lights: tuple[tuple[float, Radial | Chordal], ...]
+    pixels: Pixels
+    scale: float | None
+    tol: float
+    precision: str
+    dtype: str
+    distances: Distances | None
+
+
+class TracedPSF:
+    """PSFs as a differentiable function of wavefront coefficients: ``images = f(c)``.
+
+    Made by :meth:`lommel.Plan.traced`. ``jit``, ``vmap`` and ``grad`` (of any order) transform it; it can be an
+    argument of such functions, being a pytree in JAX, and can be pickled. Concrete coefficients are checked; while
+    tracing, images are NaN where no tolerance is proven, without effect on others and their gradients.
+
+    Parameters
+    ----------
+    static : Static
+        All but the tables.
+    tables : tuple of dict of array
+        Of each wavelength, by name.
+
+    Attributes
+    ----------
+    terms : tuple
+        The columns of coefficients, in radians: "defocus" (C_d), "spherical" (C_s), "rho^6", ... where the wavefront
+        was given so, else Zernike terms (n, m) at the edge.
+    shape : (int, int)
+        Of images.
+    tol : float
+        Tolerance that bounds are compared with.
+    precision : str
+        "float64" or "float32": of the computation.
+    dtype : str
+        Of images.
+    tables : tuple of dict of array
+    """
+
+    def __init__(self, static: Static, tables: tuple[Tables, ...]) -> None:
+        self._static, self.tables = static, tables
+
+    terms = property(lambda self: self._static.terms)
+    shape = property(lambda self: self._static.pixels[:2])
+    tol = property(lambda self: self._static.tol)
+    precision = property(lambda self: self._static.precision)
+    dtype = property(lambda self: self._static.dtype)
+
+    def __call__(self, c: Operand, *, check: bool = True) -> Any:
+        """Return images.
+
+        Parameters
+        ----------
+        c : array, shape (..., k)
+            Radians, a column for each of ``terms``; on the device of the tables.
+        check : bool, default True
+            False: do not compare the bounds with the tolerance, which waits for a device; images beyond it are NaN.
+
+        Returns
+        -------
+        array, shape (..., height, width)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If coefficients are of another framework, device or number.
+        ToleranceError
+            If the error of an image is not proven to be at most `tol` of its largest value; not while tracing.
+        """
+        return self.certified(c, check=check)[0]
+
+    def certified(self, c: Operand, *, check: bool = True) -> tuple[Any, Any]:
+        """Return images, and for each the proven bound on its largest error over its largest value.
+
+        Parameters
+        ----------
+        c, check
+            As above.
+
+        Returns
+        -------
+        images : array, shape (..., height, width)
+            NaN where the bound is not at most `tol`.
+        bound : array, shape (...)
+            inf where there is none. No gradient passes through it.
+
+        Raises
+        ------
+        TypeError, ValueError, ToleranceError
+            As above.
+        """
+        images, bound = self._answer(c)
+        if check:
+            self._require(c, bound)
+        return images, bound
+
+    def error(self, c: Operand) -> Any:
+        """Return the error bounds for coefficients `c`, shape (...), without comparing them with the tolerance."""
+        return self._answer(c)[1]
+
+    def defocus(self, distance: Operand) -> Any:
+        """Return C_d in radians of objects, as :meth:`lommel.Lens.defocus`; differentiable.
+
+        Parameters
+        ----------
+        distance : array
+            Metres from the lens, may be infinite.
+
+        Returns
+        -------
+        array
+            Of the same shape: the column "defocus", or an addition to the term (2, 0).
+
+        Raises
+        ------
+        ValueError
+            If the pupils are not those of a paraxial lens.
+        """
+        there = self._static.distances
+        if there is None:
+            raise ValueError("distances need a plan traced with pupils of a paraxial lens, from Lens.pupil(...)")
+        return there.waves * (there.vergence + 1.0 / self._array(distance))
+
+    def torch_module(self) -> Any:
+        """Return a ``torch.nn.Module`` with the tables as buffers, which move and are shared as buffers are.
+
+        ``forward(c)`` and ``certified(c)`` are those of this function. It has no parameters, and its precision cannot
+        be changed.
+
+        Raises
+        ------
+        TypeError
+            If the plan was traced in another framework.
+        """
+        if self._static.namespace.name != "torch":
+            raise TypeError(f"a torch module needs a plan traced in torch, got {self!r}")
+        torch, traced = library("torch", "modules need", "torch"), self
+
+        class Module(torch.nn.Module):  # type: ignore[misc,name-defined]
+            """A PSF as a layer."""
+
+            def __init__(self) -> None:
+                super().__init__()
+                for k, tables in enumerate(traced.tables):
+                    for name, table in tables.items():
+                        self.register_buffer(f"{name}_{k}", table, persistent=False)
+
+            def traced(self) -> TracedPSF:
+                """Return the function with the tables where they are now."""
+                return TracedPSF(
+                    traced._static,
+                    tuple(
+                        {name: getattr(self, f"{name}_{k}") for name in one} for k, one in enumerate(traced.tables)
+                    ),
+                )
+
+            def forward(self, c: Operand, *, check: bool = True) -> Any:
+                return self.traced()(c, check=check)
+
+            def certified(self, c: Operand, *, check: bool = True) -> Any:
+                return self.traced().certified(c, check=check)
+
+        return Module()
+
+    def _array(self, values: Operand) -> Tensor:
+        """Return values as a floating array of the framework, on the device that they are on."""
+        ns, like = self._static.namespace, cast("Operand", self.tables[0]["size"])
+        xp = ns.xp
+        if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
+            device = getattr(like, "device", None)
+            kind = None if ns.has_double(device) else like.dtype
+            values = ns.put(np.asarray(values, dtype=np.float64), device, kind)
+        if ns.name not in ("jax", "numpy") and not isinstance(values, type(like)):
+            raise TypeError(f"coefficients must be of {ns.name}, as the plan was traced with, got {type(values)}")
+        if ns.name not in ("jax", "numpy") and values.device != like.device:
+            raise ValueError(f"coefficients must be on the device of the tables, {like.device}, got {values.device}")
+        return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, like.dtype)
+
+    def _answer(self, c: Operand) -> tuple[Tensor, Tensor]:
+        """Return images and bounds; in JAX always compiled, since operation by operation takes seconds."""
+        if self._static.namespace.name == "jax":
+            return _compiled()(self, self._array(c))  # type: ignore[no-any-return]
+        return self._made(c)
+
+    def _made(self, c: Operand) -> tuple[Tensor, Tensor]:
+        static = self._static
+        ns, xp = static.namespace, static.namespace.xp
+        kind = str(self.tables[0]["size"].dtype).rpartition(".")[2]
+        if kind != static.precision or (kind == "float64" and not ns.has_double(None)):
+            raise TypeError(
+                f"a traced plan must be used in its precision, {static.precision}; trace the plan anew instead of "
+                "converting its tables or the framework"
+            )
+        c = self._array(c)
+        if len(c.shape) == 0 or c.shape[-1] != len(static.terms):
+            raise ValueError(
+                f"coefficients must have a column for each of {static.terms}, got the shape {tuple(c.shape)}"
+            )
+        stack = tuple(c.shape[:-1])
+        flat = xp.reshape(c, (math.prod(stack), len(static.terms)))
+        if len(static.kept) < len(static.terms):
+            flat = xp.stack([flat[..., j] for j in static.kept], axis=-1)
+        values, bound = self.evaluated(flat)
+        zero = xp.zeros_like(bound)
+        # NaN is added, lest it have a part in gradients.
+        poison = xp.reshape(xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan"))), (-1, 1))
+        if ns.in_place(values):
+            values += poison
+        else:
+            values = values + poison
+        values = xp.astype(values, getattr(xp, static.dtype), copy=False)
+        images = static.pixels.unfold(ns, self.tables[0], values)
+        return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
+
+    def evaluated(self, c: Operand) -> tuple[Tensor, Tensor]:
+        """Return values of pixels and bounds for checked coefficients `c` of the kept terms."""
+        static = self._static
+        ns = static.namespace
+        values, error, unit = self._intensities(c)
+        still = ns.stop(values)
+        stored = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
+        bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
+        if static.scale is None:
+            return values / ns.xp.max(values, axis=-1, keepdims=True), bound
+        if ns.in_place(values):
+            values *= static.scale
+            return values, bound
+        return values * static.scale, bound
+
+    def _intensities(self, c: Tensor) -> tuple[Tensor, Tensor, float]:
+        """Return intensities of pixels, bounds on their errors, and the unit roundoff."""
+        static = self._static
+        ns, unit = static.namespace, 0.0
+        values: Tensor | None = None
+        error: Tensor | None = None
+        for (weight, light), tables in zip(static.lights, self.tables, strict=True):
+            intensity, of_field = light.intensity(ns, tables, c)
+            unit = light.error.unit
+            slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
+            part = intensity if weight == 1.0 else weight * intensity
+            values, error = (part, slack) if values is None or error is None else (values + part, error + slack)
+        assert values is not None
+        assert error is not None
+        values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
+        return values, error, unit
+
+    def _require(self, c: Operand, bound: Tensor) -> None:
+        """Raise ToleranceError where a bound exceeds the tolerance, if it has a value now."""
+        static = self._static
+        if not static.namespace.concrete(bound):
+            return
+        found = static.namespace.to_numpy(bound)
+        if not np.any(bad := ~(found <= static.tol)):
+            return
+        index = tuple(int(k) for k in np.argwhere(bad)[0])
+        here = np.asarray(static.namespace.to_numpy(self._array(c)))[index]
+        parts = zip(static.terms, here.tolist(), static.ranges, strict=True)
+        listed = ", ".join(f"{term} = {value:.5g} (traced for {a:.5g} to {b:.5g})" for term, value, (a, b) in parts)
+        raise ToleranceError(
+            f"tol={static.tol:g} is not proven for the coefficients at {index}, {listed}: the error is bounded by "
+            f"{found[index]:.3g} of the largest value; trace the plan for a larger range, or choose a larger tol"
+        )
+
+    def __repr__(self) -> str:
+        static = self._static
+        return (
+            f"<TracedPSF of {static.pixels.height} x {static.pixels.width} pixels in {static.namespace.name}: "
+            f"{', '.join(map(str, static.terms))}; {static.precision} inside, {static.dtype}, tol={static.tol:g}>"
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        ns = self._static.namespace
+        return placed, (self._static, tuple({k: ns.to_numpy(v) for k, v in one.items()} for one in self.tables))
+
+
+def placed(static: Static, tables: tuple[Tables, ...], device: object = None) -> TracedPSF:
+    """Return a traced plan with its tables, given in NumPy, on a device, in its precision."""
+    ns = static.namespace
+    kind = getattr(ns.xp, static.precision)
+
+    def put(values: Operand) -> Tensor:
+        return ns.put(values, device, kind if values.dtype.kind == "f" else None)
+
+    made = TracedPSF(static, tuple({name: put(values) for name, values in one.items()} for one in tables))
+    if ns.name == "jax":
+        _register()
+    return made
+
+
+@cache
+def _compiled() -> Any:
+    import jax
+
+    return jax.jit(TracedPSF._made)
+
+
+@cache
+def _register() -> None:
+    """Register the class with JAX as a tree of its tables."""
+    import jax
+
+    jax.tree_util.register_pytree_node(
+        TracedPSF,
+        lambda traced: ((traced.tables,), traced._static),
+        lambda static, parts: TracedPSF(static, *parts),
+    )
+
+
+def traced(
+    pupil: Pupil,
+    grid: Grid,
+    method: Method | None,
+    values: tuple[float, str, str],
+    where: tuple[object, object, str],
+) -> TracedPSF:
+    """Return a traced plan for `values` tolerance, normalisation, type and `where` framework, device, precision."""
+    tol, normalize, dtype = values
+    ns, device = Namespace.of(where[0]), where[1]
+    precision = _precision(ns, device, where[2])
+    if precision == "float32" and dtype == "float64":
+        raise ValueError(
+            'dtype must be float32 where precision is "float32", got float64'
+            + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
+        )
+    checked(pupil)
+    if not pupil.circular:
+        raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting and mask")
+    if normalize == "emitted":
+        raise ValueError('normalize must be "energy", "strehl" or "peak" for a traced plan, got "emitted"')
+    lights = _components(pupil, method)
+    validation.pixel_on(grid.side, pupil.scale, metric=pupil.wavelength is not None)
+    grid.require_reach(pupil)
+    terms, c = radial.columns(pupil)
+    kept = tuple(j for j, t in enumerate(terms) if not pupil.radial or isinstance(t, str) or t[1] == 0)
+    ranges = tuple(zip(c.min(axis=0).tolist(), c.max(axis=0).tolist(), strict=True))
+    scale = {
+        "energy": grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission),
+        "strehl": 1.0 / (pupil.amplitude**2 * sum(part.weight for part in lights)),
+    }.get(normalize)
+    # The peak of a defocused pupil falls about as its phase rises; that of small aberrations of all kinds does not.
+    size = float(np.abs(c).sum(axis=1).max())
+    error = tol * pupil.amplitude * (0.04 / (2.0 * size + 1.0) if pupil.radial else 0.15)
+    while True:
+        parts, image, tables = _fields(pupil, grid, lights, error, precision)
+        static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, _distances(pupil))
+        worst, most = _tried(static, tables, c)
+        if most <= 0.6 * tol or error <= _LEAST:
+            break
+        error = max(_LEAST, _FINER * error)
+    if not worst <= tol:
+        raise ToleranceError(
+            f"tol={tol:g} cannot be proven in {precision} for the stack that the plan was traced with: the bound is "
+            f"{worst:.2g} of the largest value{_X64 if ns.name == 'jax' and precision == 'float32' else ''}"
+        )
+    return placed(static, tables, device)
+
+
+def _precision(ns: Namespace, device: object, asked: str) -> str:
+    validation.choice("precision", asked, ("auto", *UNIT))
+    double = ns.has_double(device)
+    if asked == "float64" and not double:
+        raise ValueError(
+            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
+            + (_X64 if ns.name == "jax" else "")
+        )
+    return asked if asked != "auto" else "float64" if double else "float32"
+
+
+def _components(pupil: Pupil, method: Method | None) -> list[Component]:
+    if isinstance(method, Polychromatic):
+        method.require(pupil)
+        parts, method = method.components(pupil), method.method
+    else:
+        parts = [Component(1.0, 1.0, pupil)]
+    if method is not None and not (method.keeps_tol and method.sampling == "center" and not method.any_aperture):
+        raise ValueError(
+            "method must be None, NijboerZernike, ChordalGauss or a Polychromatic of these for a traced plan, got "
+            f"{type(method).__name__}"
+        )
+    return parts
+
+
+def _distances(pupil: Pupil) -> Distances | None:
+    there = pupil.geometry
+    if there is None or there.model != "paraxial" or pupil.wavelength is None:
+        return None
+    return Distances(-there.in_focus, math.pi / (2.0 * pupil.wavelength) * there.aperture_radius**2)
+
+
+def _fields(
+    pupil: Pupil, grid: Grid, lights: list[Component], error: float, precision: str
+) -> tuple[tuple[tuple[float, Radial | Chordal], ...], Pixels, tuple[Tables, ...]]:
+    """Return weight and field of each wavelength, the pixels, and the tables of each wavelength."""
+    step, stretch = grid.step(pupil), max(part.stretch for part in lights)
+    fields: list[tuple[float, Radial | Chordal]] = []
+    tables: list[Tables] = []
+    if pupil.radial:
+        image, v, shared = pixels.of_radii(grid, step, stretch, error * pupil.amplitude)
+        for part in lights:
+            field, table = radial.make(pupil, part.stretch, part.stretch * v, error, precision)
+            fields.append((part.weight, field))
+            tables.append({**table})
+    else:
+        image, lattice, shared = pixels.of_lattice(grid, step, stretch, error * pupil.amplitude)
+        for part in lights:
+            window = (part.stretch * lattice[0], part.stretch * lattice[1])
+            chords, arrays = chordal.make(pupil, grid, part.stretch, window, error, precision)
+            fields.append((part.weight, chords))
+            tables.append(arrays)
+    tables[0].update(shared)
+    return tuple(fields), image, tuple(tables)
+
+
+def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
+    """Return the largest bound of the stack, and of it and further pupils in the valid range."""
+    numpy = Namespace.of(None)
+    plan = TracedPSF(static._replace(namespace=numpy), tables)
+    boxed = isinstance(static.lights[0][1], Radial)
+    points = max(table.shape[-1] for table in tables[0].values())
+    rows = max(1, _BLOCK // points)
+
+    def largest(many: Array) -> float:
+        parts = (many[k : k + rows, static.kept] for k in range(0, len(many), rows))
+        return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
+
+    worst = largest(_some(c))
+    return worst, max(worst, largest(_between(c, boxed=boxed)))
+
+
+def _some(c: Array) -> Array:
+    """Return the members of a stack, or of many those with the largest phases and a few others."""
+    order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
+    return np.asarray(c[np.concatenate([order[:_MEMBERS], order[_MEMBERS :: max(1, len(c) // _MEMBERS)]])])
+
+
+def _between(c: Array, *, boxed: bool) -> Array:
+    """Return coefficients within the box of a stack, some of its corners among them, or between two members."""
+    draw = np.random.default_rng(0)
+    if not boxed:
+        one, other = c[draw.integers(len(c), size=(2, _BETWEEN // 2))]
+        part = draw.random((len(one), 1))
+        return np.asarray(part * one + (1.0 - part) * other)
+    low, high = c.min(axis=0), c.max(axis=0)
+    inside = draw.random((_BETWEEN, c.shape[1]))
+    inside[: _BETWEEN // 2] = np.round(inside[: _BETWEEN // 2])
+    return np.asarray(low + inside * (high - low))

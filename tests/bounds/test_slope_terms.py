@@ -39,13 +39,14 @@ def test_a_sum_is_off_by_all_that_its_parts_are(kind):
     rng = np.random.default_rng(1)
     made = images(rng, kind)
     pieces = {
-        key: Piece(rng.normal(size=(2, 4, 5)), rng.uniform(1e-7, 1e-6, 2)) for key in ((3, 1), 1, "growth", "rim")
+        key: Piece(rng.normal(size=(2, 4, 5)), rng.uniform(1e-7, 1e-6, 2))
+        for key in ((3, 1), 1, "scaling", "obscuration")
     }
     pieces["unknown"] = Piece(np.zeros((1, 1, 1)), np.full(1, 3e-7))
     each = Parts({(3, 1): np.array([2.0, -3.0]), 1: 0.7}, -1.5, -0.4, 2.5, 0.9)
     found = slopes._combined(each, made, pieces, kind)
     for i in range(2):
-        factors = {(3, 1): (2.0, -3.0)[i], 1: 0.7, "growth": -0.4, "rim": 2.5}
+        factors = {(3, 1): (2.0, -3.0)[i], 1: 0.7, "scaling": -0.4, "obscuration": 2.5}
         parts = [-1.5 * made.values[i].astype(float)]
         parts += [factor * pieces[key].values[i] for key, factor in factors.items()]
         exact = np.sum(parts, axis=0)
@@ -106,7 +107,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
     grid = lm.Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
     step, engine = 0.5 * math.pi, Engine(1e-6)
     tilts = [(np.full((2, 3, 5), 0.25), np.array([1e-6, 2e-6])), (np.full((2, 3, 5), -0.5), np.array([3e-6, 1e-6]))]
-    _, found = scaling.growth(engine, PUPIL, grid, tilts)
+    _, found = scaling.scaling_derivative(engine, PUPIL, grid, tilts)
     far = step * np.array([4.5, 1.5])
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
     if integrate:
@@ -125,7 +126,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
 @pytest.mark.parametrize("error", [1e-4, 1e-12])
 def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
     grid = lm.Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
-    _, found = slopes.by_obscuration(PUPIL, grid, error)
+    _, found = slopes.obscuration_derivative(PUPIL, grid, error)
     a, eps = PUPIL.amplitude, 0.4
     light = 2.0 * eps * float(PUPIL.illumination.at(np.array(eps**2)))
     step, fine = 0.5 * math.pi, grid
@@ -157,14 +158,14 @@ def test_what_is_left_out_is_in_each_part():
     pupil = lm.Pupil(PUPIL.wavefront, obscuration=0.4, apodization=PUPIL.apodization, wavelength=5e-7, f_number=3.0)
     grid, engine = lm.Grid(5, 1e-6), Engine(1e-6)
     made = Images(np.ones((2, 5, 5)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
-    sums = [Parts({(3, 1): 1.0}, rim=1.0, unknown=1.0)]
+    sums = [Parts({(3, 1): 1.0}, obscuration=1.0, unknown=1.0)]
     found = slopes._pieces(engine, engine, pupil, grid, made, slopes.Wanted(0.3), sums)
     left = E * pupil.amplitude**2
     assert found["unknown"].error == pytest.approx([0.3 * 2.0 * left], rel=1e-12, abs=0.0)
     assert found[3, 1].error == pytest.approx(0.3 * (1e-5 * np.array([1.5, 2.0]) + 4.0 * left), rel=1e-12, abs=0.0)
     # The rim is asked for a tenth of the tolerance of the faintest peak.
-    _, bound = slopes.by_obscuration(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
-    assert found["rim"].error == pytest.approx(0.3 * bound, rel=1e-12, abs=0.0)
+    _, bound = slopes.obscuration_derivative(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
+    assert found["obscuration"].error == pytest.approx(0.3 * bound, rel=1e-12, abs=0.0)
     white = lm.Polychromatic([4e-7, 5e-7], [1, 3], lm.ChordalGauss())
     parts = white.components(pupil)
     found = slopes._pieces(white, engine, pupil, grid, made, slopes.Wanted(0.3), [Parts({(3, 1): 1.0})])

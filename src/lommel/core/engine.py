@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from lommel import _core
 from lommel.base.arrays import Array
-from lommel.core.answers import FieldValues, Images, Intensities, Slopes, Wanted, not_met
+from lommel.core.answers import FieldValues, Images, Intensities, Pixels, Slopes, Wanted, not_met
 
 if TYPE_CHECKING:
     from lommel.core.layers import Layered, LayeredSlopes, Ringed, Rings
 
-# As the core has them.
+# Functions of arrays without codes for what is not met: as the core has them.
 average_samples = _core.average_samples
 bessel_sequence = _core.bessel_sequence
 chebyshev_intensity = _core.chebyshev_intensity
@@ -67,13 +67,16 @@ class Window(NamedTuple):
     step: float
 
 
+_NOTHING: dict[str, object] = {}
+
+
 def _one_scale(wanted: Wanted) -> float:
     """Return what all images are multiplied by, 0 where each has a peak of 1."""
     assert not isinstance(wanted.scale, np.ndarray), "images of one aperture have one scale"
     return wanted.scale or 0.0
 
 
-def _places(count: int, window: Window, wanted: Wanted) -> tuple[float, NDArray[Any], Array]:
+def _places(count: int, window: Window, wanted: Wanted) -> tuple[float, Pixels, Array]:
     """Return the scale, and where the core writes: images; of each what it is multiplied by, its error, its peak."""
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     return _one_scale(wanted), values, np.empty((3, count))
@@ -88,33 +91,49 @@ def radial_images(
     stack: RadialStack, window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
 ) -> Images:
     """Return samples around an axis anywhere, or averages over pixels."""
-    _, values, numbers = places = _places(len(stack.terms), window, wanted)
-    given: tuple[Any, ...] = (*stack, *window.center, window.step, integrate, tol, wanted.threads, *places)
-    slopes = None
+    scale, values, numbers = _places(len(stack.terms), window, wanted)
+    slopes, more = None, _NOTHING
     if n := len(wanted.powers):
         slopes = Slopes(np.empty((n, *values.shape), values.dtype), np.empty((n, len(values))))
-        given += np.array(wanted.powers, dtype=np.int64), *slopes
-    _require(_core.render(*given), tol, _over(wanted))
+        more = {"powers": np.array(wanted.powers, dtype=np.int64)}
+        more |= {"derivative_images": slopes.values, "derivative_bounds": slopes.error}
+    render: Callable[..., float] = _core.render
+    # By position, for by name a small image would take a sixth longer.
+    place = (*window.center, window.step, integrate, tol, wanted.threads, scale, values, numbers)
+    _require(render(*stack, *place, **more), tol, _over(wanted))
     return Images(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
 def radial_plan(
     stack: RadialStack, shape: tuple[int, ...], window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
-) -> Callable[[Array, NDArray[Any]], tuple[Array, float] | None]:
+) -> Callable[[Array, Pixels], tuple[Array, float] | None]:
     """Return what writes images of a stack as :func:`radial_images`, and returns their scales and largest bound.
 
     It returns None, with nothing written, where the arrays do not match; of `stack` all but its terms counts.
     """
     (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
-    place = (*window.shape, row, column, window.step, integrate)
-    plan = _core.RadialPlan(stack.obscuration, stack.amplitude, *place, tol, wanted.threads, scale, kind)
+    height, width = window.shape
+    plan = _core.RadialPlan(
+        obscuration=stack.obscuration,
+        amplitude=stack.amplitude,
+        height=height,
+        width=width,
+        center_y=row,
+        center_x=column,
+        step=window.step,
+        integrate=integrate,
+        tol=tol,
+        threads=wanted.threads,
+        scale=scale,
+        kind=kind,
+    )
     over = _over(wanted)
 
     alike = np.full(shape, scale)
     alike.flags.writeable = False  # one for all answers
     render = plan.render
 
-    def ask(terms: Array, values: NDArray[Any]) -> tuple[Array, float] | None:
+    def ask(terms: Array, values: Pixels) -> tuple[Array, float] | None:
         scales = None if scale else np.empty(shape)
         bound = render(terms, values, scales)
         if bound is None:
@@ -145,20 +164,21 @@ def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted)
         return _disk_images(_core.chordal_images, over, stack, window, tol, wanted)
     terms, count = np.array(wanted.terms, dtype=np.int32), len(stack.edge)
     slopes = Slopes(np.empty((len(terms), count, *window.shape), wanted.dtype), np.empty((len(terms), count)))
-    made = _disk_images(_core.chordal_derivatives, over, stack, window, tol, wanted, terms, *slopes)
+    more = {"factors": terms, "slopes": slopes.values, "bounds": slopes.error}
+    made = _disk_images(_core.chordal_derivatives, over, stack, window, tol, wanted, **more)
     return made._replace(slopes=slopes)
 
 
 def chordal_plan(
     obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted
-) -> Callable[[NDArray[np.int32], Array, NDArray[Any]], tuple[Array, float]]:
+) -> Callable[[NDArray[np.int32], Array, Pixels], tuple[Array, float]]:
     """Return what writes images of a stack as :func:`chordal_images`, and returns their scales and largest bound.
 
     Called with the terms, their coefficients and the array for the values, of any axes before those of the window.
     """
     (row, column), scale, threads, step = window.center, _one_scale(wanted), wanted.threads, window.step
 
-    def ask(terms: NDArray[np.int32], edge: Array, values: NDArray[Any]) -> tuple[Array, float]:
+    def ask(terms: NDArray[np.int32], edge: Array, values: Pixels) -> tuple[Array, float]:
         stack, count = values.shape[:-2], edge.size // len(terms)
         numbers = np.empty((3, count))
         flat, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
@@ -175,8 +195,9 @@ def chordal_gradient(
 ) -> Array:
     """Return derivatives of weighted sums of the intensity by the coefficients of Zernike terms, shape (n, k)."""
     values, which = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)
-    given: tuple[Any, ...] = (*stack, *window.center, window.step, tol, threads, weights, which, values)
-    unmet = _core.chordal_gradient(*given)
+    gradient: Callable[..., float] = _core.chordal_gradient
+    asked = {"step": window.step, "tol": tol, "threads": threads, "weights": weights, "factors": which}
+    unmet = gradient(*stack, *window.center, **asked, values=values)
     _require(unmet, tol, "the largest value in the window")
     return values
 
@@ -184,8 +205,9 @@ def chordal_gradient(
 def chordal_sums(stack: DiskStack, window: Window, counts: tuple[int, int], threads: int = 0) -> NDArray[np.float32]:
     """Return intensities by so many chords and nodes, in single precision, unproven, shape ``(n, width, height)``."""
     made = np.empty((len(stack.edge), *window.shape[::-1]), dtype=np.float32)
-    given: tuple[Any, ...] = (*stack, *window.center, window.step, *counts, threads, made)
-    _core.chordal_sums(*given)
+    sums: Callable[..., None] = _core.chordal_sums
+    chords, nodes = counts
+    sums(*stack, *window.center, step=window.step, chords=chords, nodes=nodes, threads=threads, images=made)
     return made
 
 
@@ -194,8 +216,9 @@ def chordal_sums_gradient(
 ) -> Array:
     """Return derivatives of their sums, times weights ``(n, height, width)``, by all coefficients."""
     made = np.empty(stack.edge.shape)
-    given: tuple[Any, ...] = (*stack, *window.center, window.step, *counts, threads, weights, made)
-    _core.chordal_sums_gradient(*given)
+    gradient: Callable[..., None] = _core.chordal_sums_gradient
+    asked = {"step": window.step, "chords": counts[0], "nodes": counts[1], "threads": threads, "weights": weights}
+    gradient(*stack, *window.center, **asked, values=made)
     return made
 
 
@@ -206,11 +229,11 @@ def _disk_images(
     window: Window,
     tol: float,
     wanted: Wanted,
-    *more: Any,
+    **more: object,
 ) -> Images:
-    _, values, numbers = places = _places(len(stack.edge), window, wanted)
-    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places, *more)
-    _require(unmet, tol, over)
+    scale, values, numbers = _places(len(stack.edge), window, wanted)
+    place = (*window.center, window.step, tol, wanted.threads, scale, values, numbers)
+    _require(compute(*stack, *place, **more), tol, over)
     return Images(values, numbers[0], numbers[1], None, numbers[2])
 
 
@@ -238,7 +261,7 @@ def layered_images(
     *,
     integrate: bool = False,
     slopes: "LayeredSlopes | None" = None,
-) -> tuple[Images, NDArray[Any], Array] | None:
+) -> tuple[Images, Pixels, Array] | None:
     """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance."""
     count = asked.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
@@ -246,10 +269,12 @@ def layered_images(
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
     kinds = 0 if slopes is None else len(slopes.by) + int((slopes.by[:, 0] == BY_AXIS).sum())
     found, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
-    given: tuple[Any, ...] = (centers, window.step, integrate, allowed, wanted.threads, values, numbers)
+    more: dict[str, object] = {"step": window.step, "integrate": integrate, "allowed": allowed}
     if slopes is not None:
-        given += *slopes, found, errors
-    made = _core.layered_images(*asked, *given)
+        more |= {"by": slopes.by, "own": slopes.own, "of_fields": slopes.of_fields, "turning": slopes.turning}
+        more |= {"change": slopes.changes, "slopes": found, "slope_errors": errors}
+    images: Callable[..., bool] = _core.layered_images
+    made = images(*asked, centers, threads=wanted.threads, images=values, numbers=numbers, **more)
     return (Images(values, numbers[0], numbers[1], None, numbers[2]), found, errors) if made else None
 
 
@@ -258,12 +283,14 @@ def layered_profiles(asked: "Layered", v: Array, threads: int = 1) -> tuple[Arra
     return _core.layered_profiles(*asked, v, threads)
 
 
-def ringed_images(asked: "Rings", window: Window, scales: Array, threads: int, out: NDArray[Any]) -> "Ringed":
+def ringed_images(asked: "Rings", window: Window, scales: Array, threads: int, out: Pixels) -> "Ringed":
     """Write intensities times scales; the step of the window is in circles, its centers are (n or 1, 2)."""
     from lommel.core.layers import Ringed  # of microscopes alone
 
     centers = np.ascontiguousarray(window.center, dtype=np.float64)
-    made = _core.ringed_images(*asked, centers, window.step, np.ascontiguousarray(scales), threads, out)
+    images: Callable[..., Array] = _core.ringed_images
+    more = {"step": window.step, "scales": np.ascontiguousarray(scales), "threads": threads, "images": out}
+    made = images(*asked, centers=centers, **more)
     return Ringed(made[:-4], *made[-4:])
 
 

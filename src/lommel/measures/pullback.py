@@ -77,7 +77,7 @@ def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> di
 
 def _by_phase(each: Parts) -> bool:
     """Return whether a derivative is by coefficients of the phase alone."""
-    return not (np.any(each.own) or np.any(each.growth) or each.rim)
+    return not (np.any(each.own) or np.any(each.scaling) or each.obscuration)
 
 
 def _unnamed(method: Method) -> Method | None:

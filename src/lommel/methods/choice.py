@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from functools import lru_cache
-from typing import Any, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 from lommel.core.answers import Declined, ToleranceError
 from lommel.methods.method import Method
@@ -19,29 +19,45 @@ _Answer = TypeVar("_Answer")
 
 
 class Rule(NamedTuple):
-    """What answers for some pupils and windows, in words and in code."""
+    """The methods for some pupils and windows, in words and in code."""
 
     pupils: str
     applies: Callable[[BasePupil, Grid], bool]
-    imported: Callable[[], tuple[type[Any], ...]]
+    imported: Callable[[], tuple[Callable[[float], Method], ...]]
     costs: str
+    requires: str = ""  # the library that they need, if any
 
     @property
-    def methods(self) -> tuple[type[Any], ...]:
+    def methods(self) -> tuple[Callable[[float], Method], ...]:
         """As they are tried, one by one."""
         return self.imported()
 
 
-def _chords_first() -> tuple[type[Any], ...]:
-    from lommel.methods.chordal_gauss import ChordalGauss  # here and below: where radial pupils are all, for nothing
+# Imported where they are needed, for radial pupils are most and take none of these.
+
+
+def _chords_first() -> tuple[Callable[[float], Method], ...]:
+    from lommel.methods.chordal_gauss import ChordalGauss
 
     return ChordalGauss, NijboerZernike
 
 
-def _any_aperture() -> tuple[type[Any], ...]:
+def _nonuniform() -> tuple[Callable[[float], Method], ...]:
     from lommel.methods.nonuniform_fft import NonuniformFFT
 
     return (NonuniformFFT,)
+
+
+def _stratified() -> tuple[Callable[[float], Method], ...]:
+    from lommel.methods.layers.stratified import Stratified
+
+    return (Stratified,)
+
+
+def _rings() -> tuple[Callable[[float], Method], ...]:
+    from lommel.methods.layers.debye_rings import DebyeRings
+
+    return (DebyeRings,)
 
 
 def _small(pupil: BasePupil, grid: Grid) -> bool:
@@ -55,29 +71,17 @@ def _small(pupil: BasePupil, grid: Grid) -> bool:
     return side <= _SMALL or (side <= _SMALL_OF_STACK and math.prod(pupil.shape) >= _STACK)
 
 
-def _layered() -> tuple[type[Any], ...]:
-    from lommel.methods.layers.stratified import Stratified
-
-    return (Stratified,)
-
-
-def _measured() -> tuple[type[Any], ...]:
-    from lommel.methods.layers.debye_rings import DebyeRings
-
-    return (DebyeRings,)
-
-
 RULES = (
     Rule(
         "of a microscope's objective, with aberrations",
         lambda pupil, _: pupil.aberrated,
-        _measured,
+        _rings,
         "a matrix product for each order of the azimuth, transforms on circles, and a sparse product",
     ),
     Rule(
         "of a microscope's objective, through plane layers",
         lambda pupil, _: pupil.layered,
-        _layered,
+        _stratified,
         "one matrix product for the profiles of a stack, and writing it",
     ),
     Rule(
@@ -101,8 +105,9 @@ RULES = (
     Rule(
         "any other aperture",
         lambda *_: True,
-        _any_aperture,
+        _nonuniform,
         "nodes over the clear aperture and one transform; no proven bound",
+        requires="finufft",
     ),
 )
 """The first that applies."""
@@ -119,10 +124,10 @@ def candidates(pupil: BasePupil, grid: Grid, tol: float = Method.tol) -> tuple[M
     """Return the methods for a pupil and a window, in the order in which they are tried, by :data:`RULES`."""
     imaged(pupil)
     rule = next(rule for rule in RULES if rule.applies(pupil, grid))
-    if rule.imported is _any_aperture and _missing("finufft"):
+    if rule.requires and _missing(rule.requires):
         raise ValueError(
-            "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: "
-            "pip install finufft, or pass method=MatrixFourier(...)"
+            f"method must be named for a pupil with a spider, vignetting or a mask where {rule.requires} is missing: "
+            f"pip install {rule.requires}, or pass method=MatrixFourier(...)"
         )
     return _made(rule, tol)
 
@@ -158,7 +163,7 @@ def reference(pupil: BasePupil) -> Method:
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 
-        return _measured()[0](tol=1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
+        return _rings()[0](1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
     if pupil.radial:
         from lommel.methods.hankel import Hankel  # for reports, which are rare
 

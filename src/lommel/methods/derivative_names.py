@@ -12,11 +12,12 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
@@ -39,19 +40,23 @@ LAYERED = ("z", "depth")
 _INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")
 
 
+Factor = float | Array
+"""One for all pupils of a stack, or one for each."""
+
+
 class Parts(NamedTuple):
     """A derivative of images as a sum of parts; each factor is a number, or one for each pupil."""
 
-    phases: Mapping[int | Term, Any] = MappingProxyType(
+    phases: Mapping[int | Term, Factor] = MappingProxyType(
         {}
     )  # factors of derivatives by the coefficient of rho^(2k), under k, or of a term, under (n, m)
-    own: Any = 0.0  # factor of the image itself
-    growth: Any = 0.0  # factor of scale v . grad I
-    rim: float = 0.0  # factor of the derivative of I, times the scale, by the obscuration
+    own: Factor = 0.0  # factor of the image itself
+    scaling: Factor = 0.0  # factor of scale v . grad I
+    obscuration: float = 0.0  # factor of the derivative of I, times the scale, by the obscuration
     unknown: float = 0.0  # factor of the derivative by the phase that the wavefront's terms leave out, over its bound
 
 
-def checked(names: Sequence[Any], argument: str = "derivatives") -> tuple[Name, ...]:
+def checked(names: Sequence[object], argument: str = "derivatives") -> tuple[Name, ...]:
     """Return the names of derivatives."""
     if isinstance(names, str) or not isinstance(names, Sequence):
         raise TypeError(
@@ -60,7 +65,7 @@ def checked(names: Sequence[Any], argument: str = "derivatives") -> tuple[Name, 
     return tuple(_name(argument, name) for name in names)
 
 
-def _name(argument: str, name: Any) -> Name:
+def _name(argument: str, name: object) -> Name:
     found: Name
     if isinstance(name, str) and (name in _TEXTS or _INDEXED.fullmatch(name)):
         found, term = name, _term(name)
@@ -113,14 +118,14 @@ class _Values(NamedTuple):
 
 def _f_number(of: _Values) -> Parts:
     n = _metric("f_number", of.pupil)[1]
-    return Parts(own=of.squeeze / n, growth=-1.0 / n)
+    return Parts(own=of.squeeze / n, scaling=-1.0 / n)
 
 
 def _wavelength(of: _Values) -> Parts:
     # Path differences stay, so that phases fall as the wavelength grows.
     wave, wavefront = _metric("wavelength", of.pupil)[0], of.pupil.wavefront
     edge = wavefront.edge.reshape(-1, len(wavefront.terms))
-    phases: dict[int | Term, Any] = {
+    phases: dict[int | Term, Factor] = {
         term: edge[:, j] / -wave for j, term in enumerate(wavefront.terms) if edge[:, j].any()
     }
     return Parts(phases, of.squeeze / wave, -1.0 / wave, unknown=1.0 / wave)
@@ -131,7 +136,7 @@ def _obscuration(of: _Values) -> Parts:
     edge = float(pupil.illumination.at(np.array(eps * eps)))
     # Of what values are divided by: all light or, where values are relative to it, the peak without aberration.
     lost = 2.0 * eps * edge**2 / pupil.transmission if of.squeeze else 4.0 * eps * edge / pupil.amplitude
-    return Parts(own=lost, rim=1.0 if eps else 0.0)
+    return Parts(own=lost, obscuration=1.0 if eps else 0.0)
 
 
 def _object_distance(of: _Values) -> Parts:

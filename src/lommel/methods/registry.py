@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+import re
+from collections.abc import Callable, Mapping
 
 from lommel.core.answers import ToleranceError
 from lommel.methods.chordal_gauss import ChordalGauss
@@ -26,32 +27,41 @@ from lommel.methods.paper.tuned_closed_form import TunedClosedForm
 from lommel.methods.polychromatic import Polychromatic
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
 
-METHODS: dict[str, type[Method]] = {
-    "nijboer-zernike": NijboerZernike,
-    "hankel": Hankel,
-    "lommel-series": LommelSeries,
-    "huygens-fresnel": HuygensFresnel,
-    "fraunhofer": Fraunhofer,
-    "matrix-fourier": MatrixFourier,
-    "nonuniform-fft": NonuniformFFT,
-    "closed-form": ClosedForm,
-    "tuned-closed-form": TunedClosedForm,
-    "geometric": Geometric,
-    "chordal-gauss": ChordalGauss,
-}
+
+def _named(*kinds: type[Method]) -> dict[str, type[Method]]:
+    """Return methods by their names at the command line: nijboer-zernike for NijboerZernike."""
+    return {re.sub("(?<=[a-z])(?=[A-Z])", "-", kind.__name__).lower(): kind for kind in kinds}
+
+
+METHODS = _named(
+    NijboerZernike,
+    Hankel,
+    LommelSeries,
+    HuygensFresnel,
+    Fraunhofer,
+    MatrixFourier,
+    NonuniformFFT,
+    ClosedForm,
+    TunedClosedForm,
+    Geometric,
+    ChordalGauss,
+)
 """Every method for the pupils of lenses, by the name the command line uses."""
 
-LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-rings": DebyeRings, "debye-wolf": DebyeWolf}
+LAYERED = _named(Stratified, DebyeRings, DebyeWolf)
 """Those for the pupils of objectives."""
 
-_MADE: tuple[type[Method], ...] = (Polychromatic, Bead, Confocal, TwoPhoton, Sted)
-"""Those that are made of the answers of others."""
+_SUMS = _named(Polychromatic, Bead, Confocal, TwoPhoton, Sted)  # of the answers of others
 
-ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "fresnel": FresnelErf}
+ERFS: dict[str, type[AbramowitzErf | TableErf | FresnelErf]] = {
+    "abramowitz": AbramowitzErf,
+    "table": TableErf,
+    "fresnel": FresnelErf,
+}
 """The error functions of `ClosedForm` by the name the command line uses."""
 
 
-def method_from_dict(description: dict[str, Any]) -> Method:
+def method_from_dict(description: Mapping[str, object]) -> Method:
     """Rebuild a method from :meth:`Method.to_dict`.
 
     Parameters
@@ -67,15 +77,15 @@ def method_from_dict(description: dict[str, Any]) -> Method:
     ValueError
         If its name is unknown, or that of something else.
     """
-    kinds: list[type[Any]] = [*METHODS.values(), *LAYERED.values(), *_MADE, *ERFS.values()]
-    known = {kind.__name__: kind for kind in kinds}
+    kinds = [*METHODS.values(), *LAYERED.values(), *_SUMS.values(), *ERFS.values()]
+    known: dict[object, Callable[..., object]] = {kind.__name__: kind for kind in kinds}
 
-    def build(part: dict[str, Any]) -> Any:
+    def build(part: Mapping[str, object]) -> object:
         nested = {key: build(value) for key, value in part.items() if isinstance(value, dict) and "name" in value}
-        options = part | nested
+        options = {**part, **nested}
         name = options.pop("name")
         if name not in known:
-            raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(known))}")
+            raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(map(str, known)))}")
         return known[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in options.items()})
 
     method = build(description)

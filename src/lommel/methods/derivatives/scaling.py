@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -29,15 +28,15 @@ TILTS = SHIFTS["column"], SHIFTS["row"]
 _FINER = 0.1  # of the tolerance, which samples are asked for: their errors are multiplied by some 4
 
 
-Ask = Callable[[Method, Any, Grid, Wanted], Images]
+Ask = Callable[[Method, BasePupil, Grid, Wanted], Images]
 """From a method, pupils, pixels and how they are wanted to samples with bounds."""
 
 
-def _images(method: Method, pupil: Any, grid: Grid, wanted: Wanted) -> Images:
+def _images(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
     return method.images(pupil, grid, wanted)
 
 
-def growth(
+def scaling_derivative(
     engine: Method,
     pupil: BasePupil,
     grid: Grid,
@@ -106,7 +105,7 @@ def _sampled(
     fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
     for part, one, pixels in blocks(pupil, grid, taps):
         # Double precision may hold what is asked for, and no less.
-        def samples(way: Method, one: Any = one, pixels: Grid = pixels) -> Images:
+        def samples(way: Method, one: BasePupil = one, pixels: Grid = pixels) -> Images:
             return ask(way, one, finer(pixels, taps), Wanted(threads=threads))
 
         _, made = first_proven((fine, engine), samples)

@@ -10,17 +10,17 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple, cast
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import Images, Pixels, Wanted
 from lommel.methods.choice import first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.derivative_names import Name, Parts, Term, parts
-from lommel.methods.derivatives.scaling import TILTS, growth, tilted
+from lommel.methods.derivative_names import Factor, Name, Parts, Term, parts
+from lommel.methods.derivatives.scaling import TILTS, scaling_derivative, tilted
 from lommel.methods.method import Method, storing, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.pixels.averaging import blocks, filtered_by, finer, least_average, weighed
@@ -45,7 +45,7 @@ _NODES = 512  # at once
 _UNIT = 2.0**-53
 
 
-def by_obscuration(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
+def obscuration_derivative(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     """Return the derivative of I by the obscuration, or its averages over pixels."""
     count = math.prod(pupil.shape)
     if not grid.integrate:
@@ -89,7 +89,7 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
 
 def _amplitudes(pupil: Pupil) -> dict[tuple[int, int], float]:
     """Return the largest amplitude of cosine and sine of each (n, m) throughout the stack, m >= 0."""
-    squares: dict[tuple[int, int], Any] = {}
+    squares: dict[tuple[int, int], float | Array] = {}
     for (n, m), c in pupil.wavefront.edge_terms().items():
         squares[n, abs(m)] = squares.get((n, abs(m)), 0.0) + c**2
     return {term: math.sqrt(float(np.max(square))) for term, square in squares.items() if np.any(square)}
@@ -140,7 +140,7 @@ _MOST_CANCELLED = 321.0
 class Slope(NamedTuple):
     """A derivative of images."""
 
-    values: NDArray[Any]  # (n, height, width)
+    values: Pixels  # (n, height, width)
     error: Array  # (n,), bound over the peak of the images
 
 
@@ -239,18 +239,18 @@ def _radial_key(key: Key) -> bool:
 
 def _radial(each: Parts) -> bool:
     """Return whether the radial series has a derivative."""
-    return all(map(_radial_key, each.phases)) and not each.rim
+    return all(map(_radial_key, each.phases)) and not each.obscuration
 
 
 def _single(each: Parts, engine: Method) -> bool:
     """Return whether a derivative is one by a coefficient, times a factor, as the engine has it along with images."""
     tilt = isinstance(engine, NijboerZernike) and any(key in TILTS for key in each.phases)
-    return len(each.phases) == 1 and not (tilt or np.any(each.own) or np.any(each.growth) or each.rim)
+    return len(each.phases) == 1 and not (tilt or np.any(each.own) or np.any(each.scaling) or each.obscuration)
 
 
-def translated(phases: Mapping[Key, Any], *, powers: bool) -> dict[Key, Any]:
+def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Factor]:
     """Return factors by powers of rho as such by Zernike terms, whose sums these are, or the other way round."""
-    found: dict[Key, Any] = {}
+    found: dict[Key, Factor] = {}
     for key, factor in phases.items():
         shares: dict[Key, float] = {key: 1.0}
         if powers and isinstance(key, tuple) and key not in TILTS:
@@ -299,12 +299,12 @@ def _taken(made: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[S
     return found
 
 
-def _each(factor: Any, count: int) -> Array:
+def _each(factor: Factor, count: int) -> Array:
     """Return a factor for each pupil."""
     return np.broadcast_to(np.asarray(factor, dtype=np.float64), (count,))
 
 
-def _most(values: NDArray[Any]) -> Array:
+def _most(values: Pixels) -> Array:
     """Return the largest magnitude in each image."""
     return np.asarray(np.abs(values).reshape(len(values), -1).max(axis=1), dtype=np.float64)
 
@@ -317,22 +317,22 @@ def _pieces(
     made: Images,
     wanted: Wanted,
     sums: Sequence[Parts],
-) -> dict[Any, Piece]:
+) -> dict[object, Piece]:
     """Return all that the derivatives of images are summed from but these, in double precision, over all light."""
     # Powers cancel, by those of the highest radial term 321 times at most.
     size = max(
         sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
     )
     closer = engine.tightened(engine.tol / min(size, _MOST_CANCELLED)) if size > 2.0 else engine
-    grows, rim = (any(np.any(getattr(each, part)) for each in sums) for part in ("growth", "rim"))
+    scales, obscures = (any(np.any(getattr(each, part)) for each in sums) for part in ("scaling", "obscuration"))
     keys = _keys(sums)
-    asked = tuple(dict.fromkeys((*keys, *TILTS))) if grows else keys
+    asked = tuple(dict.fromkeys((*keys, *TILTS))) if scales else keys
     by_samples = isinstance(engine, NijboerZernike)  # of radially symmetric pupils, whose tilts are not
     assert isinstance(wanted.scale, float)
     faintest = float(_brightest(made).min()) / wanted.scale
-    found: dict[Any, Piece] = {}
+    found: dict[object, Piece] = {}
 
-    def add(key: Any, values: Array, error: Array, factor: float) -> None:
+    def add(key: object, values: Array, error: Array, factor: float) -> None:
         before = found.get(key, Piece(np.zeros((1, 1, 1)), np.zeros(1)))
         found[key] = Piece(before.values + factor * values, before.error + factor * error)
 
@@ -354,22 +354,27 @@ def _pieces(
         for key in keys:
             # Phases are path differences: in radians they grow as the wavelength falls.
             add(key, *slopes[key], scale * part.stretch)
-        if grows:
-            add("growth", *growth(engine, part.pupil, grid, [slopes[key] for key in TILTS], threads), scale)
-        if rim:
-            add("rim", *by_obscuration(part.pupil, grid, 0.1 * engine.tol * faintest), scale)
+        if scales:
+            add(
+                "scaling",
+                *scaling_derivative(engine, part.pupil, grid, [slopes[key] for key in TILTS], threads),
+                scale,
+            )
+        if obscures:
+            add("obscuration", *obscuration_derivative(part.pupil, grid, 0.1 * engine.tol * faintest), scale)
     return found
 
 
-def _combined(each: Parts, made: Images, pieces: Mapping[Any, Piece], dtype: Any) -> Slope:
+def _combined(each: Parts, made: Images, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
     """Return the sum of pieces, each times its factor, and of the images themselves, as it is stored."""
     assert made.error is not None
     count, bright = len(made.values), _brightest(made)
-    factors: dict[Any, Any] = {**each.phases, "growth": each.growth, "rim": each.rim, "unknown": each.unknown}
+    factors: list[tuple[object, Factor]] = [*each.phases.items()]
+    factors += [(name, getattr(each, name)) for name in ("scaling", "obscuration", "unknown")]
     total = made.values * _each(each.own, count)[:, None, None].astype(np.float64)
     error = np.abs(_each(each.own, count)) * made.error * bright * (1.0 + made.error)
     size = _most(total)
-    for key, factor in factors.items():
+    for key, factor in factors:
         by = _each(factor, count)
         if by.any():
             total += by[:, None, None] * pieces[key].values

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
 from lommel.core.engine import Window, fft_length, ringed_images
-from lommel.core.layers import Rings
+from lommel.core.layers import Ringed, Rings
 from lommel.methods.layers.refinement import LEAST, LayeredMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.averaging import averaged_images
@@ -22,13 +22,19 @@ from lommel.optics.layers import azimuthal_orders, debye
 from lommel.optics.layers.emitter import Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.quadrature_bounds import Piece
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import interpolation
 from lommel.special.bessel import bessel_sequence
 
-_BANDS = (
-    (1.6, 5e-12),
-    (1.1, 5e-13),
-)  # radians a step of circles, of what is interpolated, and what may be lost at least
+
+class _Band(NamedTuple):
+    """An angular frequency of circles, radians a step, and the least error of the interpolation between them."""
+
+    band: float
+    least: float
+
+
+_BANDS = (_Band(1.6, 5e-12), _Band(1.1, 5e-13))
 _AROUND = 1e-12  # the least that interpolation around circles is asked for
 _PARTS = 2**22  # of pupils with a wavefront each, at once
 _ROUNDING = 2.0**-53
@@ -96,9 +102,9 @@ class DebyeRings(LayeredMethod):
         return self._samples(pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        return self.settled(pupil, grid, tol, wanted)[0]
+        return self.refined(pupil, grid, tol, wanted)[0]
 
-    def settled(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Images, Accuracy]:
+    def refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Images, Accuracy]:
         """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and what that took.
 
         ToleranceError where rounding keeps `tol` from being met.
@@ -141,31 +147,23 @@ class Turn(NamedTuple):
 
 
 def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None) -> Images:
-    """Return images of fields and intensities so exact, with bounds that are to be compared with a tolerance.
+    """Return images of such an accuracy, whose bounds are to be compared with a tolerance: certificate, section 16.
 
     Waves have a further factor where there is a `turn`.
     """
-    step, light = grid.step(pupil), pupil.light
+    step, light, n = grid.step(pupil), pupil.light, pupil.depth.size
     band, along = _along(accuracy.between)
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
-    depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
-    assert pupil.aberrations is not None
-    wavefront = pupil.aberrations.flattened()
-    terms = azimuthal_orders.sizes(wavefront)
-    asked = pupil.layers, light.model, depth, focus, 0.5 * band * (circles - 1), accuracy.field
-    if turn is None:
-        rule = debye.rule(*asked, lambda piece: azimuthal_orders.growth(piece, terms))
-    else:
-        rule = debye.rule(*asked, lambda piece: azimuthal_orders.growth(piece, terms) + turn.growth(piece))
-    turned: Any = 1.0 if turn is None else turn.of(rule.rates)
-    rows = _mixed(light.waves.form)
-    values = np.empty((depth.size, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
-    scales = np.ones(depth.size) if wanted.scale is None else np.broadcast_to(wanted.scale, depth.size)
+    wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
+    rows = _squares(light.waves.form)
+    values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
+    scales = np.ones(n) if wanted.scale is None else np.broadcast_to(wanted.scale, n)
     centers = np.stack(np.broadcast_arrays(*grid.center), axis=-1).reshape(-1, 2)
-    errors, peaks, tops = np.empty((3, depth.size))
+    errors, peaks, tops = np.empty((3, n))
     many = wavefront.shape[0] > 1
-    each = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else depth.size
-    for part in (slice(k, min(k + each, depth.size)) for k in range(0, depth.size, each)):
+    # Stacks with a wavefront each are computed in parts, whose pupil functions fit into memory.
+    each = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else n
+    for part in (slice(k, min(k + each, n)) for k in range(0, n, each)):
         across, left = azimuthal_orders.components(
             wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field
         )
@@ -174,33 +172,25 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         # The orders of the intensity are twice those of a field, and so many angles tell each from all others.
         angles = fft_length(4 * most + 1)
         around = interpolation.orders(2 * most, 2 * angles, max(accuracy.around, _AROUND))
+        waves = rule.waves(pupil.depth.ravel()[part], pupil.focus.ravel()[part])
         sums = Rings(
-            _bessel(rule.rho.tobytes(), 0.5 * band, circles, most + 1),
-            _parts(light.waves, rows, rule.parts, across, shift),
-            np.ascontiguousarray(rule.waves(depth[part], focus[part]) * turned),
-            pupil.power[part],
-            angles,
-            along.filter,
-            along.taps.polynomials,
-            around.taps.polynomials,
-            (along.taps.size, around.taps.size),
-            np.stack([around.gains, around.errors]),
+            bessel=_bessel(rule.rho.tobytes(), 0.5 * band, circles, most + 1),
+            parts=_fields(light.waves, rows, rule.parts, across, shift),
+            waves=np.ascontiguousarray(waves * (1.0 if turn is None else turn.of(rule.rates))),
+            power=pupil.power[part],
+            angles=angles,
+            filter=along.filter,
+            along=along.taps.polynomials,
+            around=around.taps.polynomials,
+            taps=(along.taps.size, around.taps.size),
+            gains=np.stack([around.gains, around.errors]),
         )
         window = Window(grid.shape, centers[part] if len(centers) > 1 else centers, step / (0.5 * band))
         found = ringed_images(sums, window, scales[part], wanted.threads, values[part])
         size = max(float(np.abs(each).sum()) for each in rule.parts)
         off = rule.error + left + 64.0 * math.sqrt(angles) * _ROUNDING * size
-        # Between so many angles a field is at most that much larger (Ehlich and Zeller).
-        largest = np.sqrt(found.squares) / math.cos(math.pi * most / angles)
-        much = off * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(pupil.power[part])
-        wrong = (much * (2.0 * largest + much)).sum(axis=0)
-        sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
-        units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
-        errors[part] = (
-            along.error
-            + along.gain * wrong
-            + along.taps.gain * (found.aliases + units * _ROUNDING * around.taps.gain * sizes)
-        )
+        wrong = _circle_error(found, off * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power), most, angles)
+        errors[part] = _pixel_error(found, wrong, along, around, angles)
         peaks[part] = np.maximum(found.top - wrong, found.pixel - errors[part])
         tops[part] = found.pixel
     relative = np.divide(errors, peaks, out=np.full(peaks.shape, np.inf), where=peaks > 0.0)
@@ -213,13 +203,46 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     return Images(values, scales, stored(relative, wanted.dtype), None, peaks)
 
 
+def _nodes(
+    pupil: ObjectivePupil, reach_and_error: tuple[float, float], turn: Turn | None
+) -> tuple[Wavefront, azimuthal_orders.Sizes, debye.Rule]:
+    """Return the flattened wavefronts, the sizes of their terms, and the rule over the angles of the objective."""
+    assert pupil.aberrations is not None
+    wavefront = pupil.aberrations.flattened()
+    terms = azimuthal_orders.sizes(wavefront)
+
+    def growth(piece: Piece) -> Array:
+        of_wavefront = azimuthal_orders.growth(piece, terms)
+        return of_wavefront if turn is None else of_wavefront + turn.growth(piece)
+
+    depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
+    return wavefront, terms, debye.rule(pupil.layers, pupil.light.model, depth, focus, *reach_and_error, growth)
+
+
+def _circle_error(found: Ringed, field_errors: Array, most: int, angles: int) -> Array:
+    """Bound the error of the intensity at any angle of a circle, from those of fields, shape (fields, n)."""
+    # Between so many angles a field is at most that much larger (Ehlich and Zeller).
+    largest = np.sqrt(found.squares) / math.cos(math.pi * most / angles)
+    return np.asarray((field_errors * (2.0 * largest + field_errors)).sum(axis=0))
+
+
+def _pixel_error(
+    found: Ringed, wrong: Array, along: interpolation.Steps, around: interpolation.Orders, angles: int
+) -> Array:
+    """Bound the error of pixels: of interpolation between circles and around them, of intensities, of roundings."""
+    sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
+    units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
+    interpolated = found.aliases + units * _ROUNDING * around.taps.gain * sizes
+    return np.asarray(along.error + along.gain * wrong + along.taps.gain * interpolated)
+
+
 @lru_cache(maxsize=64)
 def _along(error: float) -> tuple[float, interpolation.Steps]:
-    band, least = next((way for way in _BANDS if error >= way[1]), _BANDS[-1])
+    band, least = next((way for way in _BANDS if error >= way.least), _BANDS[-1])
     return band, interpolation.steps(band, max(error, least))
 
 
-def _mixed(form: NDArray[np.complex128]) -> Array:
+def _squares(form: NDArray[np.complex128]) -> Array:
     """Return rows T with ``sum_ab form[a, b] U_a conj(U_b) = sum_c abs(sum_a T[c, a] U_a)^2``."""
     if not np.any(form - np.diag(np.diag(form))):
         rows = np.diag(np.sqrt(np.diag(form).astype(np.complex128)))
@@ -229,7 +252,7 @@ def _mixed(form: NDArray[np.complex128]) -> Array:
     return np.asarray(rows[np.abs(rows).max(axis=1) > 1e-14])
 
 
-def _parts(waves: Waves, rows: Any, parts: Any, across: Any, shift: int) -> NDArray[np.complex128]:
+def _fields(waves: Waves, rows: Any, parts: Any, across: Any, shift: int) -> NDArray[np.complex128]:
     """Return what orders of fields are integrals of, shape (wavefronts, orders, fields, nodes)."""
     made = np.zeros((len(across), across.shape[1] + 2 * shift, len(rows), across.shape[2]), np.complex128)
     for c, row in enumerate(rows):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
-from lommel.methods.layers.refinement import BRIGHT_RING, LEAST, LayeredMethod, settled
+from lommel.methods.layers.refinement import BRIGHT_RING, LEAST, LayeredMethod, refine_until
 from lommel.methods.method import RadialMethod, painted
 from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
@@ -109,7 +109,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
             found = harmonics(pupil, v, fields)
             return made_of(found), found.error
 
-        return settled(at, tol, first=0.02 * tol, least=LEAST, named=self.tol)
+        return refine_until(at, tol, start=0.02 * tol, floor=LEAST, named=self.tol)
 
 
 def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> Harmonics:

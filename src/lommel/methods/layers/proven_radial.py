@@ -10,7 +10,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.layers.orders import Orders, Table
-from lommel.methods.layers.refinement import BRIGHT_RING, LEAST, settled
+from lommel.methods.layers.refinement import BRIGHT_RING, LEAST, refine_until
 from lommel.methods.method import RadialMethod, painted, storing
 from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
@@ -51,7 +51,7 @@ class ProvenMethod(RadialMethod[ObjectivePupil]):
             found = self._orders(pupil, at, asked)
             return found.mean, found.error
 
-        made = settled(made_of, self.tol, first=0.1 * self.tol, least=_LEAST, named=self.tol)
+        made = refine_until(made_of, self.tol, start=0.1 * self.tol, floor=_LEAST, named=self.tol)
         return made._replace(values=made.values[:, where[: v.size]])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -90,7 +90,7 @@ class ProvenMethod(RadialMethod[ObjectivePupil]):
             values = table.painted(known, radius, turn) if alone else np.append(known.samples, beside.samples, axis=1)
             return values, table.error(found) + 0.25 * asked
 
-        made = settled(made_of, aim, first=0.03 * aim, least=_LEAST * ceiling, named=self.tol)
+        made = refine_until(made_of, aim, start=0.03 * aim, floor=_LEAST * ceiling, named=self.tol)
         table, known = latest[0]
         pixels = made.values if alone else table.painted(known, radius, turn)
         values = pixels.reshape(-1, *grid.shape)

@@ -26,24 +26,23 @@ def likely_peak(pupil: ObjectivePupil) -> float:
     return min(0.25, 2.0 / (1.0 + blur**2))
 
 
-def settled(
-    made_of: Callable[[float], tuple[Array, Array]], tol: float, *, first: float, least: float, named: float
+def refine_until(
+    compute: Callable[[float], tuple[Array, Array]], tol: float, *, start: float, floor: float, named: float
 ) -> Intensities:
-    """Return values whose error is at most `tol` of the peak that is found.
+    """Return intensities of accuracies from `start` down to `floor`, the first whose error over the peak is `tol`.
 
-    `made_of` gives them, shape ``(n, ...)``, and what they are off by at most, ``(n,)``, for an accuracy, of which
-    `first` is tried first and none below `least`; then ToleranceError says that the tolerance `named` is not met.
+    `compute` returns values, (n, ...), and bounds on their errors, (n,). ToleranceError names the tolerance `named`.
     """
-    asked = first
+    accuracy = start
     while True:
-        values, error = made_of(asked)
+        values, error = compute(accuracy)
         lowest = values.reshape(len(values), -1).max(axis=1) - error
         relative = np.divide(error, lowest, out=np.full(lowest.shape, np.inf), where=lowest > 0.0)
         if (worst := float(relative.max(initial=0.0))) <= tol:
             return Intensities(values, relative, lowest)
-        if asked <= least:
+        if accuracy <= floor:
             raise not_met(named, worst, "the peak")
-        asked = max(least, asked * max(1e-4, min(0.5, 0.5 * tol / worst)))
+        accuracy = max(floor, accuracy * max(1e-4, min(0.5, 0.5 * tol / worst)))
 
 
 class LayeredMethod(Method[ObjectivePupil]):

@@ -9,7 +9,7 @@ the glass loses changes with its depth and with the wavelength.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +17,13 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Images, Slopes, Wanted
-from lommel.methods.derivatives.scaling import growth, tilted
+from lommel.methods.derivatives.scaling import scaling_derivative, tilted
 from lommel.methods.derivatives.slopes import Slope
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
 from lommel.methods.method import Method, storing, widened
 from lommel.methods.pixels.averaging import Sample, averaged_images
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -116,7 +117,7 @@ def _by_circles(method: DebyeRings, rates: Rates, sizes: Sequence[float], most: 
     """Return samples by DebyeRings, with derivatives over `sizes`; `most` is what factors are at most."""
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made, accuracy = method.settled(pupil, grid, tol, wanted._replace(terms=()))
+        made, accuracy = method.refined(pupil, grid, tol, wanted._replace(terms=()))
         plain = Wanted(threads=wanted.threads)
         assert made.error is not None
         assert made.peak is not None
@@ -190,7 +191,7 @@ def layered_slopes(
         for name, (values, off) in zip(("column", "row"), tilts, strict=True):
             each[name] = _stored(grid.step(pupil) * values, grid.step(pupil) * off, made, wanted)
         if grows:
-            values, off = growth(method, pupil, grid, tilts, wanted.threads, _samples)
+            values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
             of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
             each["wavelength"] = _sum(each["wavelength"], of_place, made, wanted)
     return method, made, [each[name] for name in names]
@@ -234,10 +235,10 @@ def _any(
     return found.images, dict(zip(kinds, map(Slope, found.values, found.error), strict=True))
 
 
-def _samples(method: Method, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
     """Return samples with bounds, which need not be the tolerance that only the reference reaches."""
     if isinstance(method, Stratified):
-        found = engine_slopes(pupil, grid, (), method.tol, wanted, None)
+        found = engine_slopes(cast("ObjectivePupil", pupil), grid, (), method.tol, wanted, None)
         if found is not None:
             return found.images
     return method.images(pupil, grid, wanted)

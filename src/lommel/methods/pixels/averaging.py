@@ -126,38 +126,44 @@ def _averaged(
     step, ceiling, dtype, normalize = band[0] * grid.step(pupil), band[1], wanted.dtype, wanted.scale is None
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
-    aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
-    finer, response = _first_errors(aim, step)
+    tol_stored = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
+    err_samples, err_response = _first_errors(tol_stored, step)
     for _ in range(5):
-        taps = filtered_by(step, response, widest) if widest < _WIDEST else _shared_by(step, response, grid.shape)
+        taps = (
+            filtered_by(step, err_response, widest)
+            if widest < _WIDEST
+            else _shared_by(step, err_response, grid.shape)
+        )
         try:
-            asked = finer / taps.gain**2
-            lost = _DARK * aim * lowest if asked >= _SINGLE else 0.0
-            total, given, peaks = _filtered(sample, pupil, grid, asked, taps, wanted, lost / _lost(taps))
+            tol_samples = err_samples / taps.gain**2
+            err_single = _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0
+            total, err_given, peaks = _filtered(
+                sample, pupil, grid, tol_samples, taps, wanted, err_single / _lost(taps)
+            )
         except ToleranceError as fault:
             raise ToleranceError(
                 f"tol={tol:g} cannot be met by averages over pixels of {step / math.pi:.3g} lambda*N, for which "
-                f"samples must be exact to {finer:.2g} of the peak: {fault}"
+                f"samples must be exact to {err_samples:.2g} of the peak: {fault}"
             ) from None
         tops = total[0].max(axis=(1, 2))
-        rounding = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * peaks
-        filtering = (2.0 + taps.error) * taps.error * ceiling
-        own = filtering + rounding[0] + 1.01 * lost * peaks[0]
-        found = tops if normalize else np.maximum(tops, lowest * peaks[0])
-        if not found.min() > 0:
+        err_round = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * peaks
+        err_filter = (2.0 + taps.error) * taps.error * ceiling
+        err_own = err_filter + err_round[0] + 1.01 * err_single * peaks[0]
+        peak = tops if normalize else np.maximum(tops, lowest * peaks[0])
+        if not peak.min() > 0:
             break
-        relative = (given[0] + own) / found
+        relative = (err_given[0] + err_own) / peak
         bounds = stored(normalized_error(relative) if normalize else relative, dtype)
         if bounds.max() <= tol:
-            slopes = (given[1:] + 2.0 * filtering + rounding[1:]) / found
-            return Averages(total, np.concatenate([bounds[None], slopes]), found)
-        if finer >= _SINGLE * taps.gain**2:
+            slopes = (err_given[1:] + 2.0 * err_filter + err_round[1:]) / peak
+            return Averages(total, np.concatenate([bounds[None], slopes]), peak)
+        if err_samples >= _SINGLE * taps.gain**2:
             # What single precision stores is off by more than what doubles are, and tells little of it.
-            finer = 0.9 * _SINGLE
+            err_samples = 0.9 * _SINGLE
         else:
-            finer *= min(1.0, 0.5 * aim / float((given[0] / found).max()))
-        response *= min(1.0, 0.2 * aim / float((own / found).max()))
-    raise not_met(tol, 1.0 if not found.min() > 0 else float(bounds.max()), "the largest value in the window")
+            err_samples *= min(1.0, 0.5 * tol_stored / float((err_given[0] / peak).max()))
+        err_response *= min(1.0, 0.2 * tol_stored / float((err_own / peak).max()))
+    raise not_met(tol, 1.0 if not peak.min() > 0 else float(bounds.max()), "the largest value in the window")
 
 
 def _first_errors(aim: float, step: float) -> tuple[float, float]:

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from disk_quadrature import exact_lattice
-from lommel.methods.derivatives.slopes import _amplitudes, _nodes, by_obscuration
+from lommel.methods.derivatives.slopes import _amplitudes, _nodes, obscuration_derivative
 
 
 def pupil(rng: np.random.Generator) -> lm.Pupil:
@@ -59,7 +59,7 @@ def test_the_derivative_is_that_of_quadrature(integrate, error, seed):
     change = 2.0 * (np.conj(exact_lattice(one, across.ravel(), down.ravel()).ravel()) * lost).real
     weights = 0.25 * np.multiply.outer(weight, weight)
     exact = np.einsum("iajb,ab->ij", change.reshape(4, rule.size, 5, rule.size), weights)
-    found, bound = by_obscuration(one, grid, error)
+    found, bound = obscuration_derivative(one, grid, error)
     assert np.abs(found[0] - exact).max() <= bound[0] + 1e-13
     assert bound[0] <= error
 
@@ -70,7 +70,7 @@ def test_each_pupil_of_a_stack_has_its_own():
         one.wavefront + lm.Wavefront([0.0, 2.0]), obscuration=one.obscuration, apodization=one.apodization
     )
     grid = lm.Grid(7, 0.4, center=([3.0, 2.5], [3.2, 3.3]), integrate=True)
-    found, _ = by_obscuration(both, grid, 1e-10)
+    found, _ = obscuration_derivative(both, grid, 1e-10)
     for i in range(2):
-        alone, _ = by_obscuration(both[i], grid[i], 1e-10)
+        alone, _ = obscuration_derivative(both[i], grid[i], 1e-10)
         assert found[i] == pytest.approx(alone[0], abs=2e-10)

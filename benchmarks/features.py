@@ -25,7 +25,7 @@ def features(settings: Settings) -> Table:
     """Each beside the plain 512² and the FFT."""
     table = Table(
         "features",
-        "What else it does",
+        "Options",
         f"512², {BASE}, tol 1e-6, one thread. The unit of the first ratio is the plain PSF of the same window; the "
         "second is beside one FFT of 1024² complex128, though that FFT does none of this. True errors are over the "
         "largest value, against quadrature at the same radii: of pixel averages 64 points for each of 500 pixels, "

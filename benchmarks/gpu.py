@@ -1,4 +1,4 @@
-"""Twins on a graphics processor: ``python -m benchmarks.gpu --framework torch --out gpu.json``.
+"""Traced plans on a graphics processor: ``python -m benchmarks.gpu --framework torch --out gpu.json``.
 
 For each case images and gradients a second at the best batch, bytes and the share of what the bandwidth of the memory
 allows, measured first, and errors against the compiled core, with products rounded to TF32 and not. What is stated on

@@ -47,7 +47,7 @@ def limited(settings: Settings) -> Table:
     """How many times as long each work takes with narrower vectors as with the widest."""
     table = Table(
         "instructions",
-        "Narrower vectors",
+        "Instruction sets",
         "How many times as long the same build takes when it is limited to AVX2 with FMA, or to what every x86-64 "
         "processor has (SSE2), as with the widest vectors of this one. Pixels of 0.5 λN, tol 1e-6 and float32 unless "
         "the row says otherwise, one thread, into an array that is there already.",

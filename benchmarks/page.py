@@ -27,9 +27,9 @@ C_d and C_s are the coefficients of defocus and primary spherical aberration in 
 
 _AGAIN = """## Differentiable PSFs
 
-Differentiable PSFs [in JAX and PyTorch](differentiable.md) are measured on processors by `python -m
-benchmarks.twins`, and on graphics processors by `python -m benchmarks.gpu`. No graphics processor has been measured
-yet: the figures for these are estimates from the memory traffic of a PSF and the bandwidth of the memory.
+[Differentiable PSFs](differentiable.md) are measured by `python -m benchmarks.differentiable` on CPUs, and by
+`python -m benchmarks.gpu` on graphics processors. No graphics processor has been measured yet: the figures for these
+are estimates from the memory traffic of a PSF and the bandwidth of the memory.
 
 ## Reproduce
 

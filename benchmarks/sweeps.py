@@ -103,7 +103,7 @@ def accuracy(settings: Settings) -> Table:
     largest = 2048 if settings.quick else 8192
     table = Table(
         "accuracy",
-        "The FFT that is as exact",
+        "The smallest FFT of equal accuracy",
         "512², pixels of 0.5 λN, one thread. For each error asked, the smallest of the FFTs tried that stays below "
         f"it (the whole method, 1024² to {largest}², binary and grey edge; at this pitch more padding changes "
         "nothing, more samples across the pupil do), against lommel with that tolerance.",

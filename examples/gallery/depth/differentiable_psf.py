@@ -129,9 +129,9 @@ def milliseconds(function, *arguments):
 count = 1000
 draw = np.random.default_rng(0).uniform(-1, 1, (count, 2)) * [10.0, 1.0]
 c = jnp.asarray(draw, dtype=jnp.float32)
-twin = lm.Plan(shape=33, pixel=0.5, tol=1e-3).traced(lm.Pupil(lm.Wavefront([-10.0, 10.0], [-1.0, 1.0])), jnp)
+traced = lm.Plan(shape=33, pixel=0.5, tol=1e-3).traced(lm.Pupil(lm.Wavefront([-10.0, 10.0], [-1.0, 1.0])), jnp)
 exact = lm.psf(lm.Pupil(lm.Wavefront(*np.asarray(c, dtype=float).T)), 33, 0.5, tol=1e-9).values
-for name, function in (("twin", twin), ("FFT", by_fft)):
+for name, function in (("traced", traced), ("FFT", by_fft)):
     images = jax.jit(function)
     gradient = jax.jit(jax.grad(lambda c, of=function: jnp.sum(of(c) ** 2)))
     error = (np.abs(np.asarray(images(c)) - exact).max(axis=(1, 2)) / exact.max(axis=(1, 2))).max()

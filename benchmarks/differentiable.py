@@ -1,4 +1,4 @@
-"""Twins on a processor, beside the compiled core and an FFT in the same framework: ``python -m benchmarks.twins``.
+"""Traced plans on a CPU, beside the compiled core and an FFT in JAX: ``python -m benchmarks.differentiable``.
 
 Times are those of the processor, the least of several, so that what else runs counts little; one thread where the
 shell says so, as by ``taskset -c 0``.
@@ -57,8 +57,8 @@ def rows() -> list[tuple[str, float, float, float]]:
     found = [("compiled core", milliseconds(lambda: core(pupils)), np.nan, _error(core(pupils).values, exact))]
     reach = lm.Pupil(lm.Wavefront([-REACH, REACH], [-1.0, 1.0]))
     makers: list[tuple[str, bool, Callable[[], Callable[..., Any]]]] = [
-        ("twin, float64 inside", True, lambda: lm.Plan(SIDE, PIXEL).traced(reach, jnp)),
-        ("twin, float32", False, lambda: lm.Plan(SIDE, PIXEL, tol=1e-3).traced(reach, jnp)),
+        ("traced, float64 inside", True, lambda: lm.Plan(SIDE, PIXEL).traced(reach, jnp)),
+        ("traced, float32", False, lambda: lm.Plan(SIDE, PIXEL, tol=1e-3).traced(reach, jnp)),
         ("FFT of 128 by 128, complex64", False, lambda: lambda c: by_fft(jnp, c)),
     ]
     for name, double, make in makers:
@@ -75,7 +75,7 @@ def rows() -> list[tuple[str, float, float, float]]:
                     _error(np.asarray(images(given)), exact),
                 )
             )
-    found += _in_torch("twin, float32", lm.Plan(SIDE, PIXEL, tol=1e-3), reach, c, exact)
+    found += _in_torch("traced, float32", lm.Plan(SIDE, PIXEL, tol=1e-3), reach, c, exact)
     pupils = random_zernikes(False)(1)[0]
     exact = lm.psf(pupils, SIDE, PIXEL, tol=1e-8).values
     core = lm.Plan(SIDE, PIXEL, method=lm.ChordalGauss(1e-4), threads=1)
@@ -93,13 +93,13 @@ def rows() -> list[tuple[str, float, float, float]]:
         given, weight = jnp.asarray(pupils.wavefront.edge), jnp.asarray(exact, dtype=jnp.float32)
         times = [milliseconds(lambda: images(given).block_until_ready())]
         times.append(milliseconds(lambda: gradient(given, weight).block_until_ready()))
-        found.append(("fifteen terms: twin, float32", *times, _error(np.asarray(images(given)), exact)))
+        found.append(("fifteen terms: traced, float32", *times, _error(np.asarray(images(given)), exact)))
     plan = lm.Plan(SIDE, PIXEL, tol=1e-4)
-    return found + _in_torch("fifteen terms: twin, float32", plan, pupils, pupils.wavefront.edge, exact)
+    return found + _in_torch("fifteen terms: traced, float32", plan, pupils, pupils.wavefront.edge, exact)
 
 
 def _in_torch(name: str, plan: lm.Plan, reach: lm.Pupil, c: Any, exact: Any) -> list[tuple[str, float, float, float]]:
-    """Return the row of a twin in PyTorch, uncompiled, where that is installed, for coefficients `c`."""
+    """Return the row of a traced plan in PyTorch, uncompiled, where that is installed, for coefficients `c`."""
     if not find_spec("torch"):
         return []
     import torch

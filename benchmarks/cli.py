@@ -11,13 +11,13 @@ from collections.abc import Callable
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from benchmarks import features, fresh, instructions, microscopes, peers, sizes, sweeps, verdicts
+from benchmarks import features, fresh, instructions, microscopes, peers, sizes, sweeps, limits
 from benchmarks.machine import ROOT, clean, describe
 from benchmarks.report import Table, show
 from benchmarks.settings import Settings
 
 TABLES: dict[str, Callable[[Settings], Table]] = {
-    "targets": verdicts.run,
+    "targets": limits.run,
     "sizes": sizes.run,
     "aberrations": sweeps.aberrations,
     "tolerances": sweeps.tolerances,
@@ -56,7 +56,7 @@ def main() -> int:
         _write(done)
         written = "benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png"
         console.print(f"Written: {written}", highlight=False)
-    missed = [row for table in done if table.key == "targets" for row in verdicts.missed(table)]
+    missed = [row for table in done if table.key == "targets" for row in limits.missed(table)]
     for row in missed:
         console.print(f"[bold red]MISSED[/] {row}", highlight=False)
     return 1 if missed else 0

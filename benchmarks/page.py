@@ -40,7 +40,7 @@ make peers                                        # first, to include the other 
 .venv/bin/python benchmarks/run.py --only sizes   # one table; --list names them
 ```
 
-`make bench` also compares the overview with the limits in `benchmarks/verdicts.py`, and fails if a row exceeds its
+`make bench` also compares the overview with the limits in `benchmarks/limits.py`, and fails if a row exceeds its
 limit in two runs. Load from other programs widens the ranges in brackets.
 """
 

@@ -322,3 +322,19 @@ def test_the_names_that_a_page_refers_to_are_in_the_reference(path):
         r"\{(?:py:)?(?:class|func|meth|attr)\}`(?:[^`<]*<)?~?lommel\.([\w.]+)>?`", path.read_text("utf-8")
     ):
         assert target in listed or target.rpartition(".")[0] in listed, target
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_the_source_files_that_a_page_names_exist(path):
+    roots = [ROOT, ROOT / "src" / "lommel", ROOT / "cpp" / "include" / "lommel"]
+    for name in re.findall(r"`([\w/]+\.(?:py|hpp))`", path.read_text(encoding="utf-8")):
+        assert any((root / name).exists() for root in roots), name
+
+
+def test_the_first_pages_are_short_and_without_demands_on_speed():
+    readme, contributing, benchmarks = (
+        (ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "CONTRIBUTING.md", "docs/benchmarks.md")
+    )
+    assert readme.count("\n") <= 120
+    assert contributing.count("\n") <= 140
+    assert not re.search(r"verdict|MISSED|\| aim", readme + benchmarks)

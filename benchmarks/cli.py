@@ -11,7 +11,7 @@ from collections.abc import Callable
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from benchmarks import features, fresh, instructions, microscopes, peers, sizes, sweeps, limits
+from benchmarks import features, fresh, instructions, limits, microscopes, peers, sizes, sweeps
 from benchmarks.machine import ROOT, clean, describe
 from benchmarks.report import Table, show
 from benchmarks.settings import Settings

@@ -141,7 +141,10 @@ def test_depths_and_planes_that_do_not_go_together_are_told():
             lambda one: lm.psf(one, 3, 6.5e-6),
             r"an Objective; objective.pupil\(depth=..., wavelength=...\) is its pupil",
         ),
-        (lambda one: lm.mtf(one.pupil(**PUPIL), 0.1), "that of an Objective, which has no one wavefront; lommel.psf"),
+        (
+            lambda one: lm.mtf(one.pupil(**PUPIL), 0.1),
+            "that of an Objective, which has no single wavefront; lommel.psf",
+        ),
         (lambda one: lm.strehl(one.pupil(**PUPIL)), "lommel.psf takes it, and measures its PSF"),
     ],
 )

@@ -447,6 +447,7 @@ class PSF(Measured):
         If a part is of another type, or the values are not of its shape.
     """
 
+    pupil_hint = "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image"
     values: NDArray[Any]
     grid: Grid
     pupil: BasePupil

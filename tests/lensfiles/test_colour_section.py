@@ -69,7 +69,7 @@ def test_channels_are_wavelengths_weights_or_a_table(tmp_path):
             '[colour]\nwavelengths = ["450 nm", "550 nm"]\nfocus_shift = ["1 um"]\n',
             "focus_shift must be one for each of 2",
         ),
-        ('[colour]\nwavelengths = ["600 nm", "650 nm"]\n', "known from 600 to 650 nm, asked for 550"),
+        ('[colour]\nwavelengths = ["600 nm", "650 nm"]\n', "known from 600 to 650 nm, got 550"),
         ("[channels]\n", "needs file"),
         ('[channels]\nfile = "none.csv"\n', "none.csv"),
         ('[channels]\nwavelengths = ["500 nm"]\nfilters = ["f.csv"]\n', "filters has no meaning with wavelengths"),

@@ -17,7 +17,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 
@@ -30,7 +29,7 @@ from lommel.optics.pupil import Pupil
 
 
 def pupil(
-    optic: Any,
+    optic: object,
     field: tuple[float, float] = (0.0, 0.0),
     *,
     wavelength: float | None = None,
@@ -69,7 +68,7 @@ def pupil(
 
 
 def field_map(
-    optic: Any,
+    optic: object,
     *,
     heights: int = 9,
     fields: Sequence[tuple[float, float]] | None = None,
@@ -104,7 +103,7 @@ def field_map(
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol)
 
 
-def _tracer(optic: Any, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
+def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
     library("optiland", "this needs", "")
     from optiland.optic import Optic

@@ -1,13 +1,11 @@
-r"""From traced rays to pupils and fields: what the adapters share.
+"""Pupils and field maps from traced rays, shared by the adapters.
 
-The phase at a point of the pupil is that of its ray where it leaves the reference sphere around the chief ray's image
-point, ``2 pi (OPL - OPL_chief) / lambda``: a longer path is a later wave, ``exp(+i phase)``. Points of the pupil are
-given by their fraction of the entrance pupil, as the packages' own FFT PSFs take them; for a lens that obeys the sine
-condition these are the direction cosines in the image. The f-number is ``1 / (2 n NA)`` of these direction cosines,
-by least squares over the pupil, and the geometric mean of the two directions where they differ.
+The phase at a point of the pupil is that of its ray on the reference sphere around the chief ray's image point,
+``2 pi (OPL - OPL_chief) / lambda``: a longer path is a later wave, ``exp(+i phase)``. Pupil points are fractions of
+the entrance pupil, as in the packages' own FFT PSFs; under the sine condition they are the direction cosines in the
+image. The f-number is ``1 / (2 n NA)`` of these by least squares, the geometric mean of both directions.
 
-Ray tracers have y upwards. Here y rises with the rows, downwards: both the pupil and the position on the sensor are
-mirrored, so that a picture has y upwards again; it is seen from behind the sensor, against the light.
+Ray tracers have y upwards, images here downwards: pupil and position are mirrored, seen from behind the sensor.
 """
 
 from __future__ import annotations
@@ -15,7 +13,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -33,18 +30,10 @@ MAX_DEGREE = 20
 
 @dataclass(frozen=True)
 class TracedField:
-    """Rays from one point of the object, in the frame of the ray tracer: z along the light, y upwards.
+    """Rays from one object point in the frame of the ray tracer: z along the light, y upwards.
 
-    Attributes
-    ----------
-    x, y : ndarray, shape (n,)
-        Fractions of the entrance pupil.
-    phase : ndarray, shape (n,)
-        Radians; NaN where no ray came through.
-    direction_x, direction_y : ndarray, shape (n,)
-        Direction cosines at the image times its refractive index, minus those of the chief ray.
-    position : (float, float)
-        Where the chief ray meets the sensor, metres.
+    Fractions x and y of the entrance pupil, phase (radians, NaN where blocked), direction cosines at the image times
+    its index relative to the chief ray, and the chief ray on the sensor (metres).
     """
 
     x: Array
@@ -56,25 +45,24 @@ class TracedField:
 
 
 Trace = Callable[[float, float, Array, Array], TracedField]
-"""From a point of the field, as fractions of its edge, and points of the pupil to what becomes of their rays."""
+"""From a point of the field, as fractions of its edge, and points of the pupil to their rays."""
 
 
 def sample_points(degree: int) -> tuple[Array, Array]:
-    """Return points of the pupil, x and y, enough for Zernike terms up to `degree` and to see what is beyond."""
+    """Return x and y of pupil points that determine Zernike terms up to `degree` and show residuals."""
     nodes = gauss_legendre(degree // 2 + 4)[0]
     rho = np.sqrt(nodes)
     theta = 2.0 * math.pi / (2 * degree + 5) * np.arange(2 * degree + 5)
     return np.outer(rho, np.cos(theta)).ravel(), np.outer(rho, np.sin(theta)).ravel()
 
 
-def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, int], float], float]:
-    """Return Zernike coefficients (radians at the edge, the axes of the sensor) and the f-number.
+def _checked_points(degree: int, tol: float) -> tuple[Array, Array]:
+    validation.real("tol", tol, above=0.0)
+    return sample_points(validation.integer("degree", degree, least=2, most=MAX_DEGREE))
 
-    Raises
-    ------
-    ValueError
-        If rays are blocked, or if the rms of what the terms leave exceeds `tol`.
-    """
+
+def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, int], float], float]:
+    """Return Zernike coefficients (radians at the edge) and the f-number; ValueError beyond `tol` or if blocked."""
     blocked = ~np.isfinite(traced.phase)
     if blocked.any():
         raise ValueError(
@@ -88,7 +76,7 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
         raise ValueError(
             "the rays do not converge towards an image in both directions; afocal lenses are not supported"
         )
-    # A pupil that is imaged upside down, as by a relay, is turned by half a turn.
+    # A pupil that is imaged upside down, as by a relay, is rotated by half a turn.
     turn = math.copysign(1.0, slopes[0])
     x, y = turn * traced.x, -turn * traced.y
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
@@ -104,23 +92,19 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
     return coefficients, 0.5 / math.sqrt(slopes[0] * slopes[1])
 
 
-def single_pupil(trace: Trace, field: Any, wavelength: float, degree: int, tol: float) -> Pupil:
+def single_pupil(trace: Trace, field: object, wavelength: float, degree: int, tol: float) -> Pupil:
     """Return the pupil at one point of the field, with the f-number there."""
     hx, hy = _point("field", field)
-    terms, f_number = fit(trace(hx, hy, *sample_points(_degree(degree))), degree, _tolerance(tol))
+    terms, f_number = fit(trace(hx, hy, *_checked_points(degree, tol)), degree, tol)
     wavefront = Wavefront.zernike(terms, normalization="edge")
     return Pupil(wavefront, wavelength=wavelength, f_number=f_number)
 
 
 def field_map(
-    trace: Trace, heights: int, fields: Sequence[Any] | None, wavelength: float, degree: int, tol: float
+    trace: Trace, heights: int, fields: Sequence[object] | None, wavelength: float, degree: int, tol: float
 ) -> FieldMap:
-    """Return the map over the field, with the f-number on the axis.
-
-    Without `fields` the lens must be rotationally symmetric, which is checked against one point off that direction.
-    """
-    points = sample_points(_degree(degree))
-    tol = _tolerance(tol)
+    """Return the map over the field, with the f-number on the axis; without `fields` a symmetric lens is required."""
+    points = _checked_points(degree, tol)
     axis, f_number = fit(trace(0.0, 0.0, *points), degree, tol)
     aperture = Pupil(wavelength=wavelength, f_number=f_number)
     if fields is not None:
@@ -163,18 +147,10 @@ def _stack(several: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
     return Wavefront.zernike(terms, normalization="edge")
 
 
-def _point(name: str, value: Any) -> tuple[float, float]:
+def _point(name: str, value: object) -> tuple[float, float]:
     if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
         raise TypeError(f"{name} must be a pair (hx, hy), got {validation.shown(value)}")
     hx, hy = (validation.real(f"{name}[{k}]", part) for k, part in enumerate(value))
     if math.hypot(hx, hy) > math.sqrt(2.0) + 1e-9:
         raise ValueError(f"{name} must be fractions of the edge of the field, from -1 to 1, got {(hx, hy)}")
     return hx, hy
-
-
-def _degree(value: Any) -> int:
-    return validation.integer("degree", value, least=2, most=MAX_DEGREE)
-
-
-def _tolerance(value: Any) -> float:
-    return validation.real("tol", value, above=0.0)

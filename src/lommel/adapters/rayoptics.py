@@ -18,7 +18,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -31,7 +30,7 @@ from lommel.optics.pupil import Pupil
 
 
 def pupil(
-    model: Any,
+    model: object,
     field: tuple[float, float] = (0.0, 0.0),
     *,
     wavelength: float | None = None,
@@ -74,7 +73,7 @@ def pupil(
 
 
 def field_map(
-    model: Any,
+    model: object,
     *,
     heights: int = 9,
     fields: Sequence[tuple[float, float]] | None = None,
@@ -110,7 +109,7 @@ def field_map(
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol)
 
 
-def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:
+def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
     library("rayoptics", "this needs", "")
     from rayoptics.optical.opticalmodel import OpticalModel

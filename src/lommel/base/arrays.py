@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from types import EllipsisType
+from typing import Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +13,11 @@ Array = NDArray[np.float64]
 Values = NDArray[np.floating[Any]]
 """Of float32 or float64."""
 Numbers = np.float64 | NDArray[np.float64]
+_Index = SupportsIndex | slice | EllipsisType | Sequence[int] | NDArray[np.integer[Any]] | NDArray[np.bool_] | None
+Index = _Index | tuple[_Index, ...]
+"""By which NumPy indexes arrays."""
+Json = dict[str, Any]
+"""A thing in plain types, as JSON has them."""
 
 
 def largest(values: Values) -> float:

@@ -17,8 +17,7 @@ from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked,
 from lommel.methods.derivatives.slopes import Slope, translated
 from lommel.methods.question import Asked, asked_about
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront.terms import symmetric_terms
-from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
 from lommel.special import zernike
 

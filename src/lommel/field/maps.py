@@ -1,4 +1,4 @@
-"""The field of a lens: wavefronts that change over the sensor."""
+"""Field maps: wavefronts over the sensor, interpolated between known positions or by Seidel polynomials."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import options, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.options import shares
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.field.psf_grid import PSFGrid, sides
-from lommel.field.vignetting import Shaded, Shading, Vignetting, places
+from lommel.field.vignetting import Shading, Vignetting, positions, relative
 from lommel.methods import Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
@@ -27,24 +27,11 @@ from lommel.special import zernike
 
 
 def stacked(pupils: list[Pupil], shape: tuple[int, ...], compute: Callable[[Pupil], PSF]) -> PSF:
-    """Return the PSFs of single pupils as a stack of a shape.
-
-    Parameters
-    ----------
-    pupils : list of Pupil
-    shape : tuple of int
-    compute : callable
-        From a pupil to its PSF, without derivatives.
-
-    Returns
-    -------
-    PSF
-        Of the method of the place that is narrowed most; its bound is the largest, None where one has none.
-    """
+    """Return the PSFs of single pupils as a stack: the largest bound, the method of a vignetted position."""
     found = [compute(pupil) for pupil in pupils]
     first = found[0]
     if any(one.derivatives for one in found):
-        raise ValueError("derivatives are those of one aperture: ask place by place where vignetting changes it")
+        raise ValueError("derivatives need one aperture: compute each position by itself where vignetting changes it")
     bounds = [one.error_bound for one in found]
     narrow = next((one for one in found if not one.pupil.circular), first)
     return replace(
@@ -57,7 +44,7 @@ def stacked(pupils: list[Pupil], shape: tuple[int, ...], compute: Callable[[Pupi
 
 
 def weighted(psf: PSF, light: Array) -> PSF:
-    """Return a stack whose values are multiplied by the light of each place, and its scale with them."""
+    """Return a stack whose values and scale are multiplied by the light at each position."""
     factor = np.asarray(light)[..., None, None].astype(psf.values.dtype)
     slopes = {name: slope * factor for name, slope in psf.derivatives.items()}
     assert math.prod(light.shape) == math.prod(psf.pupil.shape)
@@ -65,7 +52,7 @@ def weighted(psf: PSF, light: Array) -> PSF:
 
 
 class ApertureKeywords(TypedDict, total=False):
-    """What says which aperture it is."""
+    """The keywords of :class:`ApertureOptions`."""
 
     aperture: Pupil | None
     wavelength: float | None
@@ -92,14 +79,7 @@ class ApertureOptions:
     obscuration: float | None = None
 
     def bare(self) -> Pupil:
-        """Return the pupil without wavefront.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If the aperture is no pupil, has a wavefront, or contradicts what is stated beside it, or if that is out
-            of range.
-        """
+        """Return the pupil without wavefront; TypeError or ValueError if the aperture contradicts the options."""
         stated = {name: v for name, v in vars(self).items() if name != "aperture" and v is not None}
         if self.aperture is None:
             return Pupil(**stated)
@@ -115,35 +95,35 @@ class ApertureOptions:
         return replace(given, geometry=None, **stated)
 
 
-def bare_pupil(door: Callable[..., Any], given: Mapping[str, Any]) -> Pupil:
-    """Return the pupil without wavefront of what `door` was given; TypeError for what it does not take."""
-    options.require_known(door, given, ApertureKeywords)
+def bare_pupil(constructor: Callable[..., FieldMap], given: ApertureKeywords) -> Pupil:
+    """Return the pupil without wavefront of the options of `constructor`; TypeError for unknown ones."""
+    options.require_known(constructor, given, ApertureKeywords)
     return ApertureOptions(**given).bare()
 
 
 @dataclass(frozen=True, eq=False)
-class FieldMap(Shaded):
-    """Wavefronts known at some positions on the sensor, and smoothly in between.
+class FieldMap:
+    """Wavefronts over the sensor, interpolated between known positions, without extrapolation.
 
-    Made by :meth:`on_grid`, :meth:`scattered`, :meth:`radial` or :meth:`from_seidel`. Positions (x, y) are measured
-    from the optical axis, x along rising columns and y along rising rows (downwards in a picture), in metres if the
-    map has a wavelength, else in units of lambda*N. What is interpolated are the coefficients of the wavefronts,
-    and at the given positions they come back but for rounding. A position beyond the map is refused.
+    Made by :meth:`on_grid`, :meth:`scattered`, :meth:`radial` or :meth:`from_seidel`, which take the aperture by the
+    same options and raise TypeError or ValueError where numbers are out of range, positions are repeated or not as
+    stated, or there is not one wavefront for each. Positions (x, y) are measured from the optical axis, x along
+    rising columns and y along rising rows (downwards in a picture), in metres if the map has a wavelength, else in
+    units of lambda*N. Zernike coefficients are interpolated, and reproduced at the known positions but for rounding.
 
-    A map plus a wavefront is the map with that wavefront added everywhere, such as the defocus of an object.
+    A map plus a wavefront has that wavefront added everywhere, such as the defocus of an object.
 
     Attributes
     ----------
     pupil_without_wavefront : Pupil
-        The aperture on the axis, and where there is no vignetting the same over the whole field.
+        The aperture on the axis; without vignetting that of the whole field.
     vignetting : Vignetting or None
-        What narrows it off the axis; see :meth:`seen_through`.
+        Vignetting off the axis; see :meth:`seen_through`.
     shading : Shading or None
 
     Notes
     -----
-    A wavefront refers to the point of the sensor whose position it is given for: terms of tilt move the light in
-    the window.
+    A wavefront refers to its own position on the sensor: tilt terms move the light within the window.
 
     Examples
     --------
@@ -151,6 +131,8 @@ class FieldMap(Shaded):
     >>> field.pupil(10e-3, 0.0).wavefront == Wavefront.from_seidel(W131=2.0, W222=1.0, field=(0.5, 0.0))
     True
     """
+
+    pupil_hint = "a FieldMap; field.pupil(x, y) is that of a position"
 
     pupil_without_wavefront: Pupil
     _wavefronts: WavefrontsOnSensor
@@ -175,15 +157,6 @@ class FieldMap(Shaded):
             Rising, at least two each. Along an axis of two or three positions the spline is linear or quadratic.
         wavefront : Wavefront of shape (rows, columns)
         {options}
-
-        Returns
-        -------
-        FieldMap
-
-        Raises
-        ------
-        TypeError, ValueError
-            If positions are not finite or do not rise, or if the wavefronts are not one for each.
         """
         known = OnGrid(x, y, wavefront)
         return cls(bare_pupil(cls.on_grid, options), known, Wavefront())
@@ -208,15 +181,6 @@ class FieldMap(Shaded):
             3 to 4000 positions, all different, not all on one line.
         wavefront : Wavefront of shape (n,)
         {options}
-
-        Returns
-        -------
-        FieldMap
-
-        Raises
-        ------
-        TypeError, ValueError
-            If positions are not finite, come twice or lie on a line, or if the wavefronts are not one for each.
         """
         known = Scattered(x, y, wavefront)
         return cls(bare_pupil(cls.scattered, options), known, Wavefront())
@@ -246,16 +210,6 @@ class FieldMap(Shaded):
         azimuth : float, default 0
             Direction of these positions in radians, from x (0) to y (pi / 2, downwards in a picture).
         {options}
-
-        Returns
-        -------
-        FieldMap
-
-        Raises
-        ------
-        TypeError, ValueError
-            If heights are not finite, do not rise or do not begin with 0, if the wavefronts are not one for each,
-            or if that on the axis depends on the direction.
         """
         known = Radial(height, wavefront, azimuth)
         return cls(bare_pupil(cls.radial, options), known, Wavefront())
@@ -285,15 +239,6 @@ class FieldMap(Shaded):
         W020, W040, W060, W080, W131, W222, W220, W311 : float
             As of :meth:`lommel.Wavefront.from_seidel`, which is evaluated at each position.
         {options}
-
-        Returns
-        -------
-        FieldMap
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a coefficient is no number, `edge` is not above 0, or an option of the aperture is out of range.
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
@@ -327,7 +272,7 @@ class FieldMap(Shaded):
         return replace(self, _added=self._added + other)
 
     def pupil(self, x: ArrayLike, y: ArrayLike) -> Pupil:
-        """Return the pupil that the position (x, y) of the sensor sees; arrays give a stack.
+        """Return the pupil at the position (x, y) of the sensor; arrays give a stack.
 
         Parameters
         ----------
@@ -344,7 +289,7 @@ class FieldMap(Shaded):
         TypeError, ValueError
             If a position is not finite or lies beyond the map; the message names it and the limits.
         """
-        across, down = places(x, y)
+        across, down = positions(x, y)
         if across.size == 0:
             raise ValueError(f"x and y must not be empty, got shape {across.shape}")
         outside = ~self._wavefronts.contains(across, down)
@@ -358,8 +303,58 @@ class FieldMap(Shaded):
         if self.vignetting is None:
             return pupil
         if across.shape != ():
-            raise ValueError("x and y must be one place where vignetting changes the aperture; psf takes arrays")
+            raise ValueError("x and y must be one position where vignetting changes the aperture; psf takes arrays")
         return replace(pupil, vignetting=self.vignetting.at(float(across), float(down)))
+
+    def seen_through(self, vignetting: Vignetting | None = None, shading: Shading | None = None) -> FieldMap:
+        """Return the map with vignetting and shading off the axis.
+
+        Parameters
+        ----------
+        vignetting : Vignetting, optional
+        shading : Shading, optional
+            Changes :meth:`illumination`, but no PSF.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are of other types, or the aperture has vignetting already.
+        """
+        validation.optional("vignetting", vignetting, Vignetting)
+        validation.optional("shading", shading, Shading)
+        if vignetting is not None and self.pupil_without_wavefront.vignetting is not None:
+            raise ValueError("vignetting must be left out for an aperture that has one of its own at all places")
+        return replace(self, vignetting=vignetting, shading=shading)
+
+    def illumination(self, x: ArrayLike, y: ArrayLike) -> Numbers:
+        """Return the relative illumination of a uniform scene at positions (x, y) of the sensor.
+
+        Parameters
+        ----------
+        x, y : array_like
+
+        Returns
+        -------
+        float or ndarray
+            Light transmitted there over that on the axis, times the shading.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a position is not finite, or beyond the vignetting or the shading.
+        """
+        across, down = positions(x, y)
+        bare = self.pupil_without_wavefront
+        return numbers(relative(bare, self.vignetting, self.shading, across, down), across.shape)
+
+    def working_f_number(self, x: ArrayLike, y: ArrayLike) -> Numbers:
+        """Return the f-number of equal light on the axis at positions (`x`, `y`): ``N / sqrt(illumination)``.
+
+        Raises as :meth:`illumination`, and ValueError for a map without an f-number.
+        """
+        if (known := self.pupil_without_wavefront.f_number) is None:
+            raise ValueError("f_number must be known for a working f-number, and this map is in units of lambda*N")
+        return known / np.sqrt(self.illumination(x, y))
 
     def psf(
         self,
@@ -390,7 +385,7 @@ class FieldMap(Shaded):
         TypeError, ValueError
             As :meth:`pupil` and :func:`lommel.psf`.
         """
-        across, down = places(x, y)
+        across, down = positions(x, y)
         if self.vignetting is None or across.shape == ():
             return psf(self.pupil(x, y), shape, pixel, method=method, **options)
         pupils = [self.pupil(float(a), float(b)) for a, b in zip(across.flat, down.flat, strict=True)]
@@ -410,9 +405,9 @@ class FieldMap(Shaded):
         lens: Lens | None = None,
         **options: Any,
     ) -> PSFGrid:
-        """Compute PSFs over the sensor in one call: one for the centre of each of rows times columns equal cells.
+        """Compute the PSF at the centre of each of rows times columns equal cells of the sensor.
 
-        And, where they are asked for, at several distances of the object and in several channels.
+        Optionally at several object distances and in several channels.
 
         Parameters
         ----------
@@ -425,15 +420,11 @@ class FieldMap(Shaded):
         illuminated : bool, default False
             Multiply the values of each PSF by the :meth:`illumination` of its place.
         channels : Channels or sequence of float, optional
-            As of :func:`lommel.colour_psf`, with the lateral and axial colour of the lens that the aperture is of.
+            As of :func:`lommel.colour_psf`, with the lateral and axial colour of the lens of the aperture.
         depths : array_like, shape (k,), optional
             Distances of the object from the lens, metres; may be infinite.
         lens : Lens, optional
-            With the focus of these distances, and without aberrations: the map has them.
-
-        Returns
-        -------
-        PSFGrid
+            Lens that defocuses these distances, without aberrations: the map has them.
 
         Raises
         ------
@@ -453,7 +444,7 @@ class FieldMap(Shaded):
             if self.vignetting is not None or lit:
                 raise ValueError(
                     f"{' and '.join(named)} must be left out where vignetting changes the aperture or values are "
-                    "weighted by the illumination; ask channel by channel, or multiply by illumination(x, y)"
+                    "weighted by the illumination; compute each channel by itself, or multiply by illumination(x, y)"
                 )
             pupil, distances = self.pupil(x, y[:, None]), None
             if depths is not None and lens is not None:
@@ -472,15 +463,9 @@ class FieldMap(Shaded):
 
 
 def require_light(light: Pupil, lens: Lens) -> None:
-    """Raise ValueError where a lens is not that of a map: of `light`, its pupil without wavefront.
-
-    Parameters
-    ----------
-    light : Pupil
-    lens : Lens
-    """
+    """Raise ValueError unless a lens has the aperture and light of a map, and no aberrations."""
     if not lens.aberrations.flat:
-        raise ValueError("lens must have no aberrations, for the map has those of all places: add them to it")
+        raise ValueError("lens must have no aberrations, for the map has those of all positions: add them to it")
     there = lens.pupil(1.0).unaberrated()
     for name, own, other in (
         ("wavelength", there.wavelength, light.wavelength),
@@ -495,27 +480,7 @@ def require_light(light: Pupil, lens: Lens) -> None:
 
 
 def at_depths(pupil: Pupil, lens: Lens, depths: ArrayLike) -> Pupil:
-    """Return what each place sees of objects at each distance.
-
-    Parameters
-    ----------
-    pupil : Pupil
-        A stack of shape ``places``, with the aberrations of the field.
-    lens : Lens
-        Without aberrations, of the same light.
-    depths : array_like, shape (k,)
-        Distances of objects from the lens, metres; may be infinite.
-
-    Returns
-    -------
-    Pupil
-        A stack of shape ``places + (k,)``.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the distances are none, or the lens is not that of the pupils.
-    """
+    """Return a stack ``positions + (k,)`` of pupils of the field, with the defocus of a lens at k distances."""
     validation.instance("lens", lens, Lens)
     require_light(pupil, lens)
     distances = np.atleast_1d(np.asarray(depths))
@@ -538,26 +503,26 @@ MAX_SCATTERED = 4000
 """Most scattered positions: the interpolation solves a dense system of this size."""
 
 _ROUNDING = 1e-9  # of the size of the map: positions this far outside count as on its edge
-_AXIS = 1e-6  # radians that a wavefront on the axis may depend on the direction, from rounding in what made it
+_AXIS = 1e-6  # radians: nonradial terms on the axis below this are rounding errors
 
 
 class WavefrontsOnSensor(ABC):
-    """Wavefronts at any position of a part of the sensor."""
+    """Wavefronts at any position within part of the sensor."""
 
     reach: float
     """Distance from the axis of the farthest position."""
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return which positions are in the part: of a circle around the axis, if it is no other."""
+        """Return which positions are inside: here within a circle around the axis."""
         return np.asarray(np.hypot(x, y) <= self.reach * (1.0 + _ROUNDING))
 
     def limits(self, unit: str) -> str:
-        """Return what the part is, in words."""
+        """Return the limits of the map in words."""
         return f"which reaches {self.reach:.6g} {unit} from the axis"
 
     @abstractmethod
     def wavefront(self, x: Array, y: Array) -> Wavefront:
-        """Return the wavefronts at positions of the part, of their shape."""
+        """Return the wavefronts at positions inside, of their shape."""
 
 
 class OnGrid(WavefrontsOnSensor):
@@ -576,7 +541,7 @@ class OnGrid(WavefrontsOnSensor):
         self.reach = float(np.hypot(np.abs(self.x).max(), np.abs(self.y).max()))
 
     def _scaled(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Return positions over the extent of the grid, those outside by rounding moved in."""
+        """Return positions over the extent of the grid, clipped against rounding."""
         pairs = ((x, self.x), (y, self.y))
         across, down = (np.clip((part - k[0]) / (k[-1] - k[0]), 0.0, 1.0) for part, k in pairs)
         return across, down
@@ -638,7 +603,7 @@ class Scattered(WavefrontsOnSensor):
         return np.asarray((beyond <= _ROUNDING).all(axis=1).reshape(x.shape))
 
     def limits(self, unit: str) -> str:
-        """Return what the hull spans."""
+        """Return the extent of the hull."""
         x, y = np.sort(self.x), np.sort(self.y)
         return f"the convex hull of {x.size} positions with x from {_span(x)} and y from {_span(y)} {unit}"
 

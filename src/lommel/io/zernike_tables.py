@@ -10,7 +10,7 @@ from typing import Any
 
 from lommel.base import atomic, display, validation
 from lommel.base.units import LENGTHS
-from lommel.optics.wavefront.descriptions import NORMALIZATIONS
+from lommel.optics.wavefront.coefficients import NORMALIZATIONS
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 

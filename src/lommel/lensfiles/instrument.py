@@ -43,6 +43,8 @@ class Instrument:
         What the sensor records, where the file says it.
     """
 
+    pupil_hint = "an Instrument; instrument.pupil() is its pupil"
+
     name: str
     source: str
     lens: Lens

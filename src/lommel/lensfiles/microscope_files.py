@@ -64,6 +64,8 @@ class Microscope:
         If planes are no number from 1 to 4096, or there are several without a step.
     """
 
+    pupil_hint = "a Microscope; microscope.pupil() is its pupil"
+
     name: str
     source: str
     objective: Objective

@@ -20,7 +20,7 @@ from lommel.io import cells, code_v, registry
 from lommel.io.registry import Format
 from lommel.io.zernike_tables import UNITS, ZernikeTable
 from lommel.lensfiles import messages
-from lommel.optics.wavefront.descriptions import NORMALIZATIONS
+from lommel.optics.wavefront.coefficients import NORMALIZATIONS
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 

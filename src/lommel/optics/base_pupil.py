@@ -1,4 +1,4 @@
-"""What windows, methods and answers need to know of anything that light passes: its stack, its units, its light."""
+"""What pupils of lenses and of microscope objectives share: their stack, scale and light; distances of a lens."""
 
 from __future__ import annotations
 
@@ -11,32 +11,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import display, validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Index, Json
 from lommel.base.cached import cached_property
 
 if TYPE_CHECKING:
-    from abc import ABC
-
     from matplotlib.axes import Axes
-else:
-    ABC = object  # to tell what is an instance of an ABC takes a tenth of the time of a small PSF
 
 
 @dataclass(frozen=True)
 class Geometry:
-    """Distances that the Fresnel approximation reduces to C_d; Huygens' superposition needs them exactly.
+    """Distances of a lens, an object and a sensor, metres, which Huygens' superposition needs beside C_d.
 
-    A paraxial lens is stigmatic (free of aberration) for the plane it is focused on, the conjugate of the sensor:
-    ``1/focus_distance = 1/focal_length - 1/sensor_distance``.
-
-    Attributes
-    ----------
-    aperture_radius, focal_length, sensor_distance : float
-        Metres; the sensor distance is measured from the lens.
-    object_distance : tuple of float
-        Metres, one for each pupil of the (flattened) stack; may be infinite.
-    model, corrected_for : str
-        As of :class:`lommel.Lens`.
+    A paraxial lens is stigmatic for the plane in focus, the conjugate of the sensor:
+    ``1/focus_distance = 1/focal_length - 1/sensor_distance``. There is one object distance for each pupil of the
+    flattened stack, infinity allowed; model and corrected_for are those of :class:`lommel.Lens`.
     """
 
     aperture_radius: float
@@ -63,55 +51,54 @@ class Geometry:
 
     @property
     def sphere(self) -> float:
-        """Curvature of an aplanatic lens's reference sphere, 1/metres.
-
-        See :func:`lommel.optics.wavefront.aplanatic.path`.
-        """
+        """Curvature of the reference sphere of an aplanatic lens, 1/metres."""
         return self.in_focus if self.corrected_for == "focus" else -1.0 / self.sensor_distance
 
     def focused(self) -> Geometry:
-        """Return the same lens with one object, in focus: behind the lens where its distance is negative."""
+        """Return the geometry of one object in focus, behind the lens where its distance is negative."""
         return replace(self, object_distance=(1.0 / self.in_focus if self.in_focus else math.inf,))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types, an infinite distance as None (JSON has no infinity)."""
         distances = [None if math.isinf(s) else s for s in self.object_distance]
         return asdict(self) | {"object_distance": distances}
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> Geometry:
+    def from_dict(cls, description: Json) -> Geometry:
         """Rebuild a geometry from :meth:`to_dict`."""
         distances = tuple(math.inf if s is None else float(s) for s in description["object_distance"])
         return cls(**{**description, "object_distance": distances})
 
 
-class BasePupil(display.Shown, ABC):
-    """A pupil, of a lens or of a microscope's objective, or a stack of them."""
+class BasePupil(display.Shown):
+    """A pupil, or a stack of pupils, of a lens or of a microscope objective."""
+
+    # No ABC: isinstance would take a tenth of the time of a small PSF. Mypy checks abstract methods all the same.
 
     layered: ClassVar[bool] = False
-    """Whether its light comes through plane layers: that of an objective."""
+    """Whether the light comes through plane layers, as in a microscope."""
 
-    if TYPE_CHECKING:  # fields here, properties there
+    if TYPE_CHECKING:  # fields of some subclasses, properties of others
 
         @property
         def wavelength(self) -> float | None:
-            """Metres."""
+            """Wavelength, metres."""
 
         @property
         def f_number(self) -> float | None:
-            """On the sensor."""
+            """Working f-number on the sensor."""
 
         @property
         def radial(self) -> bool:
-            """Whether what it makes depends on the distance from the axis only."""
+            """Whether the PSF is rotationally symmetric."""
 
         @property
         def circular(self) -> bool:
-            """Whether its aperture is a plain disc or annulus."""
+            """Whether the aperture is circular or annular."""
 
         @property
-        def aperture(self) -> tuple[Any, ...]:
-            """All that decides how much light passes."""
+        def aperture(self) -> tuple[object, ...]:
+            """Everything that limits or weights the light."""
 
     @property
     @abstractmethod
@@ -126,41 +113,41 @@ class BasePupil(display.Shown, ABC):
     @property
     @abstractmethod
     def transmission(self) -> float:
-        """Light that passes, over that of the clear, unobscured aperture."""
+        """Transmitted light over that of the clear, unobscured aperture."""
 
     @property
     @abstractmethod
     def likely_peak(self) -> float:
-        """Return a guess of the least peak of the stack, where searches for an accuracy begin."""
+        """Estimate of the lowest peak of the stack, where searches for an accuracy begin."""
 
     @abstractmethod
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return how far from the axis rays meet the sensor at most, a length there, of the shape of the stack."""
+        """Return the largest distance from the axis at which rays meet the sensor, of the shape of the stack."""
 
     def __len__(self) -> int:
-        """Return how many pupils, or stacks of them, the first axis of a stack holds."""
+        """Return the length of the first axis of a stack."""
         if self.shape == ():
             raise TypeError("a single pupil has no length")
         return self.shape[0]
 
     def __bool__(self) -> bool:
-        """Return True, whether it has a length or not."""
+        """Return True, for a single pupil too."""
         return True
 
     @abstractmethod
-    def __getitem__(self, index: Any) -> Self:
-        """Return part of a stack, as NumPy indexes arrays of its shape."""
+    def __getitem__(self, index: Index) -> Self:
+        """Return part of a stack, indexed as an array of its shape."""
 
     @abstractmethod
     def broadcast(self, shape: tuple[int, ...]) -> Self:
-        """Return a stack of another `shape`, which this one is broadcast to."""
+        """Return the stack broadcast to `shape`."""
 
     @abstractmethod
     def in_light(self, wavelength: float) -> Self:
-        """Return it in light of another `wavelength` (metres): distances and path differences stay."""
+        """Return the pupil at another `wavelength` (metres) with the same optical path differences."""
 
     @abstractmethod
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types."""
 
     def plot(self, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
@@ -172,22 +159,22 @@ class BasePupil(display.Shown, ABC):
 
     @property
     def aberrated(self) -> bool:
-        """Whether a measured wavefront is on top of what plane layers do."""
+        """Whether a measured wavefront is added to the phase of plane layers."""
         return False
 
     @property
     def left_out(self) -> tuple[float, float]:
-        """Largest phase that the wavefront does not hold, radians, and the share of the amplitude likewise."""
+        """Bounds on the phase (radians) and on the relative amplitude that the expansions leave out."""
         return 0.0, 0.0
 
     @property
     def collected(self) -> NDArray[np.float64]:
-        """Light that is collected over that of the emitter far from the glass; ValueError for a lens."""
+        """Collected light over that of an emitter far from the glass; ValueError for a lens."""
         raise ValueError('normalize="emitted" is for the pupils of an Objective; for a lens use "energy"')
 
     @property
     def scale(self) -> float:
-        """One lambda*N, in metres or 1; ``PSF.scale`` is something else, a factor of its values."""
+        """lambda*N in metres, or 1; not ``PSF.scale``, which is a factor of the values."""
         if self.wavelength is None or self.f_number is None:
             return 1.0
         return self.wavelength * self.f_number
@@ -217,28 +204,18 @@ class BasePupil(display.Shown, ABC):
             return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
 
 
-_WAYS = {
-    "Lens": "a Lens; lens.pupil(object_distance) is its pupil",
-    "Objective": "an Objective; objective.pupil(depth=..., wavelength=...) is its pupil",
-    "Instrument": "an Instrument; instrument.pupil() is its pupil",
-    "Wavefront": "a Wavefront; Pupil(wavefront) has a round aperture",
-    "PSF": "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image",
-    "FieldMap": "a FieldMap; field.pupil(x, y) is that of a position",
-    "Microscope": "a Microscope; microscope.pupil() is its pupil",
-    "ObjectivePupil": "that of an Objective, which has no one wavefront; lommel.psf takes it, and measures its PSF",
-}
+def not_a_pupil(thing: object) -> TypeError:
+    """Return the error for an argument that is not a pupil, with the hint of a class that makes or has one."""
+    return TypeError(
+        f"pupil must be a Pupil, got {getattr(type(thing), 'pupil_hint', None) or validation.shown(thing)}"
+    )
 
 
-def is_no_pupil(thing: Any) -> TypeError:
-    """Return the error for what is not the pupil that is needed; of what makes or has one it says how."""
-    return TypeError(f"pupil must be a Pupil, got {_WAYS.get(type(thing).__name__) or validation.shown(thing)}")
-
-
-def imaged(pupil: Any) -> BasePupil:
+def imaged(pupil: object) -> BasePupil:
     """Return `pupil` if it is one, of a lens or of an objective; TypeError otherwise."""
     if isinstance(pupil, BasePupil):
         return pupil
-    raise is_no_pupil(pupil)
+    raise not_a_pupil(pupil)
 
 
 def object_distances(value: float | ArrayLike) -> float | NDArray[np.float64]:

@@ -5,21 +5,23 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Index
 from lommel.base.cached import cached_property
 from lommel.core import engine
 from lommel.optics.base_pupil import BasePupil
 
+_Number = TypeVar("_Number", bound=np.generic)
+
 
 @dataclass(frozen=True, init=False, eq=False)
 class Grid:
-    """Pixels around the optical axis, square ones unless they are given two sides.
+    """Pixels around the optical axis, square or rectangular.
 
     Parameters
     ----------
@@ -31,10 +33,10 @@ class Grid:
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
         pixel ``(height // 2, width // 2)``. Arrays, which broadcast, have an axis for each pupil of a stack.
     integrate : bool, default False
-        Whether pixels average the intensity over their area instead of sampling it at their centre.
+        Whether pixels average the intensity over their area (pixel-integrated) or sample it at their centre.
     fill : float or (float, float), default 1
-        The part of its area that a pixel averages over, around its centre, of the same shape; or the parts of its
-        height and of its width. Above 0 and at most 1.
+        Fill factor: the part of its area, around its centre, that a pixel averages over; or the parts of height and
+        width. Above 0 and at most 1.
 
     Raises
     ------
@@ -58,7 +60,13 @@ class Grid:
     fill: tuple[float, float]
 
     def __init__(
-        self, shape: Any, pixel: Any, *, center: Any = None, integrate: bool = False, fill: Any = 1.0
+        self,
+        shape: int | tuple[int, int],
+        pixel: float | tuple[float, float],
+        *,
+        center: tuple[ArrayLike, ArrayLike] | None = None,
+        integrate: bool = False,
+        fill: float | tuple[float, float] = 1.0,
     ) -> None:
         height, width = validation.image_shape(shape)
         middle = (float(height // 2), float(width // 2))
@@ -80,24 +88,24 @@ class Grid:
         """Return a hash that equal grids share."""
         return hash(self._content())
 
-    def _content(self) -> tuple[Any, ...]:
+    def _content(self) -> tuple[object, ...]:
         center = tuple(part.tobytes() for part in np.asarray(self.center)) if self.stack else self.center
         return self.height, self.width, self.pixel, self.integrate, self.stack, center, self.fill
 
-    def __getitem__(self, index: Any) -> Grid:
-        """Return the pixels around some of several axes, as NumPy indexes arrays of their shape."""
+    def __getitem__(self, index: Index) -> Grid:
+        """Return the pixels around some of several axes, indexed as an array of their shape."""
         if not self.stack:
             raise TypeError("a grid around one axis cannot be indexed")
         return self._around(*(np.asarray(part)[index] for part in self.center))
 
     def broadcast(self, shape: tuple[int, ...]) -> Grid:
-        """Return the pixels around axes of another `shape`, which those there are broadcast to."""
+        """Return the pixels around the axes broadcast to `shape`."""
         if self.stack == shape:
             return self
         return self._around(*(np.broadcast_to(part, shape) for part in self.center))
 
-    def _around(self, *center: Any) -> Grid:
-        return Grid(self.shape, self.pixel, center=center, integrate=self.integrate, fill=self.fill)
+    def _around(self, row: ArrayLike, column: ArrayLike) -> Grid:
+        return Grid(self.shape, self.pixel, center=(row, column), integrate=self.integrate, fill=self.fill)
 
     @property
     def axis(self) -> tuple[float, float]:
@@ -107,21 +115,21 @@ class Grid:
         return float(row), float(column)
 
     def require_one_axis(self) -> None:
-        """Raise ValueError where each pupil has an axis of its own, which few methods take."""
+        """Raise ValueError where each pupil has an axis of its own."""
         if self.stack:
             raise ValueError(
-                f"center must be one (row, column) for this method, got arrays of shape {self.stack}; ask pupil by "
-                "pupil, each with its own center, or take NijboerZernike or ChordalGauss where the aperture is round"
+                f"center must be one (row, column) for this method, got arrays of shape {self.stack}; compute each "
+                "pupil with its own center, or take NijboerZernike or ChordalGauss for a circular or annular aperture"
             )
 
     @property
     def square(self) -> bool:
-        """Whether pixels are square, and average over all of their area if they do: as methods take them."""
+        """Whether pixels are square with a fill factor of 1, as methods take them."""
         return isinstance(self.pixel, float) and not self.partly
 
     @property
     def partly(self) -> bool:
-        """Whether pixels average over a part of their area only."""
+        """Whether the fill factor is below 1."""
         return self.fill != (1.0, 1.0)
 
     @property
@@ -131,23 +139,23 @@ class Grid:
 
     @property
     def named(self) -> str:
-        """The pitch as messages have it."""
+        """The pitch in messages."""
         return f"{self.pixel:g}" if isinstance(self.pixel, float) else "({:g}, {:g})".format(*self.pixel)
 
     @property
     def active(self) -> tuple[float, float]:
-        """Height and width of what a pixel averages over; 0 and 0 where it samples its centre."""
+        """Height and width of the active area; 0 and 0 for point-sampled pixels."""
         (down, across), (rows, columns) = self.pitch, self.fill
         return (down * rows, across * columns) if self.integrate else (0.0, 0.0)
 
     @property
     def symmetric(self) -> bool:
-        """Whether all pixels at one distance have one value: sampled, with the axis in the default place."""
+        """Whether pixels are point-sampled and centered, so that equal distances have equal values."""
         return not self.integrate and self.centered
 
     @property
     def centered(self) -> bool:
-        """Whether the axis is in the default place."""
+        """Whether the axis is at the default position."""
         return not self.stack and self.center == (self.height // 2, self.width // 2)
 
     @cached_property
@@ -205,7 +213,7 @@ class Grid:
         return self.pixel
 
     def require_reach(self, pupil: BasePupil) -> None:
-        """Raise ValueError if pixels are farther from the axis than a `pupil` sends light that is worth computing."""
+        """Raise ValueError if pixels are beyond the largest radius that is computed for a `pupil`."""
         v = self._farthest * math.pi * max(self.pitch) / pupil.scale
         if not v <= validation.MAX_REACH:
             center = (
@@ -223,7 +231,7 @@ class Grid:
 
     @cached_property
     def _far_center(self) -> tuple[float, float]:
-        """Which of several centres has the farthest pixel."""
+        """The one of several centres with the farthest pixel."""
         if not self.stack:
             return self.axis
         (row, column), (far_row, far_column) = self.center, (0.5 * (side - 1) for side in self.shape)
@@ -234,22 +242,14 @@ class Grid:
         """Return the optical coordinate v, for a `pupil`, of the distinct :attr:`radii`."""
         return pupil.v(self.radii)
 
-    def unfold(self, quadrant: NDArray[Any]) -> NDArray[Any]:
+    def unfold(self, quadrant: NDArray[_Number]) -> NDArray[_Number]:
         """Return images from a `quadrant` of each, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis on."""
         rows = np.abs(np.arange(self.height) - self.height // 2)
         columns = np.abs(np.arange(self.width) - self.width // 2)
         return quadrant[..., rows[:, None], columns]
 
-    def paint(self, values: Array, scale: Array, out: NDArray[Any]) -> None:
-        """Write a stack of images, each multiplied by its scale.
-
-        Parameters
-        ----------
-        values : ndarray
-            Either ``(n, len(radii))``, values at the distinct radii, or ``(n, height, width)``.
-        scale : ndarray, shape (n,)
-        out : ndarray of float32 or float64, shape (n, height, width)
-        """
+    def paint(self, values: Array, scale: Array, out: NDArray[np.float32] | Array) -> None:
+        """Write images times `scale` into `out`, from `values` at the distinct radii, ``(n, radii)``, or images."""
         if values.ndim == 3:
             out[:] = values * scale[:, None, None]
         else:

@@ -23,24 +23,7 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 
 
 def aperture(focal_length: float, f_number: float | None, aperture_diameter: float | None) -> float:
-    """Return the diameter of the aperture from exactly one of the f-number and the diameter; metres.
-
-    Parameters
-    ----------
-    focal_length : float
-        Metres.
-    f_number, aperture_diameter : float or None
-        As of :class:`lommel.Lens`.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    TypeError, ValueError
-        If there are none or both of them, or one that is no positive number.
-    """
+    """Return the aperture diameter, metres, from exactly one of the f-number and the diameter."""
     if (f_number is None) == (aperture_diameter is None):
         raise ValueError(
             "give exactly one of f_number and aperture_diameter, "
@@ -55,24 +38,7 @@ def aperture(focal_length: float, f_number: float | None, aperture_diameter: flo
 
 
 def sensor(focal_length: float, focus_distance: float | None, sensor_distance: float | None) -> float:
-    """Return the distance of the sensor from at most one of it and the object distance in focus; metres.
-
-    Parameters
-    ----------
-    focal_length : float
-        Metres.
-    focus_distance, sensor_distance : float or None
-        As of :class:`lommel.Lens`.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    TypeError, ValueError
-        If both are given, or one that is no positive number, or a focus closer than the focal length.
-    """
+    """Return the sensor distance, metres, from at most one of it and the object distance in focus."""
     if focus_distance is not None and sensor_distance is not None:
         raise ValueError(
             "give at most one of focus_distance and sensor_distance, "
@@ -89,25 +55,8 @@ def sensor(focal_length: float, focus_distance: float | None, sensor_distance: f
     return 1.0 / (1.0 / focal_length - 1.0 / s)
 
 
-def narrowed(lens: Any, ratio: float) -> dict[str, Any]:
-    """Return what of a lens is stated over the radius of an aperture that is narrower by a `ratio` of f-numbers.
-
-    Parameters
-    ----------
-    lens : Lens
-    ratio : float
-        The new f-number over that of the lens.
-
-    Returns
-    -------
-    dict
-        By the names that the constructor has.
-
-    Raises
-    ------
-    ValueError
-        As :meth:`lommel.Lens.stopped`.
-    """
+def narrowed(lens: Lens, ratio: float) -> dict[str, Any]:
+    """Return the arguments of a lens that change with its f-number, new over old `ratio`; ValueError if unknown."""
     if lens.vignetting or lens.mask:
         raise ValueError(
             "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
@@ -160,26 +109,23 @@ class Lens(display.Shown):
     aberrations : Wavefront, default none
         Added to the defocus of every object distance.
     spider, vignetting, mask : optional
-        What narrows the aperture, as of :class:`lommel.Pupil`.
+        Obstructions of the aperture, as of :class:`lommel.Pupil`.
     model : {"paraxial", "aplanatic"}, default "paraxial"
-        How defocus is turned into phase. "paraxial": the paper's Eq. 1-3, parabolas for spheres. "aplanatic": a lens
-        that obeys Abbe's sine condition, so that a ray leaves for the axial point of the sensor at an angle whose
-        sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the working f-number), and the exact path
-        difference between reference spheres.
+        "paraxial": spheres are approximated by parabolas (the paper's Eq. 1-3). "aplanatic": the exact path
+        difference between reference spheres of a lens that obeys Abbe's sine condition: rays reach the axial point of
+        the sensor at an angle whose sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the working
+        f-number).
     corrected_for : {"object", "focus"}, default "object"
-        Of an aplanatic lens: which point it images without aberration. No lens that obeys the sine condition does so
-        for points at two distances from it (Herschel's condition contradicts Abbe's), so one must say. "object": the
-        object, whatever its distance, as of a lens that is corrected for all and whose sensor is out of place. The
-        spheres are those round the image of the object and round the axial point of the sensor. "focus": the point in
-        focus, as of a lens at rest whose object is out of place, above all a microscope's. The spheres are those
-        round the object and round the point in focus, and the sine of the angle there is rho times
-        ``aperture radius / focus distance``.
+        Conjugate at which an aplanatic lens is free of aberration; the conditions of Abbe and Herschel cannot both
+        hold. "object": the object at any distance, with spheres around its image and around the axial point of the
+        sensor (the sensor is displaced). "focus": the point in focus, with spheres around the object and around that
+        point, where the sine of the angle is rho times ``aperture radius / focus distance`` (the object is displaced,
+        as in microscopes).
     apodization : float, Apodization or "aplanatic", default 0
-        The amplitude across the pupil, as of :class:`lommel.Pupil`: over rho the light is even by default.
-        "aplanatic", of an aplanatic lens only, is ``cos(theta)^(-1/2)``, theta being the angle whose sine the model
-        states, and rises towards the rim. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the
-        reference sphere, and ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, the scalar part,
-        doi:10.1098/rspa.1959.0200). Light that a point sends out evenly in all directions has the same.
+        Amplitude across the pupil, as of :class:`lommel.Pupil`. "aplanatic", for an aplanatic lens only, is
+        ``cos(theta)^(-1/2)``, theta being the angle of the model: the amplitude ``cos(theta)^(1/2)`` of an evenly lit
+        entrance pupil on the reference sphere, divided by ``cos(theta)`` of the solid angle (Richards and Wolf 1959,
+        scalar part, doi:10.1098/rspa.1959.0200). Isotropic emission has the same.
     colour : Colour, optional
         Axial and lateral colour: how focal length and size of the image change with the wavelength.
 
@@ -191,8 +137,7 @@ class Lens(display.Shown):
     Warns
     -----
     UserWarning
-        Where a focal length above 1 metre, with an f-number, visible light and no obscuration, may be one in mm.
-        Telescopes are not asked that state the diameter of their aperture.
+        If a focal length above 1 metre, with an f-number, visible light and no obscuration, may be in millimetres.
 
     Examples
     --------
@@ -202,6 +147,8 @@ class Lens(display.Shown):
     >>> round(float(lens.defocus(1.5)), 2)
     91.82
     """
+
+    pupil_hint = "a Lens; lens.pupil(object_distance) is its pupil"
 
     focal_length: float
     aperture_diameter: float
@@ -257,7 +204,7 @@ class Lens(display.Shown):
             "colour": colour,
         }
         validation.optional("colour", colour, Colour)
-        # What is no such shape, or leaves nothing clear, is told now.
+        # Refuse shapes that leave nothing clear now, not at the first pupil.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
         vars(self).update(values)
         visible = _VISIBLE[0] <= values["wavelength"] <= _VISIBLE[1]
@@ -268,8 +215,8 @@ class Lens(display.Shown):
                 stacklevel=2,
             )
         if model == "aplanatic":
-            self.phase(0.0)  # a rim out of reach is told now
-        self.pupil_colour  # noqa: B018 (a wavelength beyond the table is told now)
+            self.phase(0.0)  # refuse an impossible rim now
+        self.pupil_colour  # noqa: B018 (refuse a wavelength beyond the table now)
 
     def __repr__(self) -> str:
         focus = self.focus_distance
@@ -299,89 +246,58 @@ class Lens(display.Shown):
         return math.inf if abs(vergence) < 1e-15 / self.focal_length else 1.0 / vergence
 
     def focused(self, focus_distance: float) -> Lens:
-        """Return the lens focused at another distance: the sensor moves, all else stays.
+        """Return the lens focused at `focus_distance`, metres, by moving the sensor; infinity is allowed.
 
-        Parameters
-        ----------
-        focus_distance : float
-            Metres from the lens, more than the focal length; may be infinite.
-
-        Returns
-        -------
-        Lens
-
-        Raises
-        ------
-        TypeError, ValueError
-            If the distance is no number, or none that the lens can focus on.
+        TypeError or ValueError unless the distance is a number above the focal length.
         """
         s = validation.real("focus_distance", focus_distance, above=0.0, infinite=True, unit="metres")
         return self._with(focus_distance=s, sensor_distance=None)
 
     def stopped(self, f_number: float) -> Lens:
-        """Return the lens with its aperture at another f-number, as engraved; the sensor stays where it is.
+        """Return the lens stopped down to another f-number, as engraved, with the sensor in place.
 
-        What else there is keeps its size: wavefront and amplitude are those of the middle of the aperture, and the
-        obscuration and the vanes are larger over its radius. A Gaussian beam, stated as a number, is known beyond
-        the rim too, and an amplitude "aplanatic" is that of the angles that there are.
+        Wavefront and amplitude are those of the central part of the aperture; obscuration and vanes keep their size,
+        larger over the smaller radius.
 
         Parameters
         ----------
         f_number : float
-            Focal length over the diameter of the aperture.
-
-        Returns
-        -------
-        Lens
+            Focal length over aperture diameter.
 
         Raises
         ------
         TypeError, ValueError
-            If the f-number is no positive number, if the obscuration leaves nothing clear, if a lens with aberrations
-            or with an Apodization is opened wider, where these are not known, or if it has vignetting or a mask.
+            If the f-number is not a positive number, the obscuration covers the aperture, a lens with aberrations or
+            an Apodization would be opened wider, or it has vignetting or a mask.
         """
         stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
         diameter = aperture(self.focal_length, stop, None)
-        return self._with(aperture_diameter=diameter, **narrowed(self, stop / self.f_number))
+        return replace(self, aperture_diameter=diameter, **narrowed(self, stop / self.f_number))
+
+    def _with(self, **changes: Any) -> Lens:
+        return replace(self, **changes)
 
     def in_light(self, wavelength: float) -> Lens:
-        """Return the lens in light of another wavelength: of the focal length that its `colour` has there.
+        """Return the lens at another `wavelength`, metres, with the focal length of its colour there.
 
-        The sensor and the stop stay, and so do the path differences of the aberrations.
-
-        Parameters
-        ----------
-        wavelength : float
-            Metres.
-
-        Returns
-        -------
-        Lens
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it is no wavelength, or none that the colour is known at.
+        Sensor, stop and path differences of the aberrations stay. TypeError or ValueError if the wavelength is out of
+        range or beyond the table of the colour.
         """
         wave, colour = validation.wavelength(wavelength), self.pupil_colour
-        return self._with(
+        return replace(
+            self,
             wavelength=wave,
             focal_length=self.focal_length if colour is None else colour.focal_length + colour.table.shift(wave),
             aberrations=same_path(self.aberrations, self.wavelength, wave),
-            # That of a cosine, by the angles, is that of the same aperture in every light.
+            # The cosine depends on the angles only, which all wavelengths share.
             apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
         )
 
-    def _with(self, **changes: Any) -> Lens:
-        """Return the lens with other arguments: fields, or what the constructor takes in their stead."""
-        return replace(self, **changes)
-
     def defocus(self, object_distance: ArrayLike | None = None) -> NDArray[np.float64]:
-        """Return C_d in radians for objects, by default for one in focus.
+        """Return the defocus coefficient C_d of objects, radians, by default of one in focus.
 
-        ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s
-        of a finite object distance s). Positive where the sensor, at d, lies between the lens and the image of the
-        object. The aberrations of the lens are not included; nor is what makes a lens aplanatic, see :meth:`phase`.
+        ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, for an object at the distance s). Positive
+        where the sensor, at d, lies between the lens and the image. Paraxial, without the aberrations of the lens.
 
         Parameters
         ----------
@@ -400,37 +316,23 @@ class Lens(display.Shown):
         """
         return np.asarray(self._defocus(self._object_distance(object_distance)))
 
-    # For one object in numbers of Python, which such small sums are faster with.
+    # For one object in Python floats, which take half the time of NumPy scalars.
     def _defocus(self, s: _Numbers) -> _Numbers:
         vergence, waves, area = self._of_defocus
         return waves * (vergence + 1.0 / s) * area
 
     @cached_property
     def _of_defocus(self) -> tuple[float, float, float]:
-        """What its sum is made of but 1/s."""
+        """The terms of C_d without 1/s."""
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length
         return vergence, math.pi / (2.0 * self.wavelength), (0.5 * self.aperture_diameter) ** 2
 
     def phase(self, defocus: ArrayLike) -> Wavefront:
-        """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.
+        """Return the wavefront of a `defocus` C_d (radians, of any shape), without the aberrations of the lens.
 
-        The defocus itself if the model is paraxial. Else the Zernike terms in which the exact path difference is
-        expanded, with a bound on what they leave out; see :func:`lommel.optics.wavefront.aplanatic.expansion`.
-
-        Parameters
-        ----------
-        defocus : array_like
-            C_d, radians.
-
-        Returns
-        -------
-        Wavefront
-            A stack of the shape of `defocus`.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a defocus is not finite; of an aplanatic lens, if it lies beyond what a sphere can reach.
+        For an aplanatic lens these are the Zernike terms of the exact path difference, with an error bound; see
+        :func:`lommel.optics.wavefront.aplanatic.expansion`. TypeError or ValueError if C_d is not finite or beyond
+        the range of that expansion.
         """
         return self._phase(validation.real_array("defocus", defocus))
 
@@ -443,17 +345,9 @@ class Lens(display.Shown):
         return aplanatic.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
     def phase_rate(self, reach: float) -> float:
-        """Return how much Im phase differs across the pupil, at most, for each Im C_d, at complex defocus.
+        """Return a bound on the range of Im phase across the pupil per Im C_d, for ``|C_d|`` up to `reach` radians.
 
-        Parameters
-        ----------
-        reach : float
-            Largest ``|C_d|``, radians.
-
-        Returns
-        -------
-        float
-            2 if the model is paraxial; little more if not, and infinite beyond all that lenses do.
+        2 for a paraxial lens, slightly more for an aplanatic one, infinite where no bound is known.
         """
         if self.model == "paraxial":
             return 2.0
@@ -463,7 +357,7 @@ class Lens(display.Shown):
 
     @property
     def illumination(self) -> Apodization:
-        """The amplitude across the pupil."""
+        """Amplitude across the pupil."""
         if not isinstance(self.apodization, str):
             return illumination(self.apodization)
         return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
@@ -481,14 +375,10 @@ class Lens(display.Shown):
         object_distance : array_like, optional
             Metres from the lens, may be infinite. By default the distance in focus.
 
-        Returns
-        -------
-        Pupil
-
         Raises
         ------
         TypeError, ValueError
-            If a distance is not above 0, or does not broadcast with the aberrations; without one, if none is sharp.
+            If a distance is not above 0 or does not broadcast with the aberrations; without one, if none is in focus.
         """
         s = self._object_distance(object_distance)
         wavefront = self._phase(self._defocus(s))
@@ -496,15 +386,17 @@ class Lens(display.Shown):
             try:
                 wavefront = wavefront + self.aberrations
             except ValueError:
-                told = f"{np.shape(s)} and {self.aberrations.shape}"
-                raise ValueError(f"object_distance must broadcast with the aberrations, got shapes {told}") from None
+                shapes = f"{np.shape(s)} and {self.aberrations.shape}"
+                raise ValueError(
+                    f"object_distance must broadcast with the aberrations, got shapes {shapes}"
+                ) from None
         one = isinstance(s, float) and not wavefront.shape
         distances = (s,) if one else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         return self._in_focus.carrying(wavefront, changed(self._geometry, object_distance=distances))
 
     @cached_property
     def _in_focus(self) -> Pupil:
-        """The pupil without aberration, which every other is made of."""
+        """The unaberrated pupil, of which all others are copies."""
         return Pupil(
             obscuration=self.obscuration,
             wavelength=self.wavelength,
@@ -519,7 +411,7 @@ class Lens(display.Shown):
 
     @cached_property
     def pupil_colour(self) -> PupilColour | None:
-        """What the colour changes in pupils."""
+        """Change of the pupils with the wavelength."""
         if self.colour is None:
             return None
         focal = self.focal_length - self.colour.shift(self.wavelength)

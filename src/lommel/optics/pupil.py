@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Index, Json
 from lommel.base.cached import cached_property, changed
 from lommel.optics.aperture.apodization import Apodization, illumination
-from lommel.optics.base_pupil import BasePupil, Geometry, is_no_pupil
+from lommel.optics.base_pupil import BasePupil, Geometry, not_a_pupil
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
@@ -25,50 +26,49 @@ if TYPE_CHECKING:  # most pupils are round, and need none of these
 
 @dataclass(frozen=True)
 class Pupil(BasePupil):
-    """An aperture, clear from the obscuration to the rim less what narrows it, with a wavefront across it.
+    """An aperture with a wavefront across it: circular or annular, unless obstructions narrow it.
 
     Parameters
     ----------
     wavefront : Wavefront
         Phase; a stack of wavefronts makes a stack of pupils.
     obscuration : float, default 0
-        Radius of the central obscuration over the radius of the aperture, 0 to below 1.
+        Radius of the central obscuration over that of the aperture, 0 to below 1.
     wavelength : float, optional
-        Metres. Together with `f_number` it makes lengths on the sensor metres; without both they are in
-        units of lambda*N.
+        Metres. With `f_number`, lengths on the sensor are in metres; without both, in units of lambda*N.
     f_number : float, optional
         Working f-number N: sensor distance over aperture diameter.
     apodization : float or Apodization, default 0
-        The amplitude across the aperture, of all pupils of a stack. A number is g >= 0 of a Gaussian
-        ``exp(-g rho^2)``, at most 100: a laser beam whose amplitude falls to 1/e at w is clipped at the radius a with
-        ``g = (a / w)^2``. See :attr:`lommel.Method.apodized` for who takes it.
+        Amplitude across the aperture, for all pupils of a stack. A number is g, 0 to 100, of a Gaussian
+        ``exp(-g rho^2)``: a laser beam with 1/e amplitude radius w, clipped at the radius a, has ``g = (a / w)^2``.
+        See :attr:`lommel.Method.apodized` for the methods that take it.
     geometry : Geometry, optional
-        Physical distances, filled in by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
+        Distances, set by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
     spider : Spider, optional
         Vanes across the aperture.
     vignetting : Ellipse or CatEye, optional
-        A further edge within which light passes.
+        A second edge of the aperture.
     mask : Mask, optional
-        Amplitude transmission sampled over the aperture. The pupil function is then that of the samples.
+        Amplitude transmission sampled over the aperture; the pupil function is then that of the samples.
     colour : PupilColour, optional
-        How wavefront and distances change with the wavelength, filled in by a :class:`lommel.Lens` with colour.
+        Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
 
     Attributes
     ----------
     illumination : Apodization
-        The apodization, that of a Gaussian where it was given as a number.
+        The apodization; a Gaussian where it was given as a number.
     circular : bool
-        Whether the aperture is a plain disc or annulus: without spider, vignetting and mask.
+        Whether the aperture is circular or annular: without spider, vignetting and mask.
     radial : bool
         Whether phase and transmission depend on the distance from the axis only.
     aperture : tuple
-        All that decides which light passes: obscuration, illumination, spider, vignetting and mask.
+        Obscuration, illumination, spider, vignetting and mask.
 
     Raises
     ------
     TypeError, ValueError
-        On anything that is not a finite number in range, if only one of `wavelength` and `f_number` is given, or if
-        no light passes through the aperture.
+        If an argument is not finite or out of range, only one of `wavelength` and `f_number` is given, or no light
+        passes through the aperture.
     """
 
     wavefront: Wavefront = field(default_factory=Wavefront)
@@ -83,9 +83,9 @@ class Pupil(BasePupil):
     colour: PupilColour | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
-    # Fields, for a PSF asks several times and a small one takes microseconds.
+    # Fields, not properties: they are read several times for a PSF that takes microseconds.
     radial: bool = field(init=False, repr=False, compare=False)
-    aperture: tuple[Any, ...] = field(init=False, repr=False, compare=False)
+    aperture: tuple[object, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         validation.instance("wavefront", self.wavefront, Wavefront)
@@ -111,7 +111,7 @@ class Pupil(BasePupil):
     def _check_aperture(self) -> None:
         from lommel.optics.aperture.obstructions import Mask
 
-        validation.optional("mask", self.mask, Mask)  # the opening checks the others
+        validation.optional("mask", self.mask, Mask)  # Opening checks the others
         if self.area < 1e-12:
             parts = {name: part for name in _PARTS[:3] if (part := getattr(self, name)) is not None}
             listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
@@ -125,25 +125,21 @@ class Pupil(BasePupil):
         """Shape of the stack; ``()`` for a single pupil."""
         return self.wavefront.shape
 
-    # Cached are what all pupils of an aperture share and :meth:`carrying` carries along.
+    # Cached properties are of the aperture only, since `carrying` copies them to pupils with other wavefronts.
 
     @cached_property
     def area(self) -> float:
-        """Clear area over that of the unobscured aperture, ``1 - eps^2`` if circular; a mask counts by amplitude."""
+        """Clear area over that of the unobscured aperture, a mask weighted by its amplitude."""
         return self._integral(0.0)
 
     @cached_property
     def amplitude(self) -> float:
-        """Field at the peak without aberration, ``(1/pi) int A dx dy`` of the amplitude A; the area if it is 1.
-
-        A closed form of a Gaussian over an annulus, else quadrature to about 1e-13, or the sum over the samples of
-        a mask.
-        """
+        """Field at the unaberrated peak, ``(1/pi) int A dx dy`` of the amplitude A, to about 1e-13."""
         return self._integral(1.0)
 
     @cached_property
     def transmission(self) -> float:
-        """Light that passes, ``(1/pi) int A^2 dx dy`` of the amplitude A; the area if A is 1."""
+        """Transmitted light, ``(1/pi) int A^2 dx dy`` of the amplitude A."""
         return self._integral(2.0)
 
     def _integral(self, power: float) -> float:
@@ -153,36 +149,34 @@ class Pupil(BasePupil):
 
     @property
     def opening(self) -> Opening:
-        """The region where light passes, without regard to a mask."""
+        """The clear region, a mask left out."""
         from lommel.optics.aperture.opening import Opening
 
         return Opening(self.obscuration, self.spider, self.vignetting)
 
     def rule(self, degree: int) -> Rule:
-        """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture; those of a mask are its samples.
+        """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture, for polynomials of a `degree`.
 
-        See :meth:`lommel.optics.aperture.opening.Opening.rule`. Weights carry the amplitude of the mask, but no
-        apodization.
+        As :meth:`lommel.optics.aperture.opening.Opening.rule`; with a mask its samples, weighted by their amplitude.
         """
         return self.opening.rule(degree) if self.mask is None else _samples(self.opening, self.mask)
 
     @property
     def likely_peak(self) -> float:
-        """A guess: the peak of U falls about as the phase across the pupil rises."""
+        """Estimate of the lowest peak: U falls about as the phase across the pupil rises."""
         size = float(np.abs(self.radial_terms()).sum(axis=1).max())
         return (self.amplitude / (1.0 + 2.0 * size)) ** 2
 
     @property
     def left_out(self) -> tuple[float, float]:
-        """What the terms of the wavefront leave of its phase, radians, and the powers of the apodization of it."""
+        """Bounds on what the expansions of phase (radians) and amplitude leave out."""
         return self.wavefront.left_out, self.illumination.error
 
     def in_light(self, wavelength: float) -> Pupil:
-        """Return the pupil in light of another `wavelength`, metres.
+        """Return the pupil at another `wavelength`, metres: same aperture, distances, f-number and path differences.
 
-        Its aperture, distances and f-number stay, and so do the paths of light (``same_path`` in
-        lommel.optics.wavefront.wavefront) but for what the colour of its lens changes, see :class:`lommel.Colour`.
-        TypeError or ValueError if it is no wavelength, or if the pupil has none itself.
+        The colour of its lens changes the paths, see :class:`lommel.Colour`. TypeError or ValueError if the
+        wavelength is out of range, or the pupil has none.
         """
         wavelength = validation.wavelength(wavelength)
         if self.wavelength is None:
@@ -204,16 +198,11 @@ class Pupil(BasePupil):
         return terms[None] if terms.ndim == 1 else terms.reshape(-1, terms.shape[-1])
 
     def radial_phase(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the radially symmetric part of the phase at `t`, rho^2, 0 at t = 0, shape ``(n, ...)``.
-
-        TypeError or ValueError if `t` is not real and finite.
-        """
+        """Return the radial part of the phase at `t` = rho^2, shape ``(n, ...)``; TypeError or ValueError for NaN."""
         return zernike.legendre_sum(self.radial_terms(), 2.0 * validation.real_array("t", t) - 1.0)
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
-        """Return the pupil function at pupil coordinates, ``A exp(i phase)`` where light passes, else 0.
-
-        Times the amplitude of the cell of the mask, if there is one, that a point lies in.
+        """Return the pupil function, ``A exp(i phase)`` where light passes, else 0; with a mask, that of its cells.
 
         Parameters
         ----------
@@ -242,10 +231,7 @@ class Pupil(BasePupil):
         return out
 
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return how far from the axis rays meet the sensor at most, ``max |grad Phi|`` as a length there.
-
-        Rays that vanes, vignetting or a mask stop do not count.
-        """
+        """Return the largest distance from the axis of rays on the sensor, ``max |grad Phi|``; only of clear rays."""
         rho = np.linspace(self.obscuration, 1.0, 2049)
         if self.radial:
             blur = np.abs(ray_height(self.radial_terms(), rho)).max(axis=1)
@@ -258,7 +244,7 @@ class Pupil(BasePupil):
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
     def _raster(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return points all over the clear aperture."""
+        """Return points that fill the clear aperture."""
         x, y = self.opening.raster()
         if self.mask is not None:
             clear = self.mask.at(x, y) > 0.0
@@ -277,10 +263,7 @@ class Pupil(BasePupil):
         return np.asarray(slopes.max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
-        """Return the aperture with another `wavefront` and `geometry`, and in another `wavelength` if one is named.
-
-        Nothing is checked that was checked before; TypeError if `wavefront` is none.
-        """
+        """Return the pupil with another `wavefront`, `geometry` and perhaps `wavelength`; TypeError for others."""
         validation.instance("wavefront", wavefront, Wavefront)
         return changed(
             self,
@@ -294,8 +277,8 @@ class Pupil(BasePupil):
         """Return the same aperture, in focus and without aberration."""
         return self.carrying(Wavefront(), self.geometry and self.geometry.focused())
 
-    def __getitem__(self, index: Any) -> Pupil:
-        """Return part of a stack, as NumPy indexes arrays of its shape."""
+    def __getitem__(self, index: Index) -> Pupil:
+        """Return part of a stack, indexed as an array of its shape."""
         part = self.wavefront[index]
         geometry = self.geometry
         if geometry is not None:
@@ -304,7 +287,7 @@ class Pupil(BasePupil):
         return changed(self.carrying(part, geometry), colour=self.colour and self.colour.part(self.shape, index))
 
     def broadcast(self, shape: tuple[int, ...]) -> Pupil:
-        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
+        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
         if self.shape == shape:
             return self
         shape = validation.stack_shape(shape, self.shape)
@@ -315,7 +298,7 @@ class Pupil(BasePupil):
         colour = self.colour and self.colour.broadcast(self.shape, shape)
         return changed(self.carrying(self.wavefront.broadcast(shape), geometry), colour=colour)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
         plain = {
             "wavefront": self.wavefront.to_dict(),
@@ -329,7 +312,7 @@ class Pupil(BasePupil):
         return plain | {name: shape.to_dict() for name, shape in shapes.items()}
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> Pupil:
+    def from_dict(cls, description: Json) -> Pupil:
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
         from lommel.optics.aperture.obstructions import Mask, Spider, vignetting_from_dict
         from lommel.optics.colour.dispersion import PupilColour
@@ -379,36 +362,20 @@ def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: floa
 
 
 def ray_height(terms: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return ``dPhi/drho``, where the ray through `rho` meets the sensor (in v, signed), shape ``(n, rho)``.
-
-    Of the coefficients of R_2^0, R_4^0, ..., shape ``(n, terms)``.
-    """
+    """Return ``dPhi/drho`` at `rho`, the signed ray height in v, from coefficients of R_2^0, R_4^0, ..."""
     return 4.0 * rho * zernike.legendre_slope(terms, 2.0 * rho * rho - 1.0)
 
 
-def checked(pupil: Any) -> Pupil:
-    """Return `pupil` if it is that of a lens; of what makes or has one the TypeError says how."""
+def checked(pupil: object) -> Pupil:
+    """Return `pupil` if it is the pupil of a lens; TypeError with a hint otherwise."""
     if isinstance(pupil, Pupil):
         return pupil
-    raise is_no_pupil(pupil)
+    raise not_a_pupil(pupil)
 
 
 @dataclass(frozen=True)
 class FieldPupil(BasePupil):
-    """A stack of pupils that share their scale, but not what narrows them; made by :meth:`lommel.FieldMap.psf`.
-
-    Parameters
-    ----------
-    pupils : tuple of Pupil
-        Single ones, in reading order.
-    places : tuple of int
-        The shape of the stack.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If they are no single pupils of one scale, or not as many as the shape has places.
-    """
+    """A stack of single pupils of one scale with different apertures, in reading order; `places` is its shape."""
 
     pupils: tuple[Pupil, ...]
     places: tuple[int, ...]
@@ -427,75 +394,77 @@ class FieldPupil(BasePupil):
 
     @property
     def wavelength(self) -> float | None:
-        """Metres."""
+        """Wavelength, metres."""
         return self.pupils[0].wavelength
 
     @property
     def f_number(self) -> float | None:
-        """On the sensor, of the whole aperture."""
+        """Working f-number of the unvignetted aperture."""
         return self.pupils[0].f_number
 
     @property
     def radial(self) -> bool:
-        """Never: what places see differs."""
+        """False: apertures differ."""
         return False
 
     @property
     def circular(self) -> bool:
-        """Whether nothing narrows any of them."""
+        """Whether all apertures are circular or annular."""
         return all(pupil.circular for pupil in self.pupils)
 
     @property
     def illumination(self) -> Apodization:
-        """The amplitude, which they share."""
+        """The common apodization."""
         return self.pupils[0].illumination
 
     @property
-    def aperture(self) -> tuple[Any, ...]:
-        """None: ValueError."""
-        raise ValueError("pupil must have one aperture, got one for each place; index the stack, or ask FieldMap.psf")
+    def aperture(self) -> tuple[object, ...]:
+        """ValueError: there is one for each pupil."""
+        raise ValueError(
+            "pupil must have one aperture, got one for each position; index the stack, or use FieldMap.psf"
+        )
 
     @property
     def amplitude(self) -> float:
-        """None: ValueError."""
-        raise ValueError("each place has an aperture of its own: index the stack, and measure one after the other")
+        """ValueError: there is one for each pupil."""
+        raise ValueError("each position has an aperture of its own: index the stack, and measure each PSF")
 
     @property
     def transmission(self) -> Any:
-        """Light that passes, an array of the shape of the stack."""
+        """Transmitted light, of the shape of the stack."""
         return np.reshape([pupil.transmission for pupil in self.pupils], self.shape)
 
     @property
     def likely_peak(self) -> float:
-        """The least of theirs."""
+        """The lowest of the stack."""
         return min(pupil.likely_peak for pupil in self.pupils)
 
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return how far from the axis rays meet the sensor at most, of the shape of the stack."""
+        """Return the largest distance of rays from the axis on the sensor, of the shape of the stack."""
         return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
 
-    def __getitem__(self, index: Any) -> Any:
-        """Return a pupil, or part of the stack, as NumPy indexes arrays of its shape."""
+    def __getitem__(self, index: Index) -> Any:
+        """Return a pupil, or part of the stack, indexed as an array of its shape."""
         which = np.arange(len(self.pupils)).reshape(self.shape)[index]
         if which.ndim == 0:
             return self.pupils[int(which)]
         return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), which.shape)
 
     def broadcast(self, shape: tuple[int, ...]) -> FieldPupil:
-        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
+        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
         shape = validation.stack_shape(shape, self.shape)
         which = np.broadcast_to(np.arange(len(self.pupils)).reshape(self.shape), shape)
         return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), shape)
 
     def in_light(self, wavelength: float) -> FieldPupil:
-        """Return them in light of another `wavelength`, metres."""
+        """Return the pupils at another `wavelength`, metres."""
         return FieldPupil(tuple(pupil.in_light(wavelength) for pupil in self.pupils), self.shape)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
         return {"shape": list(self.shape), "pupils": [pupil.to_dict() for pupil in self.pupils]}
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> FieldPupil:
-        """Rebuild what a `description` by :meth:`to_dict` says."""
+    def from_dict(cls, description: Json) -> FieldPupil:
+        """Rebuild the pupils from a `description` by :meth:`to_dict`."""
         return cls(tuple(Pupil.from_dict(part) for part in description["pupils"]), tuple(description["shape"]))

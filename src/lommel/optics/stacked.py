@@ -1,15 +1,14 @@
-"""A long stack of pupils as arrays of what differs between them, and what they share, said once."""
+"""Long stacks of pupils as arrays, for files: what differs between them, and once what they share."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json
 from lommel.optics.base_pupil import BasePupil, Geometry
 from lommel.optics.layers.objective_pupil import PLANES, ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
@@ -19,22 +18,8 @@ from lommel.special import zernike
 _LENS, _OBJECTIVE = "Pupil", "ObjectivePupil"
 
 
-def apart(pupil: BasePupil) -> tuple[dict[str, Any], dict[str, Array]]:
-    """Return what the pupils of a stack share in plain types, and what differs by name, the stack's axes first.
-
-    Parameters
-    ----------
-    pupil : Pupil or ObjectivePupil
-        A stack, or one.
-
-    Returns
-    -------
-    shared : dict
-        For JSON.
-    arrays : dict of str to ndarray
-        Each of the shape of the stack, or with one axis more: "edge" and "powers", the terms of the wavefront, and
-        "object_distance" of a lens or "depth", "focus" and "z" of an objective.
-    """
+def apart(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
+    """Return what the pupils of a stack share, for JSON, and arrays of what differs, the axes of the stack first."""
     first = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
     shared = first.to_dict()
     if isinstance(pupil, ObjectivePupil):
@@ -53,23 +38,8 @@ def apart(pupil: BasePupil) -> tuple[dict[str, Any], dict[str, Array]]:
     return {"kind": _LENS} | shared, arrays
 
 
-def together(shared: Mapping[str, Any], arrays: Mapping[str, Array]) -> BasePupil:
-    """Return the pupils of what :func:`apart` returned, or of parts of its arrays, bit by bit as they were.
-
-    Parameters
-    ----------
-    shared : dict
-    arrays : dict of str to ndarray
-
-    Returns
-    -------
-    Pupil or ObjectivePupil
-
-    Raises
-    ------
-    TypeError, ValueError, KeyError
-        If these are no such things.
-    """
+def together(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
+    """Return the stack of :func:`apart`, or of parts of its arrays, bit by bit; TypeError, ValueError or KeyError."""
     plain = dict(shared)
     if validation.choice("kind", plain.pop("kind"), (_LENS, _OBJECTIVE)) == _OBJECTIVE:
         planes = {name: arrays[name] for name in PLANES}
@@ -84,15 +54,15 @@ def together(shared: Mapping[str, Any], arrays: Mapping[str, Array]) -> BasePupi
     return bare_lens.carrying(_wavefront(plain["wavefront"], arrays), geometry)
 
 
-def _terms(wavefront: Wavefront, arrays: dict[str, Array]) -> dict[str, Any]:
-    """Put the coefficients among the arrays, and return what they are of."""
+def _terms(wavefront: Wavefront, arrays: dict[str, Array]) -> Json:
+    """Move the coefficients into the arrays, and return their terms and error."""
     arrays["edge"] = wavefront.edge
     if wavefront._powers is not None:
         arrays["powers"] = wavefront._powers
     return {"terms": [list(term) for term in wavefront.terms], "error": wavefront.error}
 
 
-def _wavefront(said: Mapping[str, Any], arrays: Mapping[str, Array]) -> Wavefront:
+def _wavefront(said: Json, arrays: Mapping[str, Array]) -> Wavefront:
     terms = tuple(zernike.check_term(n, m) for n, m in said["terms"])
     edge = validation.real_array("edge", arrays["edge"]).copy()
     if edge.ndim == 0 or edge.shape[-1] != len(terms):

@@ -1,8 +1,7 @@
-"""Arithmetic of discs of the complex plane: what a function is on a whole arc, proven by one evaluation.
+"""Circular arithmetic: discs of the complex plane that contain every result for numbers of the operands.
 
-A disc is a centre and a radius; the result of an operation contains every result for numbers of the operands.
-Products and quotients are those of circular arithmetic; functions take the largest slope on a disc times its radius.
-Every radius is widened by 1e-13 of the magnitudes that it came from, which is more than what rounding may do.
+Functions take the largest slope on a disc times its radius. Every radius is widened by 1e-13 of the magnitudes that
+it came from, more than rounding errors.
 
 References
 ----------
@@ -24,14 +23,7 @@ _ROUNDING = 1e-13
 
 @dataclass(frozen=True, eq=False)
 class Disc:
-    """Discs of the complex plane, as many as the arrays have elements.
-
-    Parameters
-    ----------
-    centre : ndarray of complex
-    radius : ndarray
-        As many, >= 0; infinite or NaN where nothing is known, as after a division by what may be 0.
-    """
+    """Discs of the complex plane: centres and radii >= 0, infinite or NaN where nothing is known."""
 
     centre: NDArray[np.complex128]
     radius: Array
@@ -41,7 +33,7 @@ class Disc:
 
     @cached_property
     def size(self) -> Array:
-        """The modulus of each centre, but for roundings; a fifth of the time that one without overflow takes."""
+        """The modulus of each centre, but for rounding; five times as fast as one safe from overflow."""
         with np.errstate(over="ignore", invalid="ignore"):
             return np.asarray(np.sqrt(self.centre.real**2 + self.centre.imag**2))
 
@@ -113,11 +105,9 @@ def disc(value: Disc | complex | NDArray[np.complex128]) -> Disc:
 
 
 def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
-    """Return discs of ``cos(z)`` and ``sin(z) / z`` from discs of ``z^2``, of which both are entire functions.
-
-    Their derivatives by z^2 are ``-sinc(z) / 2`` and ``(cos(z) - sinc(z)) / (2 z^2)``, which is
-    ``-int_0^1 s^2 sinc(s z) ds / 2``, and ``abs(sinc z) <= exp(abs(Im z)) min(1, 1 / abs(z))``.
-    """
+    """Return discs of ``cos(z)`` and ``sin(z) / z`` from discs of ``z^2``, both entire functions of it."""
+    # The derivatives by z^2 are -sinc(z) / 2 and -int_0^1 s^2 sinc(s z) ds / 2, and
+    # abs(sinc z) <= exp(abs(Im z)) min(1, 1 / abs(z)).
     z = np.sqrt(square.centre)
     small = np.abs(z) < 1e-4
     safe = np.where(small, 1.0, z)
@@ -131,11 +121,9 @@ def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
 
 
 def windings(values: Disc) -> NDArray[np.int_]:
-    """Return how often closed curves, covered by discs along the last axis, go around 0; -1 where one may meet it.
-
-    Discs of neighbours have a point of the curve in common, so that its argument changes from one centre to the next
-    by less than pi/2 twice where no disc holds 0. Of a function that is analytic inside, it is the number of zeros.
-    """
+    """Return the winding numbers around 0 of closed curves covered by discs along the last axis; -1 where unknown."""
+    # Neighbouring discs share a point of the curve, so where none holds 0 the argument changes by less than pi from
+    # one centre to the next. For a function analytic inside the curve this is its number of zeros.
     clear = np.asarray((values.least > 0.0).all(axis=-1))
     x, y = values.centre.real, values.centre.imag
     with np.errstate(invalid="ignore", over="ignore"):

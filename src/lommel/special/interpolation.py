@@ -1,8 +1,8 @@
-r"""Values between equal steps, of what oscillates no faster than some bound: by a kernel and a filter, both proven.
+"""Interpolation of band-limited functions between equal steps, by Kaiser-Bessel kernels with proven errors.
 
-What is a sum of ``exp(i w x)``, ``abs(w) <= band``, is interpolated by few taps of a kernel phi once it has been
-divided by the transform of phi. Where its frequencies are known, orders around a circle, they are; elsewhere a filter
-of some neighbours does that. What is off by eps for each frequency is off by eps times the sum of the moduli.
+A sum of ``exp(i w x)``, ``abs(w) <= band``, is interpolated by few taps of a kernel after division by the transform
+of the kernel: exactly for known frequencies around a circle, by a filter of neighbours elsewhere. An error eps of
+each frequency is eps times the sum of the moduli.
 """
 
 from __future__ import annotations
@@ -22,17 +22,9 @@ _TURN = 2.0 * math.pi
 
 
 class Taps(NamedTuple):
-    """A kernel, by its weights at neighbours.
+    """A kernel: polynomials of ``2 t - 1`` (highest power first), an even number of taps, a bound on their sum.
 
-    Attributes
-    ----------
-    polynomials : ndarray, shape (degree + 1, TAPS_MOST)
-        Of ``2 t - 1``, the highest power first, t from 0 to 1 being the place between the two taps in the middle;
-        those beyond `size` are zero.
-    size : int
-        An even number.
-    gain : float
-        Bound on the sum of the moduli of the weights.
+    t from 0 to 1 is the position between the two middle taps; columns beyond `size` are zero.
     """
 
     polynomials: Array
@@ -50,18 +42,7 @@ class Taps(NamedTuple):
 
 
 class Steps(NamedTuple):
-    """Taps after a filter.
-
-    Attributes
-    ----------
-    taps : Taps
-    filter : ndarray
-        Weights of a value, of those a step away on either side, of those two away, ...
-    error : float
-        Bound on how far ``exp(i w t)`` is off.
-    gain : float
-        Bound on the sum of the moduli of what each value counts after both.
-    """
+    """Taps after a symmetric filter, with bounds on the error of ``exp(i w t)`` and on the sum of the moduli."""
 
     taps: Taps
     filter: Array
@@ -70,16 +51,7 @@ class Steps(NamedTuple):
 
 
 class Orders(NamedTuple):
-    """Taps around a circle.
-
-    Attributes
-    ----------
-    taps : Taps
-    gains : ndarray
-        What orders 0, 1, ... are to be multiplied by.
-    errors : ndarray
-        Bound on how far each is off.
-    """
+    """Taps around a circle, with factors and error bounds of orders 0, 1, ..."""
 
     taps: Taps
     gains: Array
@@ -88,13 +60,10 @@ class Orders(NamedTuple):
 
 @lru_cache(maxsize=64)
 def steps(band: float, error: float) -> Steps:
-    """Return the fewest taps that err by at most `error`, for a `band` below pi radians a step.
+    """Return the fewest taps within `error` for a `band` below pi radians a step; ValueError if there are none.
 
-    ValueError if there are none.
-
-    The error is a polynomial in w, but for 1e-17 of it, of a degree ``M = 1.18 n band + 48``, n as many as there are
-    neighbours of both (its Chebyshev series falls below ``e^-48`` there), and one of degree 40 in t. As in
-    :mod:`lommel.methods.pixels.averaging` it is at most sqrt(2) times as large as at 2 M Chebyshev points of either.
+    The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in t
+    and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours.
     """
     for count in range(4, TAPS_MOST + 1, 2):
         if _filtered(count, band, NEIGHBOURS_MOST).error <= error:
@@ -106,10 +75,7 @@ def steps(band: float, error: float) -> Steps:
 
 @lru_cache(maxsize=64)
 def orders(most: int, steps: int, error: float) -> Orders:
-    """Return the fewest taps around a circle of so many `steps` that err by at most `error` in orders up to `most`.
-
-    ValueError if there are none. The error is a polynomial in t as above.
-    """
+    """Return the fewest taps on `steps` of a circle within `error` for orders up to `most`; ValueError if none."""
     frequencies: Array = np.arange(most + 1, dtype=np.float64) * (_TURN / steps)
     for count in range(4, TAPS_MOST + 1, 2):
         taps = _kernel(count, max(float(frequencies[-1]), 0.1))
@@ -122,7 +88,7 @@ def orders(most: int, steps: int, error: float) -> Orders:
 
 @lru_cache(maxsize=256)
 def _filtered(count: int, band: float, neighbours: int) -> Steps:
-    """Return the filter that serves a kernel best, by least squares at Chebyshev points of the band."""
+    """Return the least-squares filter of a kernel, at Chebyshev points of the band."""
     taps, each = _kernel(count, band), np.arange(neighbours + 1)
     twice = np.where(each > 0, 2.0, 1.0)
     fit = _chebyshev(4 * (count + 2 * neighbours), band)[: 2 * (count + 2 * neighbours)]
@@ -138,7 +104,7 @@ def _filtered(count: int, band: float, neighbours: int) -> Steps:
 
 
 def _kernel(count: int, band: float) -> Taps:
-    """Return the window of Kaiser and Bessel that is best for a band."""
+    """Return the Kaiser-Bessel kernel for a band."""
     t = 0.5 * (1.0 + _chebyshev(_DEGREE + 1))
     beta = 0.975 * math.pi * count * (1.0 - 0.5 * band / math.pi)
     z = (t[:, None] - np.arange(1.0 - count // 2, count // 2 + 1)) * (2.0 / count)
@@ -152,20 +118,20 @@ def _kernel(count: int, band: float) -> Taps:
 
 @lru_cache(maxsize=1)
 def _powers() -> Array:
-    """Return what each Chebyshev polynomial is in powers, shape ``(powers, polynomials)``."""
+    """Return the powers of each Chebyshev polynomial, shape ``(powers, polynomials)``."""
     each = [np.polynomial.chebyshev.cheb2poly(row[: k + 1]) for k, row in enumerate(np.eye(_DEGREE + 1))]
     return np.stack([np.pad(row, (0, _DEGREE - k)) for k, row in enumerate(each)], axis=1)
 
 
 def _transform(taps: Taps, w: Array) -> Array:
-    """Return what a kernel makes of frequencies, the mean over all places."""
+    """Return the response of a kernel to frequencies, the mean over all positions."""
     t = 0.5 * (1.0 + _chebyshev(9))
     turned = np.exp(1j * w[:, None, None] * (taps.places - t[:, None]))
     return np.asarray(np.einsum("wtk,tk->w", turned.real, taps.at(t)) / t.size)
 
 
 def _off(taps: Taps, w: Array, gains: Array) -> Array:
-    """Return how far each frequency is off at most at any place, shape ``(len(w), places)``."""
+    """Return the error bound of each frequency, shape ``(len(w), positions)``."""
     t = _places()
     waves = np.exp(1j * np.outer(w, taps.places)) @ taps.at(t).T
     off = np.abs(np.exp(1j * np.outer(w, t)) - gains[:, None] * waves)

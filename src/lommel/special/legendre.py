@@ -43,10 +43,7 @@ def gauss_legendre(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, 
 
 
 def gauss_panels(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, Array]:
-    """Return the rule of n nodes, or where they are many one of panels that resolves as many waves.
-
-    256 nodes take the place of 200: rules are exact to rounding once they have a node for two radians, and some.
-    """
+    """Return the n-point Gauss rule, or for many nodes a rule of panels of 256 nodes in place of 200."""
     panels = math.ceil(n / _PANEL)
     if n <= _PANEL_NODES:
         return gauss_legendre(n, low, high)

@@ -155,11 +155,7 @@ def _derivative(coefficients: Sequence[float] | Array, rho: ArrayLike, order: in
 
 
 def _interpolation_error(c: Array, edges: Array) -> Array:
-    """Bound the error on each segment: at most h^3 / 32 times the third divided difference of the phase.
-
-    That of rho^4 is the sum of its four points, 1.5 (low + high) of them the nodes; that of rho^(2k) at most its
-    value with all points at the outer end.
-    """
+    """Bound the error on each segment: h^3 / 32 times the third divided difference of the phase."""
     low, high = edges[:-1], edges[1:]
     difference = np.zeros(low.size)
     for k, size in enumerate(c[1:], 2):
@@ -177,7 +173,7 @@ def _interpolated(c: Array, low: float, high: float) -> Array:
 
 
 def _osculating(c: Array, low: float, high: float) -> Array:
-    """Return alpha and beta through the value, up to whole turns, and the slope in the middle."""
+    """Return alpha and beta of the same value (up to whole turns) and slope as the phase in the middle."""
     middle = 0.5 * (low + high)
     value, slope, bend = (float(_derivative(c, middle, k)) for k in range(3))
     # Whole turns that bring the curvature as near to the true one as they can.

@@ -18,7 +18,7 @@ MAX_DEGREE = 60
 """Highest degree n of a term."""
 
 
-def check_term(n: Any, m: Any) -> tuple[int, int]:
+def check_term(n: object, m: object) -> tuple[int, int]:
     """Return (n, m) if there is such a polynomial; ValueError names the term otherwise."""
     try:
         degree = validation.integer("n", n, least=0, most=MAX_DEGREE)
@@ -30,20 +30,11 @@ def check_term(n: Any, m: Any) -> tuple[int, int]:
     return degree, order
 
 
-def term(index: Any, order: str) -> tuple[int, int]:
-    """Return (n, m) of an index: a pair for "nm", else an integer.
+def term(index: object, order: str) -> tuple[int, int]:
+    """Return (n, m) of a pair ("nm") or of an integer; TypeError or ValueError if there is no such term.
 
-    Noll counts from 1, ANSI (OSA) from 0, Fringe from 1 to 37. m > 0 is the cosine, m < 0 the sine.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If there is no such term.
-
-    References
-    ----------
-    R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and
-    K. Creath, "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III.
+    R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and K. Creath,
+    "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III (Fringe).
     """
     validation.choice("order", order, ORDERS)
     if order == "nm":
@@ -87,7 +78,7 @@ def index_of(n: int, m: int, order: str) -> Any:
 
 
 def _fringe() -> dict[int, tuple[int, int]]:
-    """Group g = (n + abs(m)) / 2 holds the (g + 1)^2 - g^2 terms of falling abs(m), cosine before sine."""
+    """Return the Fringe order: groups of (n + abs(m)) / 2 with falling abs(m), cosine before sine."""
     terms: list[tuple[int, int]] = []
     for g in range(6):
         for m in range(g, -1, -1):
@@ -100,7 +91,7 @@ _FRINGE = _fringe()
 
 
 def rms_factor(n: int, m: int) -> float:
-    """Return what a coefficient normalised to its rms is multiplied by to have the value 1 at the edge.
+    """Return the value at the edge of a term normalized to unit rms.
 
     ``Z = sqrt((2 - delta_m0) (n + 1)) R(rho) cos(m theta)`` has unit variance (Noll, Eq. 1).
 
@@ -117,9 +108,9 @@ def rms_factor(n: int, m: int) -> float:
 
 
 def name(n: int, m: int) -> str:
-    """Return what opticians call a term: ``"coma x"``, ``"secondary astigmatism 45"``, ``"spherical"``.
+    """Return the name of a term: ``"coma x"``, ``"secondary astigmatism 45"``, ``"spherical"``.
 
-    x and y stand for the cosine and the sine, except with astigmatism, where the axes at 0 and 45 degrees do.
+    x and y are the cosine and the sine; astigmatism has its axes at 0 and 45 degrees.
 
     Parameters
     ----------
@@ -184,15 +175,10 @@ def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
 
 
 def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dict[tuple[int, int], Array]:
-    """Return the coefficients of the same function over a concentric disk of another `radius`, the constant included.
+    """Return the coefficients over a concentric disk of another `radius`, constant included.
 
-    ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n. Radii broadcast with the
-    coefficients.
-
-    References
-    ----------
-    A. J. E. M. Janssen and P. Dirksen, "A concise formula for the Zernike coefficients of scaled pupils",
-    J. Microlith. Microfab. Microsyst. 5, 030501 (2006).
+    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006):
+    ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
     """
     at = np.asarray(radius, dtype=np.float64)
     found: dict[tuple[int, int], Array] = {}
@@ -204,10 +190,7 @@ def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dic
 
 
 def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[int, int], Array]:
-    """Return the coefficients of the function turned by `angle` from x towards y: ``f(rho, theta - angle)``.
-
-    Each pair (n, m) and (n, -m) turns in its plane by m times the angle. Angles broadcast with the coefficients.
-    """
+    """Return the coefficients of the function rotated by `angle` from x towards y: ``f(rho, theta - angle)``."""
     zero = np.zeros(())
     turned: dict[tuple[int, int], Array] = {}
     for n, m in sorted({(n, abs(m)) for n, m in terms}):
@@ -220,10 +203,7 @@ def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[
 
 
 def legendre_sum(coefficients: Array, x: Array) -> Array:
-    """Return ``sum_j a_j (P_j(x) - P_j(-1))``, j = 1, 2, ..., shape ``a.shape[:-1] + x.shape``: at x = -1 it is 0.
-
-    With ``x = 2 rho^2 - 1`` the P_j are the radially symmetric terms R_2j^0.
-    """
+    """Return ``sum_j a_j (P_j(x) - P_j(-1))``, j = 1, 2, ..., of shape ``a.shape[:-1] + x.shape``."""
     series = _series(coefficients)
     legval = np.polynomial.legendre.legval  # which NumPy imports when it is asked for
     return np.asarray(legval(x, series) - legval(np.full((1,) * x.ndim, -1.0), series))
@@ -252,74 +232,51 @@ def edge_of_powers(powers: Array) -> Array:
 
 
 def conversion_error(powers: Array) -> Array:
-    """Bound the sum of what :func:`edge_of_powers` gets wrong, but for the last rounding of each coefficient.
-
-    Every power is at most 1, and so is the sum of its coefficients, none of which is negative.
-    """
+    """Bound the sum of the errors of :func:`edge_of_powers`, but for the last rounding of each coefficient."""
+    # Each power is at most 1, and so is the sum of its coefficients, none of which is negative.
     unit = float(np.finfo(np.longdouble).eps)
     return np.asarray((powers.shape[-1] + 3) * unit * np.abs(powers).sum(axis=-1))
 
 
 def powers_of_edge(coefficients: Array) -> Array:
-    """Return the coefficients of t, t^2, ... from those of R_2^0, R_4^0, ...: the inverse of :func:`edge_of_powers`.
-
-    They alternate and grow like 5.8^terms; so do roundings.
-    """
+    """Return the coefficients of t, t^2, ... from those of R_2^0, R_4^0, ...; they grow like 5.8^terms."""
     return (coefficients @ legendre_to_powers(coefficients.shape[-1]).T).astype(np.float64)
 
 
 @lru_cache(maxsize=32)
 def powers_to_legendre(terms: int) -> NDArray[np.longdouble]:
-    """Return the matrix, shape ``(terms + 1, terms)``, from coefficients of t, t^2, ... to those of R_0^0, R_2^0, ...
-
-    With t = rho^2: ``t^k = sum_j (2 j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0``. The first row is the constant. In
-    extended precision where the platform has it, since powers of high degree cancel.
-    """
+    """Return the matrix ``(terms + 1, terms)`` from powers of t = rho^2 to R_0^0, R_2^0, ..., constant first."""
+    # t^k = sum_j (2 j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0, in extended precision, for high powers cancel.
     f = math.factorial
 
-    def share(j: int, k: int) -> Any:
-        return np.longdouble((2 * j + 1) * f(k) ** 2) / np.longdouble(f(k - j) * f(k + j + 1)) if j <= k else 0.0
+    def share(j: int, k: int) -> tuple[int, int]:
+        return ((2 * j + 1) * f(k) ** 2, f(k - j) * f(k + j + 1)) if j <= k else (0, 1)
 
     return _matrix(share, range(terms + 1), terms)
 
 
 @lru_cache(maxsize=32)
 def legendre_to_powers(terms: int) -> NDArray[np.longdouble]:
-    """Return the matrix, shape ``(terms, terms)``, from coefficients of R_2^0, R_4^0, ... to those of t, t^2, ..."""
+    """Return the matrix ``(terms, terms)`` from R_2^0, R_4^0, ... to powers of t = rho^2."""
 
-    def share(k: int, j: int) -> Any:
-        return (-1) ** (j + k) * math.comb(j, k) * math.comb(j + k, k)
+    def share(k: int, j: int) -> tuple[int, int]:
+        return (-1) ** (j + k) * math.comb(j, k) * math.comb(j + k, k), 1
 
     return _matrix(share, range(1, terms + 1), terms)
 
 
-def _matrix(share: Callable[[int, int], Any], rows: range, terms: int) -> NDArray[np.longdouble]:
-    made = np.array([[np.longdouble(share(row, k)) for k in range(1, terms + 1)] for row in rows])
+def _matrix(share: Callable[[int, int], tuple[int, int]], rows: range, terms: int) -> NDArray[np.longdouble]:
+    pairs = [[share(row, k) for k in range(1, terms + 1)] for row in rows]
+    made = np.array([[np.longdouble(over) / np.longdouble(under) for over, under in row] for row in pairs])
     made.flags.writeable = False
     return made
 
 
 def over_disc(terms: Mapping[tuple[int, int], float], obscuration: float) -> dict[tuple[int, int], float]:
-    """Return the coefficients over the disc of the same function; both are rms, over the annulus and over the disc.
+    """Return rms coefficients over the disc of annular Zernike terms (rms over the annulus).
 
-    The annular term (n, m) is the one polynomial of the span of the (k, m), k <= n, that is orthonormal over
-    ``obscuration <= rho <= 1`` and grows there with rho^n: Gram and Schmidt's, by the Cholesky factor of the inner
-    products over the annulus. Exact but for rounding.
-
-    Parameters
-    ----------
-    terms : mapping of (n, m) to float
-    obscuration : float
-        Inner radius over the outer one, 0 to below 1.
-
-    Returns
-    -------
-    dict of (n, m) to float
-
-    References
-    ----------
-    V. N. Mahajan, "Zernike annular polynomials for imaging systems with annular pupils",
-    J. Opt. Soc. Am. 71, 75 (1981), doi:10.1364/JOSA.71.000075.
+    V. N. Mahajan, J. Opt. Soc. Am. 71, 75 (1981), doi:10.1364/JOSA.71.000075: Gram-Schmidt over the annulus, by the
+    Cholesky factor of the inner products. Exact but for rounding.
     """
     found: dict[tuple[int, int], float] = {}
     for m in {m for _, m in terms}:
@@ -333,7 +290,7 @@ def over_disc(terms: Mapping[tuple[int, int], float], obscuration: float) -> dic
 
 
 def _inner_products(orders: range, m: int, obscuration: float) -> Array:
-    """Return the means over the annulus of products of terms over the disc, of rms 1 there."""
+    """Return the inner products over the annulus of terms of rms 1 over the disc."""
     x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: even polynomials, in rho^2
     low = obscuration * obscuration
     rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))

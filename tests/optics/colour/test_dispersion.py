@@ -91,7 +91,7 @@ def test_lateral_colour_is_odd_in_the_height_and_meets_what_is_known():
     assert colour.shift_across([0.0, 10e-3, 20e-3], 550e-9) == pytest.approx(0.0, abs=1e-20)
     # A line where one height is known.
     assert COLOUR.shift_across(5e-3, 450e-9) == pytest.approx(1e-6, rel=1e-12)
-    with pytest.raises(ValueError, match=r"known up to 0.02 m from the axis, asked for 0.021 m"):
+    with pytest.raises(ValueError, match=r"known up to 0.02 m from the axis, got 0.021 m"):
         COLOUR.shift_across(21e-3, 450e-9)
 
 
@@ -134,9 +134,9 @@ def test_what_is_no_table_is_refused(arguments, message):
 
 
 def test_what_is_not_known_is_not_guessed():
-    with pytest.raises(ValueError, match="known from 450 to 650 nm, asked for 700"):
+    with pytest.raises(ValueError, match="known from 450 to 650 nm, got 700"):
         lens().pupil(1.0).in_light(700e-9)
-    with pytest.raises(ValueError, match="known from 450 to 650 nm, asked for 400"):
+    with pytest.raises(ValueError, match="known from 450 to 650 nm, got 400"):
         lens(wavelength=400e-9)
     with pytest.raises(TypeError, match="colour must be of the type Colour"):
         lens(colour=[1, 2])

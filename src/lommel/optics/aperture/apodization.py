@@ -18,13 +18,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json
 from lommel.special.legendre import gauss_legendre
 
 _MOST = 10  # powers of t: as many as the compiled core and a wavefront hold
@@ -39,11 +38,9 @@ class Apodization:
     Parameters
     ----------
     powers : sequence of float
-        g_1, g_2, ...: at most ten. g_0 follows from these, such that the amplitude is 1 where it is largest on the
-        whole disk; its size would only scale the field.
+        g_1, g_2, ...: at most ten. g_0 is such that the largest amplitude on the disk is 1.
     error : float, default 0
-        Bound on what the powers leave out of the amplitude that is meant: relative, and but for a constant factor. It
-        counts in `PSF.error_bound`, as that of a wavefront does.
+        Bound on the relative error of the amplitude, but for a constant factor. It adds to `PSF.error_bound`.
 
     Attributes
     ----------
@@ -53,7 +50,7 @@ class Apodization:
     Raises
     ------
     TypeError, ValueError
-        On what is not a finite number; if the exponent, as a sum of Chebyshev polynomials, is larger than 100.
+        If a number is not finite, or the Chebyshev coefficients of the exponent sum to more than 100.
 
     Examples
     --------
@@ -89,15 +86,10 @@ class Apodization:
 
     @classmethod
     def cosine(cls, sine: float, power: float) -> Apodization:
-        """Return ``cos(theta)^power``, with ``sin(theta) = sine * rho``, over its largest value.
+        """Return ``cos(theta)^power`` over its largest value, ``sin(theta) = sine * rho``, `sine` from 0 to below 1.
 
-        `sine` is from 0 to below 1, `power` any number. Its logarithm is expanded in powers of rho^2, ten at most;
-        `error` bounds what they leave out, and what rounding may do.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If the sine or the power is out of range.
+        A series in rho^2 of at most ten terms; `error` bounds truncation and rounding. TypeError or ValueError if the
+        sine or the `power` is out of range.
         """
         s = validation.real("sine", sine, least=0.0, below=1.0)
         p = validation.real("power", power)
@@ -120,7 +112,7 @@ class Apodization:
 
     @property
     def slope(self) -> float:
-        """Bound on how fast the exponent changes with t, which tells how many nodes it takes; g of a Gaussian."""
+        """Bound on the derivative of the exponent by t, which sets the number of nodes; g of a Gaussian."""
         return float(sum(k * abs(g) for k, g in enumerate(self.powers, 1)))
 
     def value(self, rho: ArrayLike) -> Array:
@@ -142,10 +134,7 @@ class Apodization:
         return np.asarray(total)
 
     def integral(self, obscuration: float = 0.0, power: float = 1.0) -> float:
-        """Return the integral over t of the amplitude to a `power`, from `obscuration` squared to 1.
-
-        A closed form of a Gaussian, else quadrature to about 1e-14.
-        """
+        """Return the integral over t of the amplitude to a `power` from `obscuration` squared to 1, to 1e-14."""
         low = obscuration**2
         area = 1.0 - low
         if len(self.powers) > 1 or self.exponent[0]:
@@ -155,30 +144,24 @@ class Apodization:
         return area if g < 1e-12 else math.exp(-g * low) * -math.expm1(-g * area) / g
 
     def growth(self, cosh: Array, low: float = 0.0) -> Array:
-        """Return a bound on the logarithm of the amplitude within ellipses around ``[low, 1]`` in t.
-
-        `cosh` is their longer axis over ``1 - low``, `low` from 0 to below 1. With the exponent as
-        ``sum_k a_k T_k``, where T_k is at most ``T_k(cosh)``, that is ``sum_(k>0) |a_k| T_k(cosh) - a_0``.
-        """
+        """Return a bound on the log amplitude in ellipses around [`low`, 1] in t, `cosh` the semi-axes."""
+        # Of sum_k a_k T_k, where T_k is at most T_k(cosh): sum_(k>0) |a_k| T_k(cosh) - a_0.
         from numpy.polynomial.chebyshev import chebval
 
         series = _chebyshev(self.exponent, low)
         return np.asarray(chebval(cosh, np.concatenate(([-series[0]], np.abs(series[1:])))))
 
     def scaled(self, ratio: float) -> Apodization:
-        """Return that of the middle of the aperture, up to `ratio` of its radius, over its own largest value.
-
-        TypeError or ValueError unless it is a number above 0 and at most 1.
-        """
+        """Return the apodization within `ratio` of the radius, over its largest value; ValueError beyond 1."""
         area = validation.real("ratio", ratio, above=0.0, below=1.0 + 1e-12) ** 2
         return Apodization(tuple(g * area**k for k, g in enumerate(self.powers, 1)), error=self.error)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
         return {"powers": list(self.powers), "error": self.error}
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> Apodization:
+    def from_dict(cls, description: Json) -> Apodization:
         """Rebuild an apodization from a `description` by :meth:`to_dict`."""
         return cls(tuple(description["powers"]), error=description["error"])
 
@@ -224,13 +207,7 @@ def _gaussian(g: float) -> Apodization:
 
 
 def illumination(apodization: float | Apodization) -> Apodization:
-    """Return what a pupil was given for its amplitude: a number is the g of a Gaussian.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If it is neither an Apodization nor a number from 0 to 100.
-    """
+    """Return the Apodization that a pupil was given, a number being g of a Gaussian; TypeError or ValueError."""
     if isinstance(apodization, Apodization):
         return apodization
     return _gaussian(validation.real("apodization", apodization, least=0.0, below=_LARGEST + 1e-9))

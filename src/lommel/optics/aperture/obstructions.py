@@ -1,8 +1,7 @@
-"""What narrows an aperture besides a round obscuration: vanes, vignetting, and masks of any transmission.
+"""Obstructions of the aperture: vanes, vignetting, and masks of any transmission.
 
-All lengths are in units of the radius of the aperture; x rises with the columns of the image, y with the rows, and
-angles are in radians from x to y. Each shape has a `margin`: a function that is positive where light passes, negative
-where it does not, and changes by no more than the distance between two points.
+Lengths are over the radius of the aperture; x rises with the columns of the image, y with the rows, angles are from x
+to y. `margin` of a shape is positive where light passes and changes by at most the distance between two points.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json
 
 MAX_VANES = 64
 MAX_SIDE = 8192
@@ -66,26 +65,7 @@ class Spider:
 
     @classmethod
     def equal(cls, count: int, width: float, first: float = 0.0) -> Spider:
-        """Return `count` vanes at equal angles, one of them at the angle `first`.
-
-        Parameters
-        ----------
-        count : int
-            1 to 64.
-        width : float
-            Of each, over the radius of the pupil.
-        first : float, default 0
-            Radians.
-
-        Returns
-        -------
-        Spider
-
-        Raises
-        ------
-        TypeError, ValueError
-            If an argument is out of range.
-        """
+        """Return `count` vanes of a `width` at equal angles from `first`, radians; TypeError or ValueError."""
         number = validation.integer("count", count, least=1, most=MAX_VANES)
         start = validation.real("first", first)
         return cls(width, tuple(start + 2.0 * math.pi * k / number for k in range(number)))
@@ -98,7 +78,7 @@ class Spider:
             np.minimum(least, np.maximum(np.abs(y * c - x * s) - 0.5 * self.width, -(x * c + y * s)), out=least)
         return least
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the vanes in plain types."""
         return {"width": self.width, "angles": list(self.angles)}
 
@@ -149,14 +129,14 @@ class Ellipse:
         scaled = np.hypot((x * c + y * s) / self.a, (y * c - x * s) / self.b)
         return np.asarray(min(self.a, self.b) * (1.0 - scaled))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the ellipse in plain types, with its name."""
         return {"name": "Ellipse", "a": self.a, "b": self.b, "angle": self.angle}
 
 
 @dataclass(frozen=True)
 class CatEye:
-    """What a second circle leaves of the aperture: the cat's eye of points towards the edge of the field.
+    """The overlap of the aperture with a second circle: cat's-eye vignetting towards the edge of the field.
 
     Parameters
     ----------
@@ -191,7 +171,7 @@ class CatEye:
         """Return the distance of points (`x`, `y`) from the edge of the second circle; negative outside of it."""
         return np.asarray(self.radius - np.hypot(x - self.shift[0], y - self.shift[1]))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the circle in plain types, with its name."""
         return {"name": "CatEye", "shift": list(self.shift), "radius": self.radius}
 
@@ -205,10 +185,10 @@ def vignetting_from_dict(description: Mapping[str, Any]) -> Ellipse | CatEye:
 
 @dataclass(frozen=True, eq=False)
 class Mask:
-    """Amplitude transmission sampled over the square around the aperture: apodisers, segmented mirrors, anything.
+    """Amplitude transmission sampled over the square around the aperture: apodizers, segmented mirrors.
 
-    The pupil *is* these samples: each stands for its cell, and images are sums over the cells that the aperture
-    covers. They repeat at ``pi * side`` in v, so a window into which the light of a repetition would fall is refused.
+    Images are sums over the samples, each weighted by the part of its cell inside the aperture. They repeat at
+    ``pi * side`` in v, and a window that a repetition would reach is refused.
 
     Parameters
     ----------
@@ -239,7 +219,7 @@ class Mask:
         self._keep(np.ascontiguousarray(validation.real_array("values", given, least=0.0)) + 0.0)
 
     def _keep(self, values: Array) -> None:
-        """Take values of the right shape, >= 0 and finite, as they are."""
+        """Keep values of the right shape, >= 0 and finite, without a copy."""
         if values.max() > 1.0:
             raise ValueError(f"values must be from 0 to 1, got {values.max():g}")
         if values.max() == 0.0:
@@ -251,24 +231,10 @@ class Mask:
 
     @classmethod
     def sample(cls, function: Callable[[Array, Array], ArrayLike], side: int) -> Mask:
-        """Return the mask with the values of ``function(x, y)`` at the centres of the cells.
+        """Return the mask of ``function(x, y)`` at the centres of `side` x `side` cells, `side` from 2 to 8192.
 
-        Parameters
-        ----------
-        function : callable
-            Takes arrays of shapes (1, side) and (side, 1) and returns amplitudes (or truth values) that broadcast
-            to (side, side).
-        side : int
-            2 to 8192.
-
-        Returns
-        -------
-        Mask
-
-        Raises
-        ------
-        TypeError, ValueError
-            If `side` is out of range, or the function returns no amplitudes of such a shape.
+        `function` takes arrays of shapes (1, side) and (side, 1) and returns amplitudes or booleans. TypeError or
+        ValueError if it does not, or `side` is out of range.
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
         if not callable(function):
@@ -306,7 +272,7 @@ class Mask:
     def __repr__(self) -> str:
         return f"Mask(<{self.side} x {self.side} amplitudes, mean {self.values.mean():.4g}>)"
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the values in plain types: little-endian float64, deflated, as base64."""
         data = zlib.compress(self.values.astype("<f8").tobytes(), 6)
         return {"side": self.side, "values": base64.b64encode(data).decode("ascii")}
@@ -316,7 +282,7 @@ class Mask:
         """Rebuild a mask from a `description` by :meth:`to_dict`; KeyError, TypeError or ValueError if it is none."""
         side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
         packed = base64.b64decode(description["values"], validate=True)
-        # Unpacked where it stays: side by side with a copy, a small file would take a gigabyte.
+        # Unpacked in place: with a copy beside it a small file would take a gigabyte.
         values, unpack, at = np.empty((side, side)), zlib.decompressobj(), 0
         place = values.data.cast("B")
         while part := unpack.decompress(packed, 2**20):

@@ -30,7 +30,7 @@ _NEAR = 1e-9
 
 
 class Kinks:
-    """Angles in the frame of an opening where its edges have kinks, and the singularities that slow convergence."""
+    """Angles where the edges of an opening have kinks, and the singularities that slow convergence."""
 
     def __init__(self, obscuration: float, spider: Spider | None, vignetting: Ellipse | CatEye | None) -> None:
         ellipse = vignetting if isinstance(vignetting, Ellipse) else None
@@ -158,7 +158,7 @@ _B = np.geomspace(1e-3, 4.0, 192)
 def degree_needed(
     terms: Iterable[tuple[int, float]], v: float, light: Apodization, error: float, *, power: float = 1.0
 ) -> int:
-    r"""Return the total degree to which a rule must be exact for an error of U that is proven to be below `error`.
+    r"""Return the total degree to which a rule must be exact for a proven error of U below `error`.
 
     On the disc, and on any region within it, the integrand ``A exp(i Phi - i v.rho)`` with Phi a sum of Zernike
     terms of degree n_j and amplitude W_j at the edge is bounded by
@@ -187,7 +187,7 @@ def degree_needed(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if no degree that is allowed will do.
+        If an argument is out of range, or no degree up to the largest suffices.
     """
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
@@ -246,10 +246,7 @@ class Opening:
         return self.spider is None and self.vignetting is None
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return at (`x`, `y`) what is positive where light passes and changes by at most the distance of points.
-
-        TypeError or ValueError if these are not real and finite.
-        """
+        """Return the signed margin at (`x`, `y`), positive where light passes, slope at most 1; or a ValueError."""
         return self._margin(validation.real_array("x", x), validation.real_array("y", y))
 
     def _margin(self, x: Array, y: Array) -> Array:
@@ -261,12 +258,10 @@ class Opening:
         return np.asarray(least)
 
     def coverage(self, x: Array, y: Array, half: float) -> Array:
-        """Return the part of each square cell, with centre (`x`, `y`) and side twice `half`, where light passes.
+        """Return the clear fraction of square cells with centres (`x`, `y`) and side twice `half`.
 
-        TypeError or ValueError if these are not real, finite, and `half` above 0.
-
-        Exact for discs and annuli; else counted on 16 x 16 points of each cell that an edge may cross, those next to
-        an edge by their distance from it.
+        Exact for circular and annular apertures; else by 16 x 16 points of each cell that an edge may cross, smoothed
+        at the edge. TypeError or ValueError if an argument is not real and finite, or `half` not above 0.
         """
         x, y = validation.real_array("x", x), validation.real_array("y", y)
         half = validation.real("half", half, above=0.0)
@@ -297,8 +292,8 @@ class Opening:
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if that is too large.
 
-        Exact to rounding for discs, annuli, and ellipses without obscuration or vanes. For the others the radial sums
-        are exact or, on short intervals, converged to about 1e-13, as those over the angle are: no proof is claimed.
+        Exact to rounding for circular and annular apertures and full ellipses; otherwise converged to about 1e-13,
+        without a proof.
         """
         return _rule(self, validation.integer("degree", degree, least=0, most=4 * MAX_DEGREE))
 
@@ -313,7 +308,7 @@ class Opening:
         return r * e[0], r * e[1]
 
     def _interval(self, frame: Array, theta: Array) -> tuple[Array, Array]:
-        """Return where the ray in each direction of the frame begins and ends to be clear; low > high if nowhere."""
+        """Return where the ray in each direction enters and leaves the clear region; low > high if nowhere."""
         ex, ey = frame @ np.stack([np.cos(theta), np.sin(theta)])
         low, high = self.obscuration / np.hypot(ex, ey), np.ones_like(theta)
         if self.spider is not None:
@@ -335,7 +330,7 @@ class Opening:
         return low, high
 
     def _panels(self) -> tuple[Array, list[tuple[float, float, int]]]:
-        """Return the frame, and clear panels ``(from, to, root)``; root tells at which end a square root begins."""
+        """Return the frame, and clear panels ``(from, to, end)``, end being where a square root begins, or 0."""
         geometry = Kinks(self.obscuration, self.spider, self.vignetting)
         kinks, poles, roots = geometry.kinks, geometry.poles, geometry.roots
         full = 2.0 * math.pi
@@ -343,7 +338,7 @@ class Opening:
         edges = edges[np.append(True, np.diff(edges) > 1e-14)]
         panels = []
         for a, b in zip(edges, np.append(edges[1:], edges[0] + full), strict=True):
-            # Nothing changes its kind between kinks, but a sliver may close at one point only.
+            # Between kinks a ray stays clear or blocked, but a sliver may close at one point only.
             low, high = self._interval(geometry.frame, a + (b - a) * np.array([0.1, 0.3, 0.5, 0.7, 0.9]))
             if np.any(high > low):
                 arcs = bool(np.all(high == 1.0)) and np.ptp(low) < 1e-13  # around the axis: no singularity is felt

@@ -1,16 +1,16 @@
-"""What a lens does to colours beyond diffraction: where each is in focus, and how large its image is."""
+"""Axial and lateral colour of a lens: its focal length and image size over the wavelength."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Index, Json
 from lommel.optics.base_pupil import BasePupil, Geometry
 from lommel.optics.wavefront import aplanatic
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -18,21 +18,21 @@ from lommel.optics.wavefront.wavefront import Wavefront
 
 @dataclass(frozen=True, init=False)
 class Colour:
-    """The focal length and the size of the image of a lens at some wavelengths, and smoothly in between.
+    """Axial and lateral colour: focal length and image size of a lens, interpolated between known wavelengths.
 
     Parameters
     ----------
     wavelengths : sequence of float, shape (n,)
-        Metres, rising, at least two. Between them all is a cubic spline (not-a-knot); beyond them nothing is guessed.
+        Metres, rising, at least two. Interpolation is by cubic splines (not-a-knot), without extrapolation.
     focus_shift : sequence of float, shape (n,), optional
-        Axial colour, metres: how much longer the focal length is at each wavelength. Only differences count: at the
-        wavelength of the lens the focal length is that of the lens.
+        Axial colour, metres: change of the focal length at each wavelength. Only differences from the wavelength of
+        the lens count.
     lateral : array_like, shape (n,) or (heights, n), optional
-        Lateral colour, metres: how much farther from the axis the image of a point is at each wavelength. Only
-        differences from the wavelength of the pupil count.
+        Lateral colour, metres: radial shift of the image, away from the axis, at each wavelength. Only differences
+        from the wavelength of the pupil count.
     heights : float or sequence of float, optional
-        Distances from the axis that `lateral` is known at, metres, rising from above 0. With one the shift is in
-        proportion to the distance, with more a cubic spline through 0 on the axis, odd in the height.
+        Image heights of `lateral`, metres, rising from above 0. With one the shift is proportional to the height,
+        with more an odd cubic spline.
 
     Raises
     ------
@@ -41,8 +41,7 @@ class Colour:
 
     Notes
     -----
-    The lens stays thin: at each wavelength it is one of another focal length, with the sensor and the stop where they
-    were, and with the same path differences of its aberrations (spherochromatism is left out).
+    The lens stays thin; sensor, stop and path differences of the aberrations stay (no spherochromatism).
 
     Examples
     --------
@@ -104,10 +103,6 @@ class Colour:
         indices : array_like, shape (n,)
             Of refraction, above 1.
 
-        Returns
-        -------
-        Colour
-
         Raises
         ------
         TypeError, ValueError
@@ -120,51 +115,20 @@ class Colour:
         return cls(wavelengths, f * ((index[0] - 1.0) / (index - 1.0) - 1.0))
 
     def shift(self, wavelength: float) -> float:
-        """Return how much longer the focal length is at a wavelength.
-
-        Parameters
-        ----------
-        wavelength : float
-            Metres.
-
-        Returns
-        -------
-        float
-            Metres, as the table counts them.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it is no wavelength, or lies beyond those that are known.
-        """
+        """Return the change of the focal length at a `wavelength`, metres; ValueError or TypeError elsewhere."""
         return float(_between(self._known(wavelength), self.wavelengths, self.focus_shift))
 
     def shift_across(self, height: ArrayLike, wavelength: float) -> Array:
-        """Return how much farther from the axis the image is at a wavelength.
+        """Return the radial shift of the image at distances `height` from the axis, at a `wavelength`, all in metres.
 
-        Parameters
-        ----------
-        height : array_like
-            Distances from the axis, metres.
-        wavelength : float
-            Metres.
-
-        Returns
-        -------
-        ndarray
-            Metres, as the table counts them, of the shape of `height`.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If these are no such numbers, or lie beyond those that are known.
+        TypeError or ValueError beyond the table.
         """
         h, known = validation.real_array("height", height, least=0.0), self._known(wavelength)
         if not self.heights:
             return np.zeros(h.shape)
         if h.size and h.max() > self.heights[-1] * (1.0 + 1e-9):
             raise ValueError(
-                f"lateral colour is known up to {self.heights[-1]:g} m from the axis, asked for {h.max():g} m; give "
+                f"lateral colour is known up to {self.heights[-1]:g} m from the axis, got {h.max():g} m; give "
                 "larger heights"
             )
         here = [float(_between(known, self.wavelengths, row)) for row in self.lateral]
@@ -176,18 +140,18 @@ class Colour:
         wave, (first, *_, last) = validation.wavelength(wavelength), self.wavelengths
         if not first * (1.0 - 1e-9) <= wave <= last * (1.0 + 1e-9):
             raise ValueError(
-                f"colour of the lens is known from {first * 1e9:g} to {last * 1e9:g} nm, asked for {wave * 1e9:g}; "
+                f"colour of the lens is known from {first * 1e9:g} to {last * 1e9:g} nm, got {wave * 1e9:g}; "
                 "give more wavelengths"
             )
         return wave
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types."""
         return asdict(self)
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> Colour:
-        """Rebuild what a `description` by :meth:`to_dict` holds."""
+    def from_dict(cls, description: Json) -> Colour:
+        """Rebuild it from a `description` by :meth:`to_dict`."""
         parts = dict(description)
         if not parts["heights"]:
             del parts["heights"], parts["lateral"]
@@ -196,19 +160,9 @@ class Colour:
 
 @dataclass(frozen=True)
 class PupilColour:
-    """What the colour of its lens changes in a pupil, or in each of a flattened stack.
+    """Change of a pupil with the wavelength: table, focal length less its shift, radius and model of its lens.
 
-    Attributes
-    ----------
-    table : Colour
-    focal_length : float
-        Metres, less the shift of the table.
-    radius : float
-        Of the aperture, metres.
-    model : str
-        Of the lens.
-    x, y : tuple of float
-        Where on the sensor each pupil is, metres from the axis; empty on the axis.
+    x and y (metres on the sensor) are empty on the axis, else one for each pupil of the flattened stack.
     """
 
     table: Colour
@@ -219,19 +173,19 @@ class PupilColour:
     y: tuple[float, ...] = ()
 
     def at(self, x: Array, y: Array) -> PupilColour:
-        """Return that of pupils at places on the sensor."""
+        """Return the colour of pupils at positions on the sensor."""
         if not self.table.heights:
             return self
         return replace(self, x=tuple(x.ravel().tolist()), y=tuple(y.ravel().tolist()))
 
-    def part(self, shape: tuple[int, ...], index: Any) -> PupilColour:
-        """Return that of a part of a stack of a `shape`, as NumPy indexes arrays."""
+    def part(self, shape: tuple[int, ...], index: Index) -> PupilColour:
+        """Return the colour of part of a stack of a `shape`."""
         if not self.x:
             return self
         return self.at(*(np.asarray(np.reshape(p, shape)[index]) for p in (self.x, self.y)))
 
     def broadcast(self, shape: tuple[int, ...], new: tuple[int, ...]) -> PupilColour:
-        """Return that of a stack of a `shape` that was broadcast to a `new` one."""
+        """Return the colour of a stack of a `shape` broadcast to `new`."""
         if not self.x:
             return self
         return self.at(*(np.broadcast_to(np.reshape(p, shape), new) for p in (self.x, self.y)))
@@ -239,25 +193,7 @@ class PupilColour:
     def change(
         self, pupil: BasePupil, geometry: Geometry | None, wavelength: float
     ) -> tuple[Wavefront, Geometry | None]:
-        """Return what another wavelength adds to the wavefront, beyond the same paths, and the distances there.
-
-        Parameters
-        ----------
-        pupil : Pupil
-        geometry : Geometry or None
-            That of the pupil.
-        wavelength : float
-            Metres.
-
-        Returns
-        -------
-        Wavefront, Geometry or None
-
-        Raises
-        ------
-        ValueError
-            If the table does not reach so far, or if the distances of an aplanatic lens are not known.
-        """
+        """Return the wavefront that another wavelength adds to the same path differences, and the distances there."""
         known, shape = pupil.wavelength, pupil.shape
         assert known is not None
         if wavelength == known:
@@ -286,13 +222,13 @@ class PupilColour:
             added = added + Wavefront(np.zeros(shape), nonradial={(1, 1): far * x, (1, -1): far * y})
         return added, moved
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types."""
         return asdict(self)
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> PupilColour:
-        """Rebuild what a `description` by :meth:`to_dict` holds."""
+    def from_dict(cls, description: Json) -> PupilColour:
+        """Rebuild it from a `description` by :meth:`to_dict`."""
         parts = dict(description)
         x, y = (tuple(float(p) for p in parts.pop(name)) for name in ("x", "y"))
         return cls(Colour.from_dict(parts.pop("table")), x=x, y=y, **parts)
@@ -305,9 +241,10 @@ def _rising(name: str, value: ArrayLike) -> Array:
     return array
 
 
-def _between(at: float | Array, known: Any, values: Any) -> Any:
-    """Return the cubic spline through values; a line or a parabola where there are two or three."""
+def _between(at: float | Array, known: Sequence[float] | Array, values: Sequence[float]) -> Array:
+    """Return the spline through values: cubic, or a line or a parabola through two or three."""
     from scipy.interpolate import CubicSpline
 
     size = known[-1] - known[0]
-    return CubicSpline((np.asarray(known) - known[0]) / size, values)((np.asarray(at) - known[0]) / size)
+    found: Array = CubicSpline((np.asarray(known) - known[0]) / size, values)((np.asarray(at) - known[0]) / size)
+    return found

@@ -1,4 +1,4 @@
-"""The wavelengths that light consists of, and the pupil in each of them."""
+"""Spectra and the channels of a sensor: weighted sums over wavelengths."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Json
 from lommel.base.units import format_length
 from lommel.optics.base_pupil import BasePupil
 from lommel.special.legendre import gauss_legendre
 
 
 class Component(NamedTuple):
-    """One of the fields whose intensities add up to what is recorded.
+    """One of the fields whose intensities add up incoherently.
 
     Attributes
     ----------
     share : float
         Of the light.
     stretch : float
-        How much faster its field varies over the sensor than that of the reference: wavelength there over its own.
+        Wavelength of the reference over its own, by which its field is wider on the sensor.
     pupil : Pupil
     """
 
@@ -36,7 +36,7 @@ class Component(NamedTuple):
 
     @property
     def weight(self) -> float:
-        """Peak without aberration over that of the reference: as much light is brighter where its spot is smaller."""
+        """Unaberrated peak over that of the reference."""
         return self.share * self.stretch**2
 
 
@@ -72,22 +72,7 @@ class Spectrum:
         vars(self).update(wavelengths=waves, weights=tuple((shares / shares.sum()).tolist()))
 
     def components(self, pupil: BasePupil) -> list[Component]:
-        """Return what light of each wavelength makes of a pupil.
-
-        Parameters
-        ----------
-        pupil : Pupil
-            Its wavelength is the reference.
-
-        Returns
-        -------
-        list of Component
-
-        Raises
-        ------
-        ValueError
-            If the pupil has no wavelength.
-        """
+        """Return the weighted pupil at each wavelength; ValueError if `pupil`, the reference, has no wavelength."""
         if pupil.wavelength is None:
             raise ValueError("a spectrum needs a pupil with a wavelength, to which the others are related")
         return [
@@ -97,7 +82,7 @@ class Spectrum:
 
 
 def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
-    """Return wavelengths in metres; TypeError or ValueError if one of them is none, or there are none."""
+    """Return wavelengths in metres; TypeError or ValueError if one is out of range or there are none."""
     waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
     if not waves:
         raise ValueError("wavelengths must not be empty")
@@ -119,32 +104,9 @@ _SLACK = 0.1  # of the tolerance: what |E| may be more between the paths that it
 
 
 def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Array, Array, float]:
-    """Return few wavelengths and weights that stand for spectra.
+    """Return few wavelengths, weights of each channel that sum to 1, and a bound on the PSF error they cause.
 
-    Parameters
-    ----------
-    wavelengths : ndarray, shape (n,)
-        Metres, rising, at least two.
-    curves : ndarray, shape (channels, n)
-        Light at each, >= 0, linear in between; none is all 0.
-    paths : float
-        Largest difference of optical paths in the pupil, metres.
-    tol : float
-        Bound on the error over the peak without aberration.
-
-    Returns
-    -------
-    wavelengths : ndarray, shape (k,)
-        Rising.
-    weights : ndarray, shape (channels, k)
-        Each row sums to 1.
-    error : float
-        What the largest error is at most.
-
-    Raises
-    ------
-    ValueError
-        If it takes more than 256 wavelengths.
+    `paths` is the largest optical path difference in the pupil, metres. ValueError beyond 256 wavelengths.
     """
     lit = np.flatnonzero(curves.any(axis=0))
     first, last = max(lit[0] - 1, 0), min(lit[-1] + 1, wavelengths.size - 1)
@@ -201,10 +163,7 @@ def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
 
 
 def _fitted(waves: Array, exact: Array, nodes: Array, mean: float) -> Array:
-    """Return weights >= 0 that sum to 1, of the least squares of E.
-
-    Those of light, of which ``u = weight / lambda^2 * mean`` is made; that they sum to 1 weighs as much as E(0) = 0.
-    """
+    """Return the nonnegative least-squares weights of the nodes, of sum 1, for E over the paths."""
     from scipy.optimize import nnls
 
     thin = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
@@ -219,7 +178,7 @@ def _fitted(waves: Array, exact: Array, nodes: Array, mean: float) -> Array:
 
 
 def checked_paths(paths: float, tol: float) -> tuple[float, float]:
-    """Return both, if they are what :func:`few` takes; TypeError or ValueError otherwise."""
+    """Return both in range; TypeError or ValueError otherwise."""
     return (
         validation.real("paths", paths, above=0.0, below=1e-2, unit="metres"),
         validation.real("tol", tol, least=1e-6, below=0.5),
@@ -241,7 +200,7 @@ class Channels:
     wavelengths : sequence of float, shape (n,)
         Metres, all different.
     weights : array_like, shape (channels, n)
-        The light that each channel counts at each wavelength, >= 0, in none all 0.
+        Response of each channel at each wavelength, >= 0, not all 0 in any channel.
     names : sequence of str, optional
         All different; by default "red", "green" and "blue" of three channels, else "1", "2" and so on.
 
@@ -252,10 +211,10 @@ class Channels:
     weights : tuple of tuple of float
         Those of each channel sum to 1.
     light : tuple of float
-        How much each counts of the same light, over the largest.
+        Total response of each channel over the largest.
     error : float
-        Bound on what these wavelengths are off in place of a measured spectrum, over the peak without aberration;
-        0 where none was. See :meth:`from_curves`.
+        Bound on the PSF error of these wavelengths in place of measured curves, over the unaberrated peak, else 0;
+        see :meth:`from_curves`.
     paths : float or None
         Largest difference of optical paths in the pupil for which `error` holds, metres; else None.
 
@@ -317,10 +276,6 @@ class Channels:
         count : int, default 5
             Wavelengths in a band.
 
-        Returns
-        -------
-        Channels
-
         Raises
         ------
         TypeError, ValueError
@@ -334,7 +289,7 @@ class Channels:
     def bands(
         cls, centers: Sequence[float], width: float, *, names: Sequence[str] | None = None, count: int = 5
     ) -> Channels:
-        """Return channels that count the light of a band evenly, and none beside.
+        """Return channels with the uniform response of a band each.
 
         Parameters
         ----------
@@ -345,10 +300,6 @@ class Channels:
         names : sequence of str, optional
         count : int, default 5
             Wavelengths in a band: nodes of Gauss's rule.
-
-        Returns
-        -------
-        Channels
 
         Raises
         ------
@@ -370,22 +321,7 @@ class Channels:
 
     @classmethod
     def of_wavelengths(cls, wavelengths: ArrayLike) -> Channels:
-        """Return a channel for each of some wavelengths, named by it: ``"550 nm"``.
-
-        Parameters
-        ----------
-        wavelengths : sequence of float
-            Metres, all different.
-
-        Returns
-        -------
-        Channels
-
-        Raises
-        ------
-        TypeError, ValueError
-            If these are no such wavelengths.
-        """
+        """Return a channel for each of `wavelengths` (metres), named ``"550 nm"``; TypeError or ValueError."""
         waves = np.atleast_1d(validation.array("wavelengths", wavelengths))
         digits = next(
             (
@@ -407,22 +343,20 @@ class Channels:
         tol: float = 1e-3,
         paths: float = 5e-6,
     ) -> Channels:
-        """Return channels from measured curves, by as few wavelengths as a tolerance takes.
+        """Return channels from measured response curves, with as few wavelengths as a tolerance allows.
 
         Parameters
         ----------
         wavelengths : array_like, shape (n,)
             Metres, rising, at least two.
         curves : array_like, shape (channels, n)
-            What each channel counts at each, >= 0: quantum efficiency times filter times light. Lines in between,
-            nothing beyond.
+            Response of each channel, >= 0: quantum efficiency times filter times light, interpolated linearly.
         names : sequence of str, optional
         tol : float, default 1e-3
-            Bound on what a PSF by few wavelengths is off, over the peak without aberration, 1e-6 to 0.5.
+            Bound on the PSF error by few wavelengths, over the unaberrated peak, 1e-6 to 0.5.
         paths : float, default 5e-6
-            Largest difference of optical paths between two points of the pupil for which that holds, metres. Defocus
-            of C_d makes ``lambda C_d / pi``, and a point of the sensor at the distance r from the axis ``r / N``.
-            In light of which paths differ by more, PSFs average over more rings than there are wavelengths.
+            Largest optical path difference in the pupil for which that holds, metres: ``lambda C_d / pi`` of defocus,
+            ``r / N`` at the distance r from the axis of the sensor.
 
         Returns
         -------
@@ -456,7 +390,7 @@ class Channels:
 
     @property
     def spectra(self) -> tuple[tuple[tuple[float, float], ...], ...]:
-        """For each channel pairs of a wavelength and a weight that is not 0, as photographs take `wavelengths`."""
+        """Pairs of wavelength and nonzero weight for each channel, as `wavelengths` of photographs."""
         return tuple(
             tuple((w, share) for w, share in zip(self.wavelengths, row, strict=True) if share > 0.0)
             for row in self.weights
@@ -466,40 +400,25 @@ class Channels:
         """Yield the name of each channel and its pairs of wavelength and weight."""
         return iter(zip(self.names, self.spectra, strict=True))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types."""
         return asdict(self)
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> Channels:
-        """Rebuild channels.
-
-        Parameters
-        ----------
-        description : dict
-            By :meth:`to_dict`.
-
-        Returns
-        -------
-        Channels
-
-        Raises
-        ------
-        TypeError, ValueError, KeyError
-            If it is none such.
-        """
+    def from_dict(cls, description: Json) -> Channels:
+        """Rebuild channels from a `description` by :meth:`to_dict`; TypeError, ValueError or KeyError."""
         parts = dict(description)
         light = validation.real_array("light", parts["light"], least=0.0)
         rows = validation.real_array("weights", parts["weights"]) * light[:, None]
         made = cls(parts["wavelengths"], rows, parts["names"])
         paths, error = parts["paths"], validation.real("error", parts["error"], least=0.0)
-        # As they were, not divided again by sums that are 1 but for rounding.
+        # Not divided again by sums that are 1 but for rounding.
         weights = tuple(tuple(float(w) for w in row) for row in parts["weights"])
         vars(made).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
         return made
 
 
-def checked(channels: Any) -> Channels:
+def checked(channels: object) -> Channels:
     """Return channels, or one for each of some wavelengths; TypeError or ValueError if it is neither."""
     if isinstance(channels, Channels):
         return channels

@@ -1,19 +1,18 @@
-r"""A measured wavefront on top of a microscope's light, as orders of the azimuth: how many, and how they grow.
+r"""Azimuthal Fourier orders of a measured wavefront in a microscope's pupil, with bounds.
 
 ``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. Moved into the complex plane, theta + i b, a term of W of order m
 gains an imaginary part of at most ``w sinh(m b)``, w being its size at the edge, so that for any b > 0
 
 .. math:: |P_m(\rho)| \le \exp\Bigl(\sum_j w_j \sinh(m_j b) - |m| b\Bigr), \quad 0 \le \rho \le 1 .
 
-In rho, ``P_m`` is analytic and has the parity of m; at any complex rho it is at most
-``exp(sum_j w_j abs(Im R_j(rho)))``. See docs/certificate.md.
+At complex rho, ``P_m`` is at most ``exp(sum_j w_j abs(Im R_j(rho)))``. See docs/certificate.md.
 """
 
 from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,31 +27,20 @@ DEGREE_MOST = 30  # powers of rho^2 lose 5.8^(n / 2) roundings
 _ORDERS_MOST = 250
 _HEIGHTS = np.geomspace(1e-2, 6.0, 200)
 Sizes = tuple[tuple[tuple[int, int], float], ...]
-"""n and m >= 0 of terms, and what those of m and -m together are at most, radians at the edge."""
+"""n and m >= 0 of terms, and the largest amplitude of m and -m together, radians at the edge."""
 
 
 class Orders(NamedTuple):
-    """How many orders of the azimuth are kept.
-
-    Attributes
-    ----------
-    most : int
-        Those from -most to most.
-    angles : int
-        Equally spaced, that they are computed from.
-    error : float
-        Bound on the sum of the moduli of what is left out and of what aliases add, at any rho.
-    """
+    """Orders -most to most, from equally spaced angles; error bounds the sum of all others and of aliases."""
 
     most: int
     angles: int
     error: float
 
 
-def checked(value: Any) -> Wavefront | None:
-    """Return a wavefront whose degrees are taken, None for none or a flat one; TypeError or ValueError otherwise."""
-    validation.optional("aberrations", value, Wavefront)
-    wavefront: Wavefront | None = value
+def checked(wavefront: Wavefront | None) -> Wavefront | None:
+    """Return a supported wavefront, None for none or a flat one; TypeError or ValueError otherwise."""
+    validation.optional("aberrations", wavefront, Wavefront)
     if wavefront is None or wavefront.flat:
         return None
     for (n, m), c in wavefront.edge_terms().items():
@@ -62,7 +50,7 @@ def checked(value: Any) -> Wavefront | None:
 
 
 def sizes(wavefront: Wavefront) -> Sizes:
-    """Return how large each pair of terms is at most across a stack."""
+    """Return the largest amplitude of each pair of terms in a stack."""
     squares: dict[tuple[int, int], Array] = {}
     for (n, m), c in wavefront.edge_terms().items():
         squares[n, abs(m)] = squares.get((n, abs(m)), np.zeros(())) + c * c
@@ -71,11 +59,11 @@ def sizes(wavefront: Wavefront) -> Sizes:
 
 @lru_cache(maxsize=64)
 def orders(terms: Sizes, error: float) -> Orders:
-    """Return enough orders for :attr:`Orders.error` to be at most `error`; ValueError if they are too many."""
+    """Return the orders needed for an error of at most `error`; ValueError if they are too many."""
     strip = sum((w * np.sinh(m * _HEIGHTS) for (_, m), w in terms), np.zeros(_HEIGHTS.shape))
 
     def beyond(m: int) -> float:
-        """Return what all orders beyond m, on both sides, add up to at most."""
+        """Bound the sum of all orders beyond m, on both sides."""
         if not strip.any():
             return 0.0
         exponent = strip - (m + 1) * _HEIGHTS - np.log(-np.expm1(-_HEIGHTS))
@@ -101,14 +89,11 @@ def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.comple
 
 
 def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> tuple[NDArray[np.complex128], float]:
-    """Return as few P_m, m from -most to most, as err by about `error` in sums by a rule, and a bound on that.
-
-    Those that :func:`orders` proves to be enough are looked at where the rule has its nodes.
-    """
+    """Return as few P_m, m from -most to most, as sums by a rule within `error` need, and a bound on their error."""
     size = max(float(np.abs(part).sum()) for part in rule.parts)
     kept = orders(terms, 0.01 * error / size)
     found = samples(wavefront, rule.rho, kept)
-    # What orders m and -m can add, the largest of all parts and pupils, and all from m on.
+    # The most that orders m and -m add in any part and pupil, then all orders from m on.
     weights = np.abs(np.stack(rule.parts))
     each = (np.abs(found) @ weights.T).max(axis=-1)
     each = (each + each[:, ::-1])[:, kept.most :].max(axis=0)
@@ -119,7 +104,7 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
 
 @lru_cache(maxsize=16)
 def growth(piece: Piece, terms: Sizes) -> Array:
-    """Return the logarithm of a bound on ``abs(exp(i W))`` at any azimuth, on each disc around a piece."""
+    """Return the log of a bound on ``abs(exp(i W))`` at any azimuth, on each disc around a section."""
     at, height = piece.covered.at, piece.covered.height
     square = at.square * piece.layers.NA**-2
     root = np.sqrt(square.largest)

@@ -1,4 +1,4 @@
-"""Where a microscope's light is brightest as its stage is driven, and how wide that focus is."""
+"""The brightest focus of a microscope on the axis, and its axial and lateral width."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _DOUBLINGS = 6
 
 
 class Axial(NamedTuple):
-    """The main maximum on the axis: metres of the stage, intensity, full width at half maximum."""
+    """The main maximum on the axis: stage position (metres), intensity, full width at half maximum."""
 
     brightest: float
     intensity: float
@@ -59,7 +59,7 @@ def depth_of_focus(layers: Layers) -> float:
 
 
 def ray_foci(layers: Layers, depth: float) -> Array:
-    """Return where rays of rising aperture meet the axis, paraxial ones first, up to 0.98 of the critical angle."""
+    """Return where rays of rising aperture cross the axis, paraxial first, up to 0.98 of the critical angle."""
     rho = np.linspace(0.0, 0.98, 50) * min(1.0, layers.sample / layers.NA)
     length = np.zeros(rho.shape)
     for index, thickness in (*layers.paths, (layers.sample, depth)):
@@ -69,10 +69,9 @@ def ray_foci(layers: Layers, depth: float) -> Array:
 
 @lru_cache(maxsize=4096)
 def brightest(layers: Layers, depth: float) -> Axial:
-    """Return the main maximum: the largest in steps of a 16th of the depth of focus, then by Newton's method.
+    """Return the main axial maximum by a search in steps of a 16th of the depth of focus, then Newton's method.
 
-    The search covers where rays meet the axis, and two depths of focus beyond, or more where half of the maximum is
-    not reached within.
+    The search spans the ray foci and two depths of focus beyond, or more until half of the maximum is reached.
     """
     rays = ray_foci(layers, depth)
     scale = depth_of_focus(layers)
@@ -115,10 +114,7 @@ def _crossing(axis: _Axis, level: float, dark: float, bright: float) -> float:
 
 
 def lateral_width(layers: Layers, depth: float, focus: float) -> float:
-    """Return twice the radius at which the light of an emitter that turns freely is half of that on the axis.
-
-    The first such radius, from steps of a sixteenth of lambda / NA.
-    """
+    """Return the lateral full width at half maximum of a freely rotating dipole, metres: the first crossing."""
     from scipy.optimize import brentq
 
     model, one = quadrature_bounds.Model(), np.ones(1)
@@ -128,7 +124,7 @@ def lateral_width(layers: Layers, depth: float, focus: float) -> float:
         rule = debye.rule(layers, model, one * depth, one * focus, float(v[-1]), _TOL)
 
         def excess(at: Array, rule: debye.Rule = rule) -> Array:
-            """Return the light less half of that on the axis."""
+            """Return the intensity less half of that on the axis."""
             parts = debye.fields(rule, model, one * depth, one * focus, np.append(0.0, at))
             first, second, third = (np.abs(part[0]) ** 2 for part in parts)
             values = first + 2.0 * second + third

@@ -1,6 +1,4 @@
-r"""Integrals over the angles of a microscope's light, by Gauss-Legendre quadrature that is proven to suffice.
-
-Each piece of the pupil (:mod:`lommel.optics.layers.quadrature_bounds`) has its own angles.
+"""Debye-Wolf integrals over the angles of a microscope's light, by Gauss-Legendre quadrature with proven bounds.
 
 References
 ----------
@@ -26,21 +24,9 @@ _RADII = 2048  # at once
 
 
 class Rule(NamedTuple):
-    """Angles, and what is summed over them.
+    """A quadrature over angles: rho, the weighted parts of the model, and the phase with its depth and focus rates.
 
-    Attributes
-    ----------
-    rho : ndarray, shape (q,)
-    parts : tuple of ndarray of complex, each of shape (q,)
-        With the weights of the rule, in the order of the model.
-    rates : tuple of three ndarrays of complex, shape (q,)
-        The phase, and its derivatives by depth and focus.
-    error : float
-        What the rule is proven to err by, with an allowance for rounding.
-    rounding : float
-        That allowance.
-    counts : tuple of int
-        How many angles there are on each side of the critical angle.
+    `error` is the proven bound with an allowance for rounding, which is `rounding`; counts are nodes per section.
     """
 
     rho: Array
@@ -65,25 +51,9 @@ def rule(
     tol: float,
     factor: Callable[[Piece], Array] | None = None,
 ) -> Rule:
-    """Return angles enough for every part to err by at most `tol`, at any radius up to `v`, in the planes given.
+    """Return a rule within `tol` for every part, plane and radius up to `v` = k NA r.
 
-    Parameters
-    ----------
-    layers : Layers
-    model : Model
-    depth, focus : ndarray, shape (planes,)
-        Metres.
-    v : float
-        ``k NA r`` at the largest radius.
-    tol : float
-        Of the fields, whose focus is 1 where NA is small.
-    factor : callable, optional
-        Of integrands with a further factor, analytic as they are and at most 1 for real rho: the logarithm of a bound
-        on its modulus on each disc around a piece.
-
-    Returns
-    -------
-    Rule
+    `factor` bounds, as a log on each disc around a section, a further analytic factor of the integrands.
     """
     rhos, parts, rates, counts = [], [], [], []
     cut = pieces(layers, model)
@@ -109,7 +79,7 @@ def rule(
 
 
 def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
-    """Return each part at each plane and each v, shape ``(planes, radii)``."""
+    """Return each part in each plane at each v, shape ``(planes, radii)``."""
     from scipy.special import jv
 
     waves = rule.waves(depth, focus)
@@ -122,11 +92,9 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
 
 
 def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str | None = None) -> tuple[Array, Array]:
-    """Return the light of each part of an emitter's field, and of one far from the glass, over ``4 pi / (k NA)^2``.
+    """Return the light of each part, near and far from the glass, over ``4 pi / (k NA)^2``, or a derivative.
 
-    ``int abs(a T_m)^2 exp(-2 k d n_s Im c_s) rho d rho / 2``, the same at every focus, by rules of twice as many
-    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``. With `by` "depth" or "wavenumber",
-    their derivatives by the depth or by ln k instead.
+    Rules of twice as many angles until two agree to 1e-13; `by` is "depth" or "wavenumber" (ln k).
     """
     model = model or Model()
     before = np.full((1, 1), -1.0)
@@ -150,7 +118,7 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
 
 
 class _Collected(NamedTuple):
-    """The light of each part that reaches any depth; how fast other light fades, and it, at some angles; changes."""
+    """Light of each part that reaches any depth; evanescent light with its decay rate per angle; changes by ln k."""
 
     steady: Array
     fading: Array
@@ -161,7 +129,7 @@ class _Collected(NamedTuple):
 
 @lru_cache(maxsize=64)
 def _collected(layers: Layers, model: Model, n: int) -> _Collected:
-    """Return what n angles make of it, with derivatives by ln k."""
+    """Return the light collected by a rule of n angles, with its derivatives by ln k."""
     parts = len(model.orders)
     steady, steady_change = np.zeros(parts), np.zeros(parts)
     fading, faint, faint_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
@@ -193,22 +161,14 @@ def films(layers: Layers, model: Model) -> bool:
 
 
 class Turning(NamedTuple):
-    """What fields of a :class:`Rule` change by with ln k at fixed v.
-
-    Attributes
-    ----------
-    rates : ndarray of complex, shape (3, q)
-        As those of the rule, each less a constant.
-    changes : ndarray of complex, shape (parts, q), or None
-        Of the parts themselves.
-    """
+    """Factors of the derivatives by ln k at fixed v: rates of the phase less a constant, changes of the parts."""
 
     rates: Complex
     changes: Complex | None
 
 
 def turning(found: Rule, layers: Layers, model: Model) -> Turning:
-    """Return what the fields of a rule change by."""
+    """Return the factors of the derivatives of a rule by ln k."""
     rates = np.stack(found.rates) - np.array(layers.middle_rates())[:, None]
     if not films(layers, model):
         return Turning(rates, None)
@@ -222,10 +182,7 @@ def turning(found: Rule, layers: Layers, model: Model) -> Turning:
 def slope_errors(
     found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float, float]:
-    """Return what a :func:`lommel.optics.layers.debye.rule` for these arguments errs by in derivatives.
-
-    By the depth, the focus, v, and ln k at fixed v.
-    """
+    """Bound the errors of a rule in derivatives by the depth, the focus, v, and ln k at fixed v."""
     share = tol / len(found.counts)
     each = [
         _of_piece(piece, model, depth, focus, v, share, n)
@@ -243,10 +200,7 @@ def slope_errors(
 
 
 def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[float, float, float]:
-    """Return what the factors of derivatives by depth, focus and ln k are at most in the pupil, less a real constant.
-
-    An analytic function is largest on the border of an ellipse around a piece of the pupil; discs cover that.
-    """
+    """Bound the factors of derivatives by depth, focus and ln k in the pupil, on ellipses around it."""
     found = np.zeros(3)
     middle = layers.middle_rates()
     for piece in pieces(layers, model):
@@ -262,7 +216,7 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
 def _of_piece(
     piece: Piece, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
 ) -> tuple[float, ...]:
-    """Return what n nodes of a piece, which serve to `error`, err by at most."""
+    """Bound the errors of n nodes of a section, which serve to `error`."""
     growth = piece.serving(model, depth, focus, v, error)
     rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
     covered, _ = enclosed(piece, model, rows)
@@ -275,7 +229,7 @@ def _of_piece(
 
 
 def _phases(piece: Piece, model: Model, covered: Covered, depth: Array, focus: Array) -> Array:
-    """Return what bounds the derivatives by ln k over the integrands on each disc."""
+    """Bound the derivatives by ln k over the integrands on each disc."""
     psi, middle = np.zeros(covered.at.square.radius.shape), piece.layers.middle_rates()
     for d, f in extremes(depth, focus):
         centre, radius = np.zeros(psi.shape, np.complex128), np.zeros(psi.shape)

@@ -1,9 +1,9 @@
-r"""What sends light into a microscope, or is sent through it: as sums over the parts of its field.
+r"""Emitters and beams of microscopes, as Hermitian forms of the radial field integrals.
 
-Whatever it is, its intensity is ``h0(r) + h1(r) (a cos phi + b sin phi) + h2(r) (c cos 2 phi + d sin 2 phi)``, where
-each h is a Hermitian form of the radial integrals that :mod:`lommel.optics.layers.debye` knows, and phi the azimuth
-on the camera, from its columns to its rows. With M the mean of ``p p^T`` over a dipole's directions and K0, K1, K2 as
-of :class:`lommel.optics.layers.objective.FocalField`, the light of a dipole on the camera is
+The intensity is ``h0(r) + h1(r) (a cos phi + b sin phi) + h2(r) (c cos 2 phi + d sin 2 phi)``, each h a
+Hermitian form of the integrals of :mod:`lommel.optics.layers.debye`, phi the azimuth on the camera from columns to
+rows. With M the mean of ``p p^T`` over the directions of a dipole and K0, K1, K2 of
+:class:`lommel.optics.layers.objective.FocalField`:
 
 .. math:: (M_{xx} + M_{yy})(|K_0|^2 + |K_2|^2) + 4 M_{zz} |K_1|^2
    - 4 \, \Im[K_1^* (K_0 + K_2)] (M_{xz} \cos\phi + M_{yz} \sin\phi)
@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,16 +31,7 @@ _AROUND = ("radial", "azimuthal", "vortex")
 
 
 class Harmonic(NamedTuple):
-    """One order of the azimuth.
-
-    Attributes
-    ----------
-    order : int
-    form : ndarray of complex, shape (parts, parts)
-        Hermitian; ``h = sum_jl form[j, l] F_j conj(F_l)`` of the parts F of the field.
-    cosine, sine : float
-        What ``h cos(order phi)`` and ``h sin(order phi)`` are multiplied by.
-    """
+    """One azimuthal order: ``h = sum_jl form[j, l] F_j conj(F_l)`` of parts F, and factors of its cosine and sine."""
 
     order: int
     form: Form
@@ -49,21 +40,10 @@ class Harmonic(NamedTuple):
 
 
 class Waves(NamedTuple):
-    r"""What the intensity is made of where the phase across the pupil is any: of pairs of fields.
-
-    With P its exponential, these are
+    r"""Fields ``U_a`` of orders q and parts T with any pupil phase, ``I = sum_ab form[a, b] U_a conj(U_b)``.
 
     .. math:: U_a = \frac{1}{2 \pi} \int\!\!\int P \, T_a(\rho) \, e^{i q_a \theta}
        e^{i \psi - i v \rho \cos(\theta - \phi)} \rho \, d\rho \, d\theta .
-
-    Attributes
-    ----------
-    orders : tuple of int
-        Each q.
-    parts : tuple of int
-        Which part of the model each T is.
-    form : ndarray of complex, shape (fields, fields)
-        Hermitian; ``I = sum_ab form[a, b] U_a conj(U_b)``.
     """
 
     orders: tuple[int, ...]
@@ -72,15 +52,7 @@ class Waves(NamedTuple):
 
 
 class Light(NamedTuple):
-    """What is integrated, and what the intensity is made of.
-
-    Attributes
-    ----------
-    model : Model
-    harmonics : tuple of Harmonic
-        The one of order 0, whose form is diagonal, first.
-    waves : Waves
-    """
+    """The integrals of a model, and the forms that make intensities of them, the diagonal order 0 first."""
 
     model: Model
     harmonics: tuple[Harmonic, ...]
@@ -93,7 +65,7 @@ class Light(NamedTuple):
 
     @property
     def shares(self) -> NDArray[np.float64]:
-        """How often the light of each part counts."""
+        """Weight of the light of each part."""
         return np.diag(self.harmonics[0].form).real
 
 
@@ -136,17 +108,17 @@ class Dipole:
     azimuth : float
         Radians from the columns of the camera towards its rows.
     wobble : float, default 0
-        0 for a fixed dipole, 1 for one that turns freely: the share of directions that are isotropic.
+        0 for a fixed dipole, 1 for a freely rotating one: the isotropic share of its directions.
 
     Raises
     ------
     TypeError, ValueError
-        On anything that is no finite number, or a wobble outside 0 to 1.
+        If an argument is not finite, or the wobble outside 0 to 1.
 
     Notes
     -----
-    Of the same moment as an emitter that turns freely, whose light is the mean over all directions; PSFs with
-    ``normalize="energy"`` have the light that the objective collects of each.
+    The moment is that of a freely rotating dipole, whose light is the mean over all directions; PSFs with
+    ``normalize="energy"`` are of the light that the objective collects.
     """
 
     polar: float
@@ -163,14 +135,14 @@ class Dipole:
 
     @property
     def moments(self) -> Array:
-        """Three times the mean of ``p p^T`` over its directions: the unit matrix where it turns freely."""
+        """Three times the mean of ``p p^T`` over its directions: the unit matrix for a freely rotating dipole."""
         flat, azimuth = math.sin(self.polar), self.azimuth
         p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
         return np.asarray(3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3))
 
     @property
     def light(self) -> Light:
-        """What its intensity is made of."""
+        """Integrals and forms of the intensity."""
         M = self.moments
         level = 0.5 * (M[0, 0] + M[1, 1])
         return _vectorial(
@@ -183,15 +155,15 @@ class Dipole:
 
 @dataclass(frozen=True)
 class Beam:
-    """Light that enters the back of the objective, uniform, and is focused into the sample.
+    """A uniform beam through the back of the objective, focused into the sample.
 
     Parameters
     ----------
     polarization : {"circular", "x", "y", "radial", "azimuthal", "vortex"} or (complex, complex), default "circular"
-        Jones vectors ``(a, b)`` are along the columns and the rows of the camera; their length does not matter.
-        "circular", (1, i), is unpolarised light, too, where there are no aberrations. "radial" is polarised towards
-        the axis everywhere in the pupil, and "azimuthal" around it: a beam that is dark on the axis. So is "vortex",
-        circular light behind a plate that adds the azimuth to its phase, as (1, i) turns: the doughnut of STED.
+        Jones vectors ``(a, b)`` are along columns and rows of the camera, of any length. "circular" is (1, i), and
+        stands for unpolarized light where there are no aberrations. "radial" and "azimuthal" polarization are towards
+        and around the axis, the latter dark on it; so is "vortex", circular light behind a vortex phase plate (the
+        doughnut of STED).
 
     Raises
     ------
@@ -214,7 +186,7 @@ class Beam:
 
     @property
     def light(self) -> Light:
-        """What its intensity is made of."""
+        """Integrals and forms of the intensity."""
         waves = self._waves(np.eye(3))
         if self._around is not None:
             model = Model(self._around)
@@ -228,7 +200,7 @@ class Beam:
 
     @property
     def _around(self) -> str | None:
-        """The polarization, where it turns with the azimuth, or its phase does."""
+        """The polarization, if it or its phase rotates with the azimuth."""
         named = isinstance(self.polarization, str) and self.polarization in _AROUND
         return str(self.polarization) if named else None
 
@@ -257,30 +229,23 @@ class Beam:
 
 @dataclass(frozen=True)
 class Absorbed(Beam):
-    """Light of a beam as a dipole absorbs it: the intensity of the field along it, three times.
+    """Excitation of a dipole by a beam: three times the intensity of the field along the dipole.
 
-    Its mean over all directions of the dipole is the intensity of the beam. The axis may be anywhere beside the
-    dipole: light is that of an image of it, at the place of the axis.
-
-    Parameters
-    ----------
-    polarization
-        As of :class:`Beam`.
-    dipole : Dipole
+    Its mean over all directions of the dipole is the intensity of the beam.
     """
 
     dipole: Dipole = Dipole(0.0, 0.0)
 
     @property
     def light(self) -> Light:
-        """What that is made of."""
+        """Integrals and forms of the intensity."""
         waves = self._waves(self.dipole.moments)
         model = Model(self._around or "vectorial")
         return Light(model, _harmonics(waves, len(model.orders)), waves)
 
 
 def _harmonics(waves: Waves, parts: int) -> tuple[Harmonic, ...]:
-    """Return the orders of the azimuth without aberrations: ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
+    """Return the azimuthal orders without aberrations: ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
     orders = np.array(waves.orders)
     turns = (-1j) ** np.abs(orders)
     form = waves.form * np.multiply.outer(turns, turns.conj())
@@ -296,7 +261,7 @@ def _harmonics(waves: Waves, parts: int) -> tuple[Harmonic, ...]:
 
 @dataclass(frozen=True)
 class Scalar:
-    """The scalar model of Gibson and Lanni, without polarisation and Fresnel's losses.
+    """The scalar model of Gibson and Lanni, without polarization and Fresnel losses.
 
     Parameters
     ----------
@@ -320,7 +285,7 @@ class Scalar:
 
     @property
     def light(self) -> Light:
-        """What its intensity is made of."""
+        """Integrals and forms of the intensity."""
         model = Model("scalar", aplanatic=self.apodization == "aplanatic", supercritical=self.supercritical)
         one = np.eye(1, dtype=np.complex128)
         return Light(model, (Harmonic(0, one, 1.0, 0.0),), Waves((0,), (0,), one))
@@ -330,8 +295,8 @@ Emitter = Dipole | Beam | Scalar
 _NAMED: dict[str, Emitter] = {"isotropic": Dipole(0.0, 0.0, wobble=1.0), "scalar": Scalar()}
 
 
-def emitter_of(value: Any) -> Emitter:
-    """Return what emits; TypeError or ValueError where it is none."""
+def emitter_of(value: object) -> Emitter:
+    """Return the emitter of a name, or itself; TypeError or ValueError otherwise."""
     if isinstance(value, Emitter):
         return value
     if isinstance(value, str) and value in _NAMED:

@@ -1,10 +1,10 @@
-"""A microscope objective, and the layers between it and what emits light."""
+"""Microscope objectives: pupils, focal fields, best focus and sampling."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,6 +20,7 @@ from lommel.optics.layers.stratified import (
     Design,
     Layer,
     Layers,
+    Values,
     depths,
     film_stack,
     heights,
@@ -29,97 +30,20 @@ from lommel.optics.layers.stratified import (
 from lommel.optics.wavefront.wavefront import Wavefront
 
 
-class Stage:
-    """What :class:`lommel.Objective` knows of its layers: these are its attributes."""
-
-    NA: float
-    immersion: float
-    working_distance: float | None
-    coverslip: Layer | None
-    sample: float
-    films: tuple[Layer, ...]
-    design: Design
-
-    @property
-    def _clearance(self) -> float:
-        """How much immersion there is with the surface of the cover glass in focus, metres."""
-        if self.working_distance is None:  # and no other layer that it depends on
-            return DEPTH_MOST
-        length = self.working_distance / self.design.immersion
-        for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
-            length += sign * glass.thickness / glass.index if glass else 0.0
-        return self.immersion * length
-
-    def _layers(self, wavelength: Any) -> Layers:
-        """Return the layers in light of a wavelength, checked."""
-        metres = validation.wavelength(wavelength)
-        used, meant = Design(self.immersion, self.coverslip), self.design
-        paths = []
-        for side, sign in ((used, 1.0), (meant, -1.0)) if used != meant else ():
-            room = self._clearance if side is used else self.working_distance
-            assert room is not None  # as there is with a design
-            paths.append((side.immersion, sign * room))
-            if side.coverslip:
-                paths.append((side.coverslip.index, sign * side.coverslip.thickness))
-        glass = self.coverslip.index if self.coverslip else self.immersion
-        films = tuple((film.index, film.thickness) for film in self.films)
-        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres)
-
-    def _paraxial(self, depth: Array) -> Array:
-        """Return the paraxial focus of emitters, metres of the stage."""
-        films = sum(film.thickness / film.index for film in self.films)
-        return np.asarray(self.immersion * (depth / self.sample + films))
-
-    def _planes(self, depth: Any, focus: Any) -> tuple[Array, Array, tuple[int, ...]]:
-        """Return depths and positions of the stage as flat arrays, with their shape, checked."""
-        f = validation.real_array("focus", focus)
-        d, f = validation.broadcast("depth and focus", depths(depth), f)
-        name = "focus, or where depth and z lead,"
-        if f.size and f.max() > self._clearance:
-            known = self.working_distance is not None
-            where = ", where the objective touches the cover glass," if known else " without a working_distance,"
-            raise ValueError(f"{name} must be at most {self._clearance:.4g} metres{where} got {f.max():g}")
-        if f.size and f.min() < -DEPTH_MOST:
-            raise ValueError(f"{name} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
-        return d.ravel(), f.ravel(), d.shape
-
-    def _require_clearance(self) -> None:
-        """Raise ValueError where the cover glass would be in the objective."""
-        if not self._clearance > 0.0:
-            raise ValueError(
-                f"working_distance must leave room for the cover glass, got {self.working_distance:g}: with this "
-                f"glass, thicker than the design's, the objective would be {-self._clearance:.3g} m inside it"
-            )
-
-    def _start(self, origin: str, layers: Layers, depth: Array) -> Array:
-        """Return where the stage is at z = 0, for each depth."""
-        if origin == "coverslip":
-            return np.zeros(())
-        if origin == "paraxial":
-            return self._paraxial(depth)
-        each, place = np.unique(depth, return_inverse=True)
-        best = np.array([best_focus.brightest(layers, float(one)).brightest for one in each])
-        return np.asarray(best[place].reshape(depth.shape))
-
-    def _rates(self, rho: Any, wavelength: Any) -> tuple[Any, Any, Any]:
-        layers = self._layers(wavelength)
-        return layers.rates(layers.cosine(heights(rho)))
-
-
 @dataclass(frozen=True, eq=False)
 class FocalField:
-    """The vectorial field of a microscope, in three integrals that everything is made of.
+    """The vectorial field of a microscope, as three integrals.
 
-    A fixed dipole p, with z towards the objective and phi the azimuth on the camera, has there
+    A fixed dipole p, with z towards the objective and phi the azimuth on the camera, has the field
     ``Ex = p_x (K0 + K2 cos 2 phi) + p_y K2 sin 2 phi - 2i p_z K1 cos phi`` and
-    ``Ey = p_x K2 sin 2 phi + p_y (K0 - K2 cos 2 phi) - 2i p_z K1 sin phi``; light that enters polarised along x has
+    ``Ey = p_x K2 sin 2 phi + p_y (K0 - K2 cos 2 phi) - 2i p_z K1 sin phi``; a beam polarized along x has
     ``E = (K0 + K2 cos 2 phi, K2 sin 2 phi, -2i K1 cos phi)`` in the sample.
 
     Parameters
     ----------
     K0, K1, K2 : ndarray of complex, shape planes + radii
     error : float
-        Of each of these: proven for the quadrature, with an allowance for rounding.
+        Bound on each: proven for the quadrature, with an allowance for rounding.
     """
 
     K0: NDArray[np.complex128]
@@ -129,12 +53,12 @@ class FocalField:
 
     @property
     def intensity(self) -> Array:
-        """``abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2``: an emitter that turns freely, or light that is not polarised."""
+        """``abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2``: a freely rotating dipole, or unpolarized light."""
         return np.asarray(np.abs(self.K0) ** 2 + 2.0 * np.abs(self.K1) ** 2 + np.abs(self.K2) ** 2)
 
     @property
     def intensity_error(self) -> Array:
-        """How much `intensity` may be off: ``4 error sqrt(intensity) + 4 error^2`` each."""
+        """Bound on the error of `intensity`: ``4 error sqrt(intensity) + 4 error^2`` each."""
         return np.asarray(4.0 * self.error * (np.sqrt(self.intensity) + self.error))
 
 
@@ -146,7 +70,7 @@ class ScalarField:
     ----------
     U : ndarray of complex, shape planes + radii
     error : float
-        Of each: proven for the quadrature, with an allowance for rounding.
+        Bound on each: proven for the quadrature, with an allowance for rounding.
     """
 
     U: NDArray[np.complex128]
@@ -159,23 +83,23 @@ class ScalarField:
 
     @property
     def intensity_error(self) -> Array:
-        """How much `intensity` may be off: ``2 error sqrt(intensity) + error^2`` each."""
+        """Bound on the error of `intensity`: ``2 error sqrt(intensity) + error^2`` each."""
         return np.asarray(self.error * (2.0 * np.abs(self.U) + self.error))
 
 
 @dataclass(frozen=True, eq=False)
 class Focus:
-    """Where an emitter is in focus, one for each depth.
+    """The focus of an emitter at each depth.
 
     Parameters
     ----------
     depth : float or ndarray
         Metres from the glass.
     paraxial, brightest : float or ndarray
-        How far the objective has been driven towards the sample since the surface of the sample was in paraxial
-        focus, metres: for paraxial rays, and where the light on the axis is brightest.
+        Stage positions, metres towards the sample from paraxial focus on its surface: of paraxial rays, and of the
+        largest intensity on the axis.
     peak : float or ndarray
-        The intensity there. 1 is that of an aperture of the same light without layers or polarisation.
+        Intensity at the brightest focus, over that of a scalar aperture of the same light without layers.
     axial_fwhm, lateral_fwhm : float or ndarray
         Full widths at half maximum through there, metres of the stage and metres in the sample.
     """
@@ -189,7 +113,7 @@ class Focus:
 
     @property
     def ratio(self) -> Numbers:
-        """Depth over the position of the brightest focus, the factor for distances along the axis; NaN at depth 0."""
+        """Depth over the position of the brightest focus (axial scaling factor); NaN at depth 0."""
         with np.errstate(invalid="ignore", divide="ignore"):
             found: Numbers = np.where(np.asarray(self.depth) > 0.0, np.divide(self.depth, self.brightest), np.nan)[()]
         return found
@@ -197,12 +121,12 @@ class Focus:
 
 @dataclass(frozen=True)
 class Nyquist:
-    """The coarsest sampling that keeps all of an image, metres.
+    """Nyquist sampling, metres.
 
     Parameters
     ----------
     lateral, axial : float
-        In the sample, and of the stage.
+        Steps in the sample and of the stage.
     pixel : float
         `lateral` on the camera.
     """
@@ -219,43 +143,40 @@ _ORIGINS = ("coverslip", "paraxial", "brightest")
 
 
 @dataclass(frozen=True, init=False)
-class Objective(Stage):
+class Objective:
     r"""A microscope objective with its immersion, cover glass and sample; metres everywhere.
 
-    The layers are plane: sample | films | cover glass | immersion | objective. A ray has the same
-    ``NA rho = n sin(theta)`` in each, rho from 0 to 1 across the pupil. An emitter is at `depth` metres from the
-    glass (from the last film, if there are some). `focus` is how far the objective has been driven towards the sample
-    since the surface of the cover glass was in paraxial focus: what the stage of a microscope records, not a distance
-    in the sample.
+    Plane layers: sample | films | cover glass | immersion | objective, with the same ``NA rho = n sin(theta)`` in
+    each, rho from 0 to 1 across the pupil. `depth` is the distance of an emitter from the glass (or the last film),
+    metres. `focus` is the stage position: motion of the objective towards the sample from paraxial focus on the cover
+    glass.
 
     Parameters
     ----------
     NA : float
-        Numerical aperture, below the indices of immersion and cover glass. Where it exceeds that of the sample, light
-        beyond the critical angle counts, and fades with the depth.
+        Numerical aperture, below the indices of immersion and cover glass. Above the index of the sample,
+        supercritical light counts, and decays with the depth.
     magnification : float, default 1
-        From the sample to the camera. 1: pixels and lengths on the camera are those in the sample.
+        From the sample to the camera. With 1, pixels are given in the sample.
     immersion : float
-        Refractive index of what is between objective and cover glass.
+        Refractive index of the immersion medium.
     working_distance : float, optional
         Metres from the objective to the cover glass, in focus on the surface of the glass and used as designed.
-        Needed with a cover glass or a `design`: without these no light depends on it, and without it the stage moves
-        up to 0.01 metres.
+        Needed with a cover glass or a `design`; without it the stage moves up to 0.01 metres.
     coverslip : Layer, optional
-        The cover glass; by default there is none, and the objective dips into the sample.
+        The cover glass; by default none (dipping objective).
     sample : float, optional
-        Refractive index of what the emitter is in. Needed with a cover glass; by default that of the immersion, so
-        that all is one medium.
+        Refractive index of the sample. Needed with a cover glass; by default that of the immersion.
     films : sequence of Layer, default none
-        Thin films between cover glass and sample, in this order: coherent, by characteristic matrices, each of at
-        most 2 um. The glass is thick: what it reflects to and fro is not seen.
+        Coherent thin films between cover glass and sample, in this order, each of at most 2 um. Multiple reflections
+        in the thick glass are left out.
     design : Design, optional
-        What the objective was corrected for, by default what it is used with.
+        What the objective was corrected for; by default the actual immersion and cover glass.
 
     Raises
     ------
     TypeError, ValueError
-        On anything that is missing, not finite or out of range, or through which light of this aperture cannot pass.
+        If an argument is missing, not finite or out of range, or the layers do not transmit this aperture.
 
     References
     ----------
@@ -281,6 +202,8 @@ class Objective(Stage):
     (1.518, 1.0)
     """
 
+    pupil_hint = "an Objective; objective.pupil(depth=..., wavelength=...) is its pupil"
+
     NA: float
     magnification: float
     immersion: float
@@ -299,7 +222,7 @@ class Objective(Stage):
         working_distance: float | None = None,
         coverslip: Layer | None = None,
         sample: float | None = None,
-        films: Any = (),
+        films: Iterable[Layer] = (),
         design: Design | None = None,
     ) -> None:
         validation.optional("coverslip", coverslip, Layer)
@@ -330,7 +253,68 @@ class Objective(Stage):
             "design": used,
         }
         vars(self).update(values)
-        self._require_clearance()
+        if not self._clearance > 0.0:
+            raise ValueError(
+                f"working_distance must leave room for the cover glass, got {self.working_distance:g}: with this "
+                f"glass, thicker than the design's, the objective would be {-self._clearance:.3g} m inside it"
+            )
+
+    @property
+    def _clearance(self) -> float:
+        """Thickness of the immersion with the surface of the cover glass in focus, metres."""
+        if self.working_distance is None:  # and no other layer that it depends on
+            return DEPTH_MOST
+        length = self.working_distance / self.design.immersion
+        for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
+            length += sign * glass.thickness / glass.index if glass else 0.0
+        return self.immersion * length
+
+    def _layers(self, wavelength: float) -> Layers:
+        """Return the layers at a wavelength."""
+        metres = validation.wavelength(wavelength)
+        used, meant = Design(self.immersion, self.coverslip), self.design
+        paths = []
+        for side, sign in ((used, 1.0), (meant, -1.0)) if used != meant else ():
+            room = self._clearance if side is used else self.working_distance
+            assert room is not None  # as there is with a design
+            paths.append((side.immersion, sign * room))
+            if side.coverslip:
+                paths.append((side.coverslip.index, sign * side.coverslip.thickness))
+        glass = self.coverslip.index if self.coverslip else self.immersion
+        films = tuple((film.index, film.thickness) for film in self.films)
+        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres)
+
+    def _paraxial(self, depth: Array) -> Array:
+        """Return the paraxial focus of emitters, metres of the stage."""
+        films = sum(film.thickness / film.index for film in self.films)
+        return np.asarray(self.immersion * (depth / self.sample + films))
+
+    def _planes(self, depth: ArrayLike, focus: ArrayLike) -> tuple[Array, Array, tuple[int, ...]]:
+        """Return checked depths and stage positions as flat arrays, with their shape."""
+        f = validation.real_array("focus", focus)
+        d, f = validation.broadcast("depth and focus", depths(depth), f)
+        name = "focus, or where depth and z lead,"
+        if f.size and f.max() > self._clearance:
+            known = self.working_distance is not None
+            where = ", where the objective touches the cover glass," if known else " without a working_distance,"
+            raise ValueError(f"{name} must be at most {self._clearance:.4g} metres{where} got {f.max():g}")
+        if f.size and f.min() < -DEPTH_MOST:
+            raise ValueError(f"{name} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
+        return d.ravel(), f.ravel(), d.shape
+
+    def _start(self, origin: str, layers: Layers, depth: Array) -> Array:
+        """Return the stage position of z = 0, for each depth."""
+        if origin == "coverslip":
+            return np.zeros(())
+        if origin == "paraxial":
+            return self._paraxial(depth)
+        each, place = np.unique(depth, return_inverse=True)
+        best = np.array([best_focus.brightest(layers, float(one)).brightest for one in each])
+        return np.asarray(best[place].reshape(depth.shape))
+
+    def _rates(self, rho: ArrayLike, wavelength: float) -> tuple[Values, Values, Values]:
+        layers = self._layers(wavelength)
+        return layers.rates(layers.cosine(heights(rho)))
 
     def pupil(
         self,
@@ -347,28 +331,24 @@ class Objective(Stage):
         Parameters
         ----------
         depth, z : array_like
-            Metres: of the emitter from the glass, and of the stage from the origin, positive towards the sample. They
-            broadcast; arrays make a stack.
+            Metres: depth of the emitter below the glass, stage position from the origin, positive towards the sample.
+            They broadcast; arrays make a stack.
         wavelength : float
             Metres, in vacuum.
         origin : {"brightest", "paraxial", "coverslip"}, default "brightest"
-            Where z is 0: where the emitter is brightest on the axis, its focus by paraxial rays (see :meth:`focus`),
-            or where the surface of the cover glass is in paraxial focus.
+            Where z is 0: the brightest or the paraxial focus of the emitter (see :meth:`focus`), or paraxial focus on
+            the surface of the cover glass.
         emitter : {"isotropic", "scalar"}, Dipole, Beam or Scalar, default "isotropic"
-            An emitter that turns freely, the scalar model of Gibson and Lanni, a :class:`lommel.Dipole`, or the light
-            of a :class:`lommel.Beam` that is focused into the sample.
+            A freely rotating dipole, the scalar model of Gibson and Lanni, a :class:`lommel.Dipole`, or the
+            excitation by a :class:`lommel.Beam`.
         aberrations : Wavefront, optional
-            A measured phase on top of that of the layers, its piston left out; a stack broadcasts with depth and z.
-            `origin` does not regard it, nor how an emitter is turned.
-
-        Returns
-        -------
-        ObjectivePupil
+            A measured phase added to that of the layers, without piston; a stack broadcasts with depth and z. The
+            origin depends neither on it nor on the orientation of a dipole.
 
         Raises
         ------
         TypeError, ValueError
-            On anything out of range, or at positions that the working distance does not reach.
+            If an argument is out of range, or a position beyond the working distance.
         """
         layers, light = self._layers(wavelength), emitter_of(emitter)
         measured = azimuthal_orders.checked(aberrations)
@@ -385,7 +365,7 @@ class Objective(Stage):
 
     @property
     def critical_angle(self) -> float | None:
-        """The angle in the immersion beyond which light is evanescent in the sample, radians; None without one."""
+        """Critical angle of the sample in the immersion, radians; None where all light propagates."""
         return math.asin(self.sample / self.immersion) if self.sample < self.NA else None
 
     def phase(self, rho: ArrayLike, *, depth: float, focus: float, wavelength: float) -> NDArray[np.complex128]:
@@ -412,7 +392,7 @@ class Objective(Stage):
         Raises
         ------
         TypeError, ValueError
-            On anything out of range.
+            If an argument is out of range.
         """
         d, f, _ = self._planes(depth, focus)
         if d.size != 1:
@@ -430,10 +410,10 @@ class Objective(Stage):
         return np.asarray(by_depth), np.asarray(by_focus.real)
 
     def transmission(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], ...]:
-        """Return the amplitudes ``(t_s, t_p)`` of plane waves that pass from immersion to sample.
+        """Return the transmitted amplitudes ``(t_s, t_p)`` of plane waves from immersion to sample.
 
-        Fresnel's, and characteristic matrices of the films. Light of an emitter has the same: its amplitude of the
-        other way, times ``n_i c_i / (n_s c_s)``, is that of this one, which is finite at the critical angle.
+        By Fresnel's equations and characteristic matrices of the films. Emitted light has the same: its amplitude
+        times ``n_i c_i / (n_s c_s)``.
 
         Parameters
         ----------
@@ -449,7 +429,7 @@ class Objective(Stage):
         Raises
         ------
         TypeError, ValueError
-            On anything out of range.
+            If an argument is out of range.
         """
         at, layers = heights(rho), self._layers(wavelength)
         found: Amplitudes = layers.amplitudes(layers.cosine(at), ((self.NA * at) ** 2).astype(np.complex128))
@@ -464,7 +444,7 @@ class Objective(Stage):
         wavelength: float,
         tol: float = 1e-10,
     ) -> FocalField:
-        """Return the vectorial field at radii from the axis, by quadrature over all angles: slow, and a reference.
+        """Return the vectorial field at radii from the axis, by quadrature over all angles: a slow reference.
 
         ``K_m = int a T_m exp(i psi) J_m(k NA r rho) rho d rho`` with ``a = c_i^(-1/2)`` and
         ``T_0 = t_s + t_p c_s, T_1 = t_p NA rho / n_s, T_2 = t_s - t_p c_s``. K0 is 1 in focus where NA is small and
@@ -489,7 +469,7 @@ class Objective(Stage):
         Raises
         ------
         TypeError, ValueError
-            On anything out of range, or if it takes more than 20 000 angles.
+            If an argument is out of range, or more than 20 000 angles are needed.
 
         References
         ----------
@@ -520,25 +500,20 @@ class Objective(Stage):
         supercritical : bool, default True
             Whether light beyond the critical angle of the sample counts; the published model leaves it out.
 
-        Returns
-        -------
-        ScalarField
-
         Raises
         ------
         TypeError, ValueError
-            On anything out of range, or if it takes more than 20 000 angles.
+            If an argument is out of range, or more than 20 000 angles are needed.
         """
         model = Scalar(apodization, supercritical).light.model
         (U,), error = self._integrals(model, radius, depth, focus, wavelength, tol)
         return ScalarField(U, error)
 
     def focus(self, depth: ArrayLike, *, wavelength: float) -> Focus:
-        """Return where an emitter is in focus: for paraxial rays, and where its light on the axis is brightest.
+        """Return the paraxial and the brightest focus of a freely rotating dipole, or of unpolarized light.
 
-        Where there are several maxima the largest is meant: of steps of a sixteenth of the depth of focus, between
-        the foci of all rays (up to 0.98 of the critical angle) and two depths of focus beyond, and from there by
-        Newton's method. For light that is not polarised, or an emitter that turns freely.
+        The largest of several maxima, by a search in steps of a sixteenth of the depth of focus over the foci of all
+        rays (up to 0.98 of the critical angle) and two depths of focus beyond, then Newton's method.
 
         Parameters
         ----------
@@ -555,7 +530,7 @@ class Objective(Stage):
         Raises
         ------
         TypeError, ValueError
-            On anything out of range, or at a depth that the working distance does not reach.
+            If an argument is out of range, or a depth beyond the working distance.
         """
         layers = self._layers(wavelength)
         d = depths(depth)
@@ -568,10 +543,10 @@ class Objective(Stage):
         return Focus(*(numbers(column, d.shape) for column in (d, paraxial, *zip(*found, strict=True), wide)))
 
     def collected(self, depth: ArrayLike, *, wavelength: float) -> Numbers:
-        """Return the light that an emitter at `depth` (metres) sends into the objective, over that of one far away.
+        """Return the light collected from an emitter at `depth` (metres), over that of one far from the glass.
 
-        More than 1 near a glass that light beyond the critical angle enters; 1 at every depth where there is none.
-        Of a dipole of constant moment that turns freely; `wavelength` is in metres, in vacuum.
+        More than 1 near the glass where there is supercritical light, else 1. For a freely rotating dipole of
+        constant moment; `wavelength` is in metres, in vacuum.
         """
         d = depths(depth)
         layers = self._layers(wavelength)
@@ -579,7 +554,7 @@ class Objective(Stage):
         return numbers(near @ _TURNING / (far @ _TURNING), d.shape)
 
     def nyquist(self, *, wavelength: float) -> Nyquist:
-        """Return the coarsest steps that keep all of an image in light of one `wavelength` (metres, in vacuum).
+        """Return the Nyquist sampling at a `wavelength` (metres, in vacuum).
 
         ``lambda / (4 NA)`` sideways, ``lambda / (2 (n_i - sqrt(n_i^2 - NA^2)))`` of the stage.
         """
@@ -588,7 +563,13 @@ class Objective(Stage):
         return Nyquist(lateral, 0.5 * best_focus.depth_of_focus(layers), lateral * self.magnification)
 
     def _integrals(
-        self, model: quadrature_bounds.Model, radius: Any, depth: Any, focus: Any, wavelength: Any, tol: Any
+        self,
+        model: quadrature_bounds.Model,
+        radius: ArrayLike,
+        depth: ArrayLike,
+        focus: ArrayLike,
+        wavelength: float,
+        tol: float,
     ) -> tuple[list[NDArray[np.complex128]], float]:
         layers = self._layers(wavelength)
         r = validation.real_array("radius", radius, least=0.0)

@@ -1,4 +1,4 @@
-"""The pupil of a microscope's objective, with an emitter at some depth and the stage at some place; or a stack."""
+"""The pupil of a microscope objective: an emitter at a depth, the stage at a position; or a stack."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Index, Json
 from lommel.base.cached import cached_property
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.layers import debye
@@ -21,22 +21,24 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 
 @dataclass(frozen=True, eq=False)
 class ObjectivePupil(BasePupil):
-    """What :meth:`lommel.Objective.pupil` returns; :func:`lommel.psf` takes it.
+    """The pupil of a microscope objective, made by :meth:`lommel.Objective.pupil`.
 
-    Intensities are over the light that the objective collects in each plane: 1 would be the peak of a uniform, scalar
-    aperture without aberration that passes as much.
+    Intensities are over the light collected in each plane: 1 is the peak of a uniform, scalar, unaberrated aperture
+    that passes as much.
 
     Parameters
     ----------
     layers : Layers
     magnification : float
     depth, focus, z : ndarray, all of the shape of the stack
-        Metres: of the emitter from the glass; of the stage since the surface of the cover glass was in paraxial
-        focus; of the stage from the origin that was asked for.
+        Metres: depth of the emitter below the glass; stage position from paraxial focus on the cover glass; stage
+        position from the chosen origin.
     emitter : Dipole, Beam or Scalar
     aberrations : Wavefront, optional
-        Measured, on top of what the layers do: one, or a stack of the shape of the planes.
+        Measured, added to the phase of the layers: one, or a stack of the shape of the planes.
     """
+
+    pupil_hint = "that of an Objective, which has no single wavefront; lommel.psf takes it, and measures its PSF"
 
     layered: ClassVar[bool] = True
     layers: Layers
@@ -58,42 +60,42 @@ class ObjectivePupil(BasePupil):
 
     @property
     def wavelength(self) -> float:
-        """Metres, in vacuum."""
+        """Wavelength, metres in vacuum."""
         return self.layers.wavelength
 
     @property
     def f_number(self) -> float:
-        """On the camera, ``M / (2 NA)``."""
+        """Working f-number on the camera, ``M / (2 NA)``."""
         return self.magnification / (2.0 * self.layers.NA)
 
     @cached_property
     def light(self) -> Light:
-        """What is integrated, and what the intensity is made of."""
+        """Integrals and forms of the intensity."""
         return self.emitter.light
 
     @property
     def radial(self) -> bool:
-        """Whether what it makes depends on the distance from the axis only."""
+        """Whether the PSF is rotationally symmetric."""
         return self.light.radial and not self.aberrated
 
     @property
     def aberrated(self) -> bool:
-        """Whether a measured wavefront is on top of what the layers do."""
+        """Whether a measured wavefront is added to the phase of the layers."""
         return self.aberrations is not None
 
     @property
     def left_out(self) -> tuple[float, float]:
-        """Largest phase that the aberrations do not hold, radians, and no amplitude."""
+        """Bounds on what the expansions of phase (radians) and amplitude leave out."""
         return 0.0 if self.aberrations is None else self.aberrations.left_out, 0.0
 
     @cached_property
-    def aperture(self) -> tuple[Any, ...]:
-        """All that decides how much light passes; and whether wavefronts are on top, which other methods take."""
+    def aperture(self) -> tuple[object, ...]:
+        """Everything that limits or weights the light, and whether wavefronts are added."""
         return self.layers, self.magnification, self.emitter, self.depth.tobytes(), self.aberrated
 
     @cached_property
     def power(self) -> Array:
-        """The light that is collected in each plane of the flattened stack, over ``4 pi / (k NA)^2``."""
+        """Light collected in each plane of the flattened stack, over ``4 pi / (k NA)^2``."""
         depth, place = np.unique(self.depth.ravel(), return_inverse=True)
         near, _ = debye.power(self.layers, depth, self.light.model)
         return np.asarray((near @ self.light.shares)[place.ravel()])
@@ -105,19 +107,19 @@ class ObjectivePupil(BasePupil):
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
-        """Return how far from the axis rays meet the camera, metres there, within 0.98 of the critical angle."""
+        """Return the largest ray distance from the axis on the camera, metres, within 0.98 of the critical angle."""
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
         height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
 
-    def __getitem__(self, index: Any) -> ObjectivePupil:
-        """Return part of a stack, as NumPy indexes arrays of its shape."""
+    def __getitem__(self, index: Index) -> ObjectivePupil:
+        """Return part of a stack, indexed as an array of its shape."""
         return self._planes(lambda part: part[index])
 
     def broadcast(self, shape: tuple[int, ...]) -> ObjectivePupil:
-        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
+        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
         wanted = validation.stack_shape(shape, self.shape)
         return self._planes(lambda part: _broadcast(part, wanted))
 
@@ -127,15 +129,12 @@ class ObjectivePupil(BasePupil):
         return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
 
     def in_light(self, wavelength: float) -> ObjectivePupil:
-        """Return it in light of another `wavelength` (metres): indices and path differences of aberrations stay.
-
-        TypeError or ValueError if it is none.
-        """
+        """Return the pupil at another `wavelength`, metres: same indices and path differences; or a ValueError."""
         layers = replace(self.layers, wavelength=validation.wavelength(wavelength))
         measured = self.aberrations and same_path(self.aberrations, self.wavelength, layers.wavelength)
         return replace(self, layers=layers, aberrations=measured)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
         layers = {item.name: getattr(self.layers, item.name) for item in fields(Layers)}
         planes = {name: getattr(self, name).tolist() for name in PLANES}
@@ -151,7 +150,7 @@ class ObjectivePupil(BasePupil):
         } | planes
 
     @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> ObjectivePupil:
+    def from_dict(cls, description: Json) -> ObjectivePupil:
         """Rebuild a pupil from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
         plain = dict(description["emitter"])
         kind = {each.__name__: each for each in (Dipole, Beam, Scalar)}[plain.pop("kind")]
@@ -169,7 +168,7 @@ class ObjectivePupil(BasePupil):
         )
 
     def __eq__(self, other: object) -> bool:
-        """Return whether two are the same."""
+        """Return whether two pupils are the same."""
         return self.to_dict() == other.to_dict() if isinstance(other, ObjectivePupil) else NotImplemented
 
     __hash__ = None  # type: ignore[assignment]

@@ -1,11 +1,11 @@
-r"""The pupil of a microscope in pieces on which the integrands are analytic, and how many angles each takes.
+r"""Bounds on Gauss-Legendre quadrature over a microscope's pupil, by ellipses on which the integrands are analytic.
 
 [0, 1] is cut at the critical angle of the sample, ``rho = n_s / NA``. Below, the variable is 1 - c, with the cosine c
-in the layer of the lowest index, with ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. In these what is
-even in rho is analytic on both sides, and the rule of Gauss converges like ``exp(-2 n eta)`` for each ellipse that
-holds no branch point of another cosine and no zero of a denominator. What is odd in rho, of radial and azimuthal
-polarisation and of vortices, is integrated over the centre in the variable rho itself. Discs that cover the ellipse
-bound the integrand: see docs/certificate.md.
+in the layer of the lowest index and ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. The error of
+Gauss's rule falls like ``exp(-2 n eta)`` for each ellipse without branch points of other cosines and zeros of
+denominators.
+Integrands that are odd in rho (radial, azimuthal, vortex) are integrated over rho itself near the centre. Discs that
+cover an ellipse bound the integrand on it: see docs/certificate.md.
 
 References
 ----------
@@ -40,17 +40,10 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class Model:
-    """What is integrated: the parts of a vectorial field, or one scalar field.
+    """The field integrals: vectorial K0, K1, K2; scalar U; or those of radial, azimuthal and vortex beams.
 
-    Attributes
-    ----------
-    kind : {"vectorial", "scalar", "radial", "azimuthal", "vortex"}
-        K0, K1 and K2; U; the fields along z and r of a radially polarised beam; nothing, and the field around the
-        axis, of one polarised so; what is vectorial, with Bessel functions of an order more.
-    aplanatic : bool
-        Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
-    supercritical : bool
-        Whether light beyond the critical angle of the sample counts.
+    `aplanatic` is the amplitude ``c_i^(-1/2)`` of the sine condition instead of 1; `supercritical` includes light
+    beyond the critical angle of the sample.
     """
 
     kind: str = "vectorial"
@@ -59,7 +52,7 @@ class Model:
 
     @property
     def orders(self) -> tuple[int, ...]:
-        """The orders of the Bessel functions, one for each part: 0, 1, ..., or of a vortex 1, 2, 3."""
+        """Orders of the Bessel functions, one for each part."""
         return _ORDERS[self.kind]
 
     @property
@@ -69,9 +62,9 @@ class Model:
 
 
 class Covered(NamedTuple):
-    """Ellipses around a piece, each with discs along it: the rates of the phase there, the amplitudes.
+    """Ellipses around a section with discs along them: phase rates, amplitudes, a bound on ``abs(Im rho)``.
 
-    `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
+    `fit` marks ellipses that are proven to hold no singularity.
     """
 
     at: At
@@ -82,14 +75,7 @@ class Covered(NamedTuple):
 
 
 class At:
-    """Points of a piece, or discs: ``(NA rho)^2`` there, cosines in each layer, the transmission; computed once.
-
-    Parameters
-    ----------
-    piece : Piece
-    x : Values
-        In its variable.
-    """
+    """Points or discs of a section, with ``(NA rho)^2``, cosines and transmission there, each computed once."""
 
     def __init__(self, piece: Piece, x: Values) -> None:
         self.x, self.square = x, piece.square(x)
@@ -110,10 +96,7 @@ class At:
 
 @dataclass(frozen=True)
 class Piece:
-    """One side of the critical angle, in the variable in which the integrand is analytic.
-
-    Where it is `odd` in rho, that is on ellipses which do not hold rho = 0.
-    """
+    """A section of the pupil in its analytic variable; integrands `odd` in rho need ellipses without rho = 0."""
 
     layers: Layers
     low: float
@@ -137,11 +120,11 @@ class Piece:
         return 1j * at.x if self.above else 1.0 + 0.0j - at.x
 
     def _is_root(self, index: float) -> bool:
-        """Return whether a cosine is one of what may have branch points."""
+        """Return whether the cosine of a layer may have branch points."""
         return index != self.lowest
 
     def rates(self, at: At) -> tuple[Values, Values, Values]:
-        """Return the phase without depth and focus, and its derivatives by these."""
+        """Return the phase at depth 0 and focus 0, and its derivatives by these."""
         return self.layers.rates(at)
 
     def jacobian(self, x: Values) -> Values:
@@ -149,7 +132,7 @@ class Piece:
         return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
 
     def parts(self, at: At, model: Model) -> tuple[Complex, ...]:
-        """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
+        """Return the factors of ``exp(i psi) J_m``, Jacobian included, in the order of `model`."""
         return self._composed(at, model, *(at.amplitudes[:2] if model.transmits else (1.0, 1.0)))
 
     def changes(self, at: At, model: Model) -> tuple[Complex, ...]:
@@ -177,7 +160,7 @@ class Piece:
 
     @cached_property
     def covered(self) -> Covered:
-        """What is known of all ellipses."""
+        """All ellipses with their discs."""
         return self._cover(ETA)
 
     def _cover(self, eta: Array) -> Covered:
@@ -195,7 +178,7 @@ class Piece:
         return Covered(at, rates, amplitudes, self._height(at), fit)
 
     def _in_sheet(self, at: At) -> NDArray[np.bool_]:
-        """Return on which ellipses all cosines are known, and those that may have branch points have none within."""
+        """Return on which ellipses cosines are known and those with branch points have none inside."""
         fit = np.ones(disc(at.x).radius.shape[:-1], np.bool_)
         for index in {*self._rooted, self.layers.sample}:
             c = at(index)
@@ -211,7 +194,7 @@ class Piece:
 
     @property
     def _rooted(self) -> tuple[float, ...]:
-        """The indices of layers whose cosines are roots of what must stay in the right half plane."""
+        """Indices of layers whose cosines must stay in the right half plane."""
         return self.layers.immersion, self.layers.glass
 
     def _height(self, at: At) -> Array:
@@ -231,10 +214,9 @@ class Piece:
         rows: tuple[int, ...] | None = None,
         factor: Array | float = 0.0,
     ) -> Array:
-        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular.
+        """Return the log of a bound on the integrands on each ellipse (or `rows` of them), infinite where singular.
 
-        Where `rows` are given, of these ellipses alone; the others count as singular. `factor` is that of a bound on
-        what the integrands are multiplied by, on each disc of all ellipses.
+        `factor` is the log of a bound on a further factor on each disc of all ellipses.
         """
         covered, amplitude = enclosed(self, model, rows)
         fixed, by_depth, by_focus = covered.rates
@@ -249,7 +231,7 @@ class Piece:
         return found
 
     def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
-        """Return what :meth:`growth` may be, from some points of each ellipse: no bound, at a tenth of the cost."""
+        """Estimate :meth:`growth` from some points of each ellipse: no bound, at a tenth of the cost."""
         at = At(self, self._ellipses(ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE)))
         fixed, by_depth, by_focus = self.rates(at)
         fit = self._in_sheet(at)
@@ -262,11 +244,11 @@ class Piece:
         return np.where(fit & np.isfinite(found), found, np.inf)
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
-        """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
+        """Return a number of nodes proven to err by at most `error`."""
         return self.nodes(self.serving(model, depth, focus, v, error), error)
 
     def serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
-        """Return the :meth:`growth` on few ellipses, one of which serves best at a glance."""
+        """Return :meth:`growth` on the few ellipses that an estimate finds best."""
         glance = self._needed(self._glance(model, depth, focus, v), error)
         best = int(glance.argmin())
         # One is nearly always enough: the next cost as much each.
@@ -277,7 +259,7 @@ class Piece:
         return self.growth(model, depth, focus, v)
 
     def constant(self) -> Array:
-        """Return the logarithm of what the growth counts, but for the nodes."""
+        """Return the log of the factor of the growth in the bound, without the number of nodes."""
         return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * ETA)))
 
     def _needed(self, growth: Array, error: float) -> Array:
@@ -285,7 +267,7 @@ class Piece:
             return np.asarray((growth + self.constant() - math.log(error)) / (2.0 * ETA))
 
     def nodes(self, growth: Array, error: float) -> int:
-        """Return the fewest nodes whose rule is proven to err by at most `error`."""
+        """Return the fewest nodes proven to err by at most `error`; ValueError if no number suffices."""
         needed = float(self._needed(growth, error).min())
         if not math.isfinite(needed):
             thinner = "films must be thinner, or " if self.layers.films else ""
@@ -297,7 +279,7 @@ class Piece:
 
 
 class Centre(Piece):
-    """The centre of the pupil in the variable rho, in which what is odd in rho is analytic, too."""
+    """The centre of the pupil in the variable rho, in which odd integrands are analytic."""
 
     def square(self, x: Values) -> Values:
         """Return ``(NA rho)^2``."""
@@ -324,10 +306,7 @@ def _root(of: Values) -> Values:
 
 @lru_cache(maxsize=32)
 def enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None) -> tuple[Covered, Array]:
-    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each arc of these.
-
-    Without its exponential and its Bessel function.
-    """
+    """Return ellipses with discs, and the log of a bound on every part without exponential and Bessel function."""
     covered = piece.covered if rows is None else piece._cover(ETA[list(rows)])
     return covered, _largest(piece, model, covered)
 
@@ -350,7 +329,7 @@ def _largest(piece: Piece, model: Model, covered: Covered) -> Array:
 
 
 def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
-    """Return the pairs of depth and focus that bound all others: the phase is linear in both."""
+    """Return the pairs of depth and focus that bound all others, since the phase is linear in both."""
     found = []
     for d in np.unique(depth):
         here = focus[depth == d]
@@ -360,7 +339,7 @@ def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
 
 @lru_cache(maxsize=8)
 def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
-    """Return the parts of the pupil, the one beyond the critical angle of the sample last, if its light counts."""
+    """Return the sections of the pupil, that beyond the critical angle last, if its light counts."""
     odd = model.kind in _ODD
     lowest = min(layers.immersion, layers.glass, layers.sample)
     sine = min(1.0, layers.NA / lowest)

@@ -1,4 +1,4 @@
-r"""Plane layers between a microscope's objective and its sample: phase and amplitude of each plane wave.
+"""Plane layers between a microscope's objective and its sample, and the phase and amplitude of plane waves.
 
 A wave has ``NA rho = n sin(theta)`` in every layer, with ``c_m = cos(theta_m) = sqrt(1 - (NA rho / n_m)^2)``, whose
 imaginary part is not negative: beyond the critical angle, with ``exp(-i omega t)``, light fades with the distance
@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -32,29 +32,19 @@ Values = Any
 
 
 class Amplitudes(NamedTuple):
-    """What a plane wave of unit amplitude has become in the sample, at the interface, along s and p."""
+    """Transmitted amplitudes of s and p waves in the sample at the interface, and the denominators they divide by."""
 
     s: Values
     p: Values
     denominators: tuple[Values, ...]
-    """What the amplitudes are divided by; where none is 0, they are analytic."""
+    """Where none is 0, the amplitudes are analytic."""
 
 
 @dataclass(frozen=True)
 class Layers:
-    """The layers as numbers: indices, and the thicknesses of those that are not infinite, metres.
+    """Refractive indices, films and fixed paths (index, thickness in metres; negative in the design), wavelength.
 
-    Attributes
-    ----------
-    NA : float
-    immersion, glass, sample : float
-        Refractive indices.
-    films : tuple of (float, float)
-        Index and thickness of each, from the glass to the sample.
-    paths : tuple of (float, float)
-        Index and thickness (negative where the design had it) of what adds a phase whatever the depth and the focus.
-    wavelength : float
-        Metres, in vacuum.
+    Films are listed from the glass to the sample; the wavelength is in vacuum.
     """
 
     NA: float
@@ -71,14 +61,11 @@ class Layers:
         return 2.0 * math.pi / self.wavelength
 
     def cosine(self, rho: NDArray[np.float64]) -> Callable[[float], NDArray[np.complex128]]:
-        """Return what gives c_m at rho of an index."""
+        """Return the function from an index to c_m at rho."""
         return lambda index: cosines(self.NA, rho, index)
 
     def rates(self, cosine: Callable[[float], Values]) -> tuple[Values, Values, Values]:
-        """Return the phase at depth 0 and focus 0, and its derivatives by depth and by focus, 1/metres.
-
-        It is linear in both: ``psi = fixed + depth * by_depth + focus * by_focus``. `cosine` gives c_m of an index.
-        """
+        """Return the phase at depth 0 and focus 0, and its derivatives by depth and focus, 1/metres."""
         k = self.wavenumber
         by_focus = cosine(self.immersion) * (-k * self.immersion)
         fixed = by_focus * 0.0
@@ -87,16 +74,13 @@ class Layers:
         return fixed, cosine(self.sample) * (k * self.sample), by_focus
 
     def middle_rates(self) -> tuple[float, float, float]:
-        """Return real numbers amid what :meth:`rates` are over the pupil: no intensity shows what these turn."""
+        """Return the means of :meth:`rates` at both ends of the pupil: constants that no intensity depends on."""
         of = self.rates(self.cosine(np.array([0.0, 1.0])))
         fixed, by_depth, by_focus = (0.5 * float(each.real.sum()) for each in of)
         return fixed, by_depth, by_focus
 
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
-        """Return the transmission from immersion to sample.
-
-        `square` is ``(NA rho)^2``. Glass is thick: what it reflects to and fro is not seen. Films are coherent.
-        """
+        """Return the transmission at `square` = ``(NA rho)^2``; films are coherent, the thick glass is not."""
         indices = (self.immersion, self.glass, self.sample)
         c_i, c_g, c_s = (cosine(index) for index in indices)
         n_i, n_g, n_s = indices
@@ -113,7 +97,7 @@ class Layers:
         return Amplitudes(t_s * entering / at_s, t_p * entering / (at_p * (n_g * n_s)), (*below, at_s, at_p))
 
     def log_slopes(self, cosine: Callable[[float], Values], square: Values) -> tuple[Values, Values]:
-        """Return what films make of the transmission: its derivatives by ln k over itself, along s and p."""
+        """Return the log derivatives of the transmission of s and p waves by ln k, due to films."""
         n_g, n_s = self.glass, self.sample
         c_g, c_s = cosine(n_g), cosine(n_s)
         found = []
@@ -200,7 +184,7 @@ class Layer:
     Raises
     ------
     TypeError, ValueError
-        On anything that is no number, not finite, or out of range.
+        If an argument is not a finite number in range.
 
     Examples
     --------
@@ -218,7 +202,7 @@ class Layer:
 
 @dataclass(frozen=True)
 class Design:
-    """What an objective was corrected for, where that is not what it is used with.
+    """The immersion and cover glass that an objective was corrected for.
 
     Parameters
     ----------
@@ -241,16 +225,16 @@ class Design:
         validation.optional("coverslip", self.coverslip, Layer)
 
 
-def refractive_index(name: str, value: Any) -> float:
-    """Return a refractive index; TypeError or ValueError if it is no number from 1 to 4."""
+def refractive_index(name: str, value: object) -> float:
+    """Return a refractive index from 1 to 4; TypeError or ValueError otherwise."""
     index = validation.real(name, value)
     if not 1.0 <= index <= INDEX_MOST:
         raise ValueError(f"{name} must be a refractive index from 1 to {INDEX_MOST:g}, got {index:g}")
     return index
 
 
-def length(name: str, value: Any, most: float, *, positive: bool = False) -> float:
-    """Return metres from 0 to `most`; a number that was meant in um or mm is refused with a hint."""
+def length(name: str, value: object, most: float, *, positive: bool = False) -> float:
+    """Return metres from 0 to `most`; refuse lengths in um or mm with a hint."""
     metres = validation.real(name, value)
     if not (0.0 <= metres <= most) or (positive and metres == 0.0):
         meant = metres > max(most, 1e-3)  # in another unit, as nothing of less is
@@ -260,8 +244,8 @@ def length(name: str, value: Any, most: float, *, positive: bool = False) -> flo
     return metres
 
 
-def film_stack(value: Any) -> tuple[Layer, ...]:
-    """Return films as a tuple; TypeError or ValueError if they are no layers, or too thick."""
+def film_stack(value: object) -> tuple[Layer, ...]:
+    """Return films as a tuple; TypeError or ValueError if they are not layers, or too thick."""
     if isinstance(value, Layer) or not isinstance(value, Iterable):
         raise TypeError(f"films must be a sequence of Layer, got {validation.shown(value)}")
     films = tuple(value)
@@ -271,8 +255,8 @@ def film_stack(value: Any) -> tuple[Layer, ...]:
     return films
 
 
-def depths(value: Any) -> Array:
-    """Return distances from the glass, metres; TypeError or ValueError where one is none from 0 to 0.01."""
+def depths(value: ArrayLike) -> Array:
+    """Return depths from the glass, 0 to 0.01 metres; TypeError or ValueError otherwise."""
     found = validation.real_array("depth", value)
     if not found.size:
         raise ValueError(f"depth must not be empty, got shape {found.shape}")
@@ -281,8 +265,8 @@ def depths(value: Any) -> Array:
     return found
 
 
-def heights(value: Any) -> Array:
-    """Return radii in the pupil; TypeError or ValueError where one is none from 0 to 1."""
+def heights(value: ArrayLike) -> Array:
+    """Return pupil radii, 0 to 1; TypeError or ValueError otherwise."""
     found = validation.real_array("rho", value, least=0.0)
     if found.size and found.max() > 1.0:
         raise ValueError(f"rho must be from 0 to 1, got {found.max():g}")

@@ -26,7 +26,7 @@ from functools import lru_cache
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.special import zernike
 
 _DEGREE = 80  # of the series that is cut
@@ -53,7 +53,7 @@ def _chebyshev_to_legendre(degree: int) -> Array:
 
 
 def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
-    """Return W at ``rho^2 = t``, metres: how much farther than the vertex points of the sphere are.
+    """Return the path difference W at ``rho^2 = t``, metres.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
     sphere : float
         Curvature a of the reference sphere, 1/metres: positive where light diverges from its centre.
     vergence : ndarray, shape (n,)
-        What the curvature of the wave is more, delta.
+        Difference delta of the curvature of the wave, 1/metres.
 
     Returns
     -------
@@ -77,12 +77,10 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
 
 
 def growth(radius: float, sphere: float, vergence: float) -> float:
-    """Return how much Im W differs across the pupil for each Im delta, metres^2, at any ``|delta| <= vergence``.
+    """Bound the range of Im W across the pupil per Im delta, metres^2, for ``|delta| <= vergence``; may be infinite.
 
-    With ``w = 2 p (a + delta) delta`` and ``g(w) = 2 / (1 + sqrt(1 + w))`` it is ``W = p delta g(w)``. The series
-    of g has coefficients of alternating sign, so on ``|w| <= q < 1`` neither ``|g - 1|`` nor ``|g'|`` exceeds what
-    it is at -q, and ``Im W / Im delta`` lies within ``p (1 - e)`` and ``p (1 + e)``. Infinite where q is not below
-    1.
+    With ``w = 2 p (a + delta) delta``, ``W = p delta g(w)`` and ``g(w) = 2 / (1 + sqrt(1 + w))``, whose series
+    alternates: on ``|w| <= q < 1``, ``|g - 1|`` and ``|g'|`` are largest at -q.
     """
     p = radius**2 / (1.0 + math.sqrt(1.0 - (sphere * radius) ** 2))
     q = 2.0 * p * (abs(sphere) + vergence) * vergence
@@ -95,11 +93,10 @@ def growth(radius: float, sphere: float, vergence: float) -> float:
 
 
 def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) -> tuple[Array, float]:
-    """Return the phase ``2 pi W / wavelength`` as coefficients of R_2^0, R_4^0, ..., and what they leave out at most.
+    """Return the phase ``2 pi W / wavelength`` as coefficients of R_2^0, R_4^0, ..., and a bound on their error.
 
-    The constant is left out, and no error. Of a series of degree 80 the terms up to the thirtieth are kept, or fewer
-    where the others are below rounding; the bound, in radians, is the sum of those cut off, what the series itself
-    may leave, and what rounding may do.
+    At most thirty terms of a series of degree 80 are kept. The bound, radians, is the sum of the terms cut off, the
+    truncation of the series and rounding; the constant phase does not count.
 
     Parameters
     ----------
@@ -121,7 +118,7 @@ def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) 
     """
     wavenumber = 2.0 * math.pi / wavelength
     size = float(np.abs(vergence).max())
-    with np.errstate(over="ignore"):  # told, as all that is too large
+    with np.errstate(over="ignore"):  # refused below
         bend = 2.0 * float(np.abs((sphere + vergence) * vergence).max())
     nearest = radius**2 * max(sphere**2, bend)  # one over the t within which neither root can vanish
     if nearest >= 1.0:
@@ -148,23 +145,6 @@ def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) 
 
 
 def wavefront(radius: float, sphere: float, vergence: Array, wavelength: float) -> Wavefront:
-    """Return the phase ``2 pi W / wavelength`` as a stack of the shape of `vergence`; see :func:`expansion`.
-
-    Parameters
-    ----------
-    radius, sphere, wavelength : float
-        As of :func:`expansion`.
-    vergence : ndarray
-        Of any shape.
-
-    Returns
-    -------
-    Wavefront
-
-    Raises
-    ------
-    ValueError
-        As :func:`expansion`.
-    """
+    """Return the phase ``2 pi W / wavelength`` as a stack of the shape of `vergence`; see :func:`expansion`."""
     edge, error = expansion(radius, sphere, vergence.ravel(), wavelength)
-    return Wavefront.radial_sum(edge.reshape(*vergence.shape, -1), error)
+    return Wavefront.trusted(symmetric_terms(edge.shape[-1]), edge.reshape(*vergence.shape, -1), error)

@@ -1,4 +1,4 @@
-"""Wavefronts from what was measured, a radial function or a map of path differences, and back to such maps."""
+"""Wavefronts fitted to measured radial functions or OPD maps, and OPD maps of wavefronts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.wavefront.descriptions import radians_per
+from lommel.optics.wavefront.coefficients import radians_per
 from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront
 from lommel.special import zernike
 
@@ -20,7 +20,7 @@ MAX_RADIAL = 2 * (2 + MAX_HIGHER)
 """Highest power of rho in a radial fit, and highest degree n of a fit to a map."""
 
 MAX_CONDITION = 1e4
-"""Samples that determine the terms worse than this are refused: errors of measurement grow by up to as much."""
+"""Largest condition number of a fit: measurement errors grow by up to this factor."""
 
 _BLOCK = 16384  # samples at a time, so that a fit to a large map needs little memory
 _RADIAL_NODES = 400
@@ -66,7 +66,7 @@ class OPDMap:
     wavelength: float | None = None
 
     def __post_init__(self) -> None:
-        given: Any = self.values
+        given: ArrayLike = self.values
         if isinstance(given, np.ma.MaskedArray):
             given = np.ma.filled(given.astype(np.float64), np.nan)
         given = validation.array("values", given)
@@ -126,7 +126,7 @@ def plain(opd: ArrayLike | OPDMap, unit: str | None, wavelength: float | None) -
 
 @dataclass(frozen=True, eq=False)
 class WavefrontFit:
-    """A wavefront fitted to measurements, and what it leaves of them.
+    """A wavefront fitted to measurements, and its residual.
 
     Attributes
     ----------
@@ -141,7 +141,7 @@ class WavefrontFit:
     samples : ndarray of int, shape ``wavefront.shape``
         How many were used.
     condition : float
-        Of the worst fit: errors of measurement grow by at most about so much. 1 for even samples of a full pupil.
+        Condition number of the worst fit, the factor by which measurement errors grow; 1 for a full, even pupil.
     unit : str
         Of all these numbers.
     """
@@ -334,10 +334,9 @@ def opd_map(
 def _least_squares(
     rho: Array, theta: Array, values: Array, terms: list[tuple[int, int]], weights: Array | None = None
 ) -> tuple[Array, Array, float]:
-    """Return coefficients (maps, terms) normalised to their rms, residuals (maps, samples), and the condition.
+    """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition of the fit.
 
-    By the normal equations of terms that are nearly orthonormal, block by block, with one step of refinement: the
-    condition being at most 1e4, that reaches the rounding errors of the values.
+    Normal equations of nearly orthonormal terms with one refinement: rounding errors only, at a condition of 1e4.
     """
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
@@ -385,7 +384,7 @@ def _finish(
     tol: float,
     weights: Array | None = None,
 ) -> WavefrontFit:
-    """Return the answer, if its residuals (first axis the flattened stack, NaN where unused) are within `tol`."""
+    """Return the fit; ValueError if residuals (first axis the flattened stack, NaN where unused) exceed `tol`."""
     rest = residual.reshape(len(residual), -1)
     count = np.isfinite(rest).sum(axis=1)
     # The constant is among the terms: the mean of the residual is 0.

@@ -3,29 +3,54 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from os import PathLike
 from types import MappingProxyType
-from typing import Any, Never, Self
+from typing import TYPE_CHECKING, Any, Never, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base import display, validation
+from lommel.base.arrays import Array, Index, Json
 from lommel.base.cached import cached_property, made
-from lommel.optics.wavefront.descriptions import Descriptions
-from lommel.optics.wavefront.terms import coefficients, symmetric_terms
+from lommel.optics.wavefront import coefficients as conversions
+from lommel.optics.wavefront.coefficients import Term, coefficients, radians_per
 from lommel.special import zernike
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 _FAR = 1e3  # the pupil ends at 1; beyond this, powers of rho overflow
-_PARABOLA = symmetric_terms(2)
 MAX_HIGHER = 8
 """Most coefficients beyond rho^4."""
 
 
+@lru_cache(maxsize=64)
+def _symmetric(terms: tuple[Term, ...]) -> int:
+    return sum(m == 0 for _, m in terms)
+
+
+@lru_cache(maxsize=64)
+def _indices(terms: tuple[Term, ...]) -> NDArray[np.int32]:
+    found = np.array(terms, dtype=np.int32)
+    found.flags.writeable = False
+    return found
+
+
+@lru_cache(maxsize=64)
+def symmetric_terms(count: int) -> tuple[Term, ...]:
+    """Return (2, 0), (4, 0), ..., so many."""
+    return tuple((2 * k, 0) for k in range(1, count + 1))
+
+
+_PARABOLA = symmetric_terms(2)
+
+
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Wavefront(Descriptions):
+class Wavefront:
     r"""The phase across the pupil, radians: ``2 C_d rho^2 + C_s rho^4 + c_6 rho^6 + ...`` and Zernike terms.
 
     rho is the pupil radius over its maximum, 0 to 1; theta the angle from the direction of rising columns (x) to
@@ -33,7 +58,8 @@ class Wavefront(Descriptions):
     positive `spherical` means that the rim of the pupil focuses beyond its middle. The pupil function is
     ``exp(+i phase)``, and a ray meets the sensor at the gradient of the phase: a positive tilt in x moves the image
     to higher columns, and the tail of positive coma in x points there.
-    The constant phase is left out: no intensity depends on it. Wavefronts add, and can be multiplied by a number.
+    The constant phase (piston) is left out: no intensity depends on it. Wavefronts add, and can be multiplied by a
+    number.
 
     Parameters
     ----------
@@ -45,22 +71,21 @@ class Wavefront(Descriptions):
         Coefficients of rho^6, rho^8, ..., radians; at most eight.
     nonradial : mapping of (n, m) to array_like, default {}
         Coefficients, radians at the edge, of ``R_n^m(rho) cos(m theta)`` for m > 0 and of
-        ``R_n^|m|(rho) sin(|m| theta)`` for m < 0, with ``R(1) = 1``. m is not 0: such terms are radial. See
-        :meth:`zernike` for other orders, units and normalisations.
+        ``R_n^|m|(rho) sin(|m| theta)`` for m < 0, with ``R(1) = 1``. m is not 0. See :meth:`zernike` for other
+        orders, units and normalizations.
     error : float, default 0
-        Bound on what the terms leave out of the phase that they stand for, radians; the largest of a stack. It adds
-        to the `error_bound` of a PSF.
+        Bound on the phase that the terms leave out, radians; the largest of a stack. It adds to the `error_bound` of
+        a PSF.
 
     Attributes
     ----------
     shape : tuple of int
         Of the stack; ``()`` for a single wavefront.
     terms : tuple of (n, m)
-        The Zernike terms that the wavefront is held in: first (2, 0), (4, 0), ..., all up to the last, then those
-        that depend on the direction, sorted.
+        The Zernike terms of the expansion: first (2, 0), (4, 0), ..., all up to the last, then those that depend on
+        the direction, sorted.
     edge : ndarray, shape ``shape + (len(terms),)``
-        Their coefficients, radians at the edge; read-only. What was given as powers of rho is kept beside them and
-        comes back as it was.
+        Their coefficients, radians at the edge; read-only. Powers of rho that were given are kept beside them.
 
     Raises
     ------
@@ -75,12 +100,23 @@ class Wavefront(Descriptions):
     Wavefront(defocus=1.0, spherical=0.0, nonradial={(3, 1): 2.0})
     """
 
+    pupil_hint = "a Wavefront; Pupil(wavefront) has a circular aperture"
+
+    terms: tuple[Term, ...]
+    edge: Array
+    error: float
+    shape: tuple[int, ...]
+    # How many of the terms, the first, are radially symmetric: those of n = 2, 4, ...
+    symmetric: int = field(repr=False)
+    # Coefficients of rho^2, rho^4, ... where the radial terms were given so: what is shown, and comes back as it was.
+    _powers: Array | None = field(repr=False)
+
     def __init__(
         self,
         defocus: ArrayLike = 0.0,
         spherical: ArrayLike = 0.0,
         higher: Sequence[ArrayLike] = (),
-        nonradial: Mapping[tuple[int, int], ArrayLike] | None = None,
+        nonradial: Mapping[Term, ArrayLike] | None = None,
         error: float = 0.0,
         **_unknown: Never,
     ) -> None:
@@ -97,7 +133,7 @@ class Wavefront(Descriptions):
             double = 2.0 * coefficients("defocus", defocus)
         columns = [validation.real_array("twice the defocus", double), coefficients("spherical", spherical)]
         columns += [coefficients(f"higher[{i}]", c) for i, c in enumerate(higher)]
-        others = {} if nonradial is None else _nonradial(nonradial)
+        others = {} if nonradial is None else _checked_nonradial(nonradial)
         shapes = [c.shape for c in (*columns, *others.values())]
         try:
             shape = np.broadcast_shapes(*shapes)
@@ -112,11 +148,55 @@ class Wavefront(Descriptions):
             edge[..., j] = c
         self._set((*symmetric_terms(len(columns)), *others), edge, validation.real("error", error, least=0.0), powers)
 
+    def _set(self, terms: tuple[Term, ...], edge: Array, error: float, powers: Array | None) -> None:
+        """Take checked arrays; where `powers` of rho are given, write the radial terms into `edge`."""
+        if powers is not None:
+            with np.errstate(over="ignore", invalid="ignore"):  # refused below where not finite
+                edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
+        if edge.size == 0:
+            what = "the coefficients of a wavefront (defocus, spherical and others)"
+            raise ValueError(f"{what} must not be empty, got shape {edge.shape[:-1]}")
+        if not np.isfinite(edge).all():
+            raise ValueError("the coefficients of a wavefront must be finite, and so must their multiples and sums")
+        edge.flags.writeable = False
+        if powers is not None:
+            powers.flags.writeable = False
+        # As object.__setattr__ would, but all at once.
+        shape, symmetric = edge.shape[:-1], _symmetric(terms)
+        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=shape, symmetric=symmetric)
+
+    @classmethod
+    def trusted(cls, terms: tuple[Term, ...], edge: Array, error: float = 0.0, powers: Array | None = None) -> Self:
+        """Build a wavefront of checked `terms`, `edge`, `error` and `powers` of rho^2, and own these arrays."""
+        made = cls.__new__(cls)
+        made._set(terms, edge, error, powers)
+        return made
+
+    @classmethod
+    def from_edge(cls, given: Mapping[Term, Array], error: float = 0.0) -> Self:
+        """Build a wavefront of this `error` from coefficients at the edge, `given` by (n, m) in radians.
+
+        ValueError if the coefficients do not broadcast.
+        """
+        try:
+            # With the constant, lest a stack whose terms are all constant lose its axes.
+            shape = np.broadcast_shapes(*(c.shape for c in given.values()))
+        except ValueError:
+            shapes = {term: c.shape for term, c in given.items()}
+            raise ValueError(f"the coefficients of the terms (n, m) must broadcast, got shapes {shapes}") from None
+        radial = [n // 2 for (n, m), c in given.items() if m == 0 and n > 0 and np.any(c)]
+        count = max([2, *radial])
+        terms = (*symmetric_terms(count), *sorted(term for term in given if term[1]))
+        edge = np.zeros((*shape, len(terms)))
+        for j, term in enumerate(terms):
+            edge[..., j] = given.get(term, 0.0)
+        return cls.trusted(terms, edge, error, None if radial else np.zeros((*shape, count)))
+
     @classmethod
     def of_defocus(cls, defocus: float | Array) -> Self:
         """Build a wavefront from a checked C_d, `defocus`, radians."""
         if isinstance(defocus, float) and math.isfinite(2.0 * defocus):
-            # As below, bit by bit, but without what arrays of two numbers cost.
+            # The same bits as below, in half the time: most pupils have defocus only.
             powers, edge = np.zeros(2), np.zeros(2)
             powers[0], edge[0] = 2.0 * defocus, defocus + 0.0
             powers.setflags(write=False)
@@ -125,9 +205,166 @@ class Wavefront(Descriptions):
             return made(cls, parts)
         defocus = np.asarray(defocus)
         powers = np.zeros((*defocus.shape, 2))
-        with np.errstate(over="ignore"):  # told, as all that is not finite
+        with np.errstate(over="ignore"):  # refused, as all that is not finite
             powers[..., 0] = 2.0 * defocus
         return cls.trusted(symmetric_terms(2), np.empty_like(powers), 0.0, powers)
+
+    @classmethod
+    def zernike(
+        cls,
+        terms: Mapping[Any, ArrayLike] | Iterable[tuple[Any, ArrayLike]],
+        *,
+        order: str = "nm",
+        unit: str = "radians",
+        normalization: str = "rms",
+        wavelength: float | None = None,
+        error: float = 0.0,
+    ) -> Self:
+        """Build a wavefront from Zernike coefficients.
+
+        Parameters
+        ----------
+        terms : mapping, or iterable of pairs
+            Coefficients by index: pairs (n, m) for the order "nm", else integers. Arrays describe a stack. A
+            constant term (piston) is allowed and left out, as everywhere. Terms end with n = 60.
+        order : {"nm", "noll", "ansi", "fringe"}, default "nm"
+            Noll counts from 1, ANSI (OSA) from 0, Fringe (University of Arizona) from 1 to 37. m > 0 is the cosine
+            of m theta, m < 0 the sine.
+        unit : {"radians", "waves", "metres"}, default "radians"
+            Of the coefficients; metres of optical path need `wavelength`.
+        normalization : {"rms", "edge"}, default "rms"
+            "rms": a coefficient is the root mean square of its term over the pupil (Noll, ANSI). "edge": it is the
+            largest value, that at the edge (usual with Fringe).
+        wavelength : float, optional
+            Metres.
+        error : float, default 0
+            Bound on what the terms leave out of the phase, radians; see :class:`lommel.Wavefront`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there is no such term or a term comes twice; the message names the term.
+
+        References
+        ----------
+        R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207.
+
+        Examples
+        --------
+        >>> Wavefront.zernike({7: 0.1}, order="noll", unit="waves").nonradial[3, -1]
+        array(1.77715318)
+        """
+        found = conversions.from_zernike(terms, order, radians_per(unit, wavelength), normalization)
+        return cls.from_edge(found, validation.real("error", error, least=0.0))
+
+    def to_zernike(
+        self,
+        *,
+        order: str = "nm",
+        unit: str = "radians",
+        normalization: str = "rms",
+        wavelength: float | None = None,
+    ) -> dict[Any, Array]:
+        """Return the Zernike coefficients by index; the inverse of :meth:`zernike`.
+
+        `order`, `unit`, `normalization` and `wavelength` are as there. Each coefficient has the shape of the stack;
+        terms that are zero throughout, and piston, are left out. ValueError if a term has no index in the order
+        (Fringe ends with 37).
+        """
+        scale = radians_per(unit, wavelength)
+        validation.choice("normalization", normalization, conversions.NORMALIZATIONS)
+        found = {}
+        for (n, m), c in self.edge_terms().items():
+            if np.any(c):
+                factor = scale * conversions.edge_factor((n, m), normalization)
+                found[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
+        return found
+
+    def save(self, path: str | PathLike[str], **how: object) -> None:
+        """Write the Zernike coefficients of a single wavefront to a `path` ending in .csv, .json or .toml.
+
+        `how` holds options of :func:`lommel.save_zernike`; :func:`lommel.load_zernike` reads the file.
+        """
+        display.save(self, path, **how)
+
+    def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+        """Draw the phase across the full disc on axes of matplotlib; a stack on one scale.
+
+        See :func:`lommel.show.pupils.wavefront`.
+        """
+        return display.plot(self, ax, unit=unit)
+
+    @classmethod
+    def from_seidel(
+        cls,
+        W020: ArrayLike = 0.0,
+        W040: ArrayLike = 0.0,
+        W060: ArrayLike = 0.0,
+        W080: ArrayLike = 0.0,
+        *,
+        W131: ArrayLike = 0.0,
+        W222: ArrayLike = 0.0,
+        W220: ArrayLike = 0.0,
+        W311: ArrayLike = 0.0,
+        field: tuple[ArrayLike, ArrayLike] = (1.0, 0.0),
+    ) -> Self:
+        """Build a wavefront from Seidel wavefront coefficients in waves at the edge of the pupil.
+
+        ``W = W020 rho^2 + W040 rho^4 + W131 H rho^3 cos(phi) + W222 H^2 rho^2 cos^2(phi) + W220 H^2 rho^2
+        + W311 H^3 rho cos(phi)``, with H the length of `field` and phi the angle from its direction.
+        ``C_d = pi W020`` and ``C_s = 2 pi W040``: W020 waves of defocus are ``2 pi W020 rho^2`` radians.
+
+        Parameters
+        ----------
+        W020, W040, W060, W080 : array_like
+            Defocus and spherical aberration, waves.
+        W131, W222, W220, W311 : array_like
+            Coma, astigmatism, field curvature and distortion, waves at the edge of the field (H = 1).
+        field : (array_like, array_like), default (1, 0)
+            Position in the field as (x, y), columns and rows, over that of the edge. Arrays describe a stack.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a coefficient is not real and finite, or they do not broadcast.
+
+        References
+        ----------
+        W. T. Welford, Aberrations of Optical Systems (1986), doi:10.1201/9780203755327, section 8.2.
+        """
+        waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
+        waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
+        return cls(*conversions.from_seidel(waves, field))
+
+    @classmethod
+    def balanced_spherical(cls, rms: ArrayLike, obscuration: float = 0.0) -> Self:
+        r"""Build primary spherical aberration of a given rms, balanced with the defocus of least variance.
+
+        On the annulus ``eps <= rho <= 1`` this is the annular Zernike term
+        ``C_s (rho^4 - (1 + eps^2) rho^2 + ...)`` with ``C_s = 6 sqrt(5) rms / (1 - eps^2)^2``.
+
+        Parameters
+        ----------
+        rms : array_like
+            Root mean square phase over the annulus, radians; its sign is that of C_s.
+        obscuration : float
+            eps, 0 to below 1.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, or the coefficient overflows.
+
+        References
+        ----------
+        V. N. Mahajan, "Zernike annular polynomials for imaging systems with annular pupils",
+        J. Opt. Soc. Am. 71, 75 (1981), doi:10.1364/JOSA.71.000075.
+        """
+        eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
+        with np.errstate(over="ignore"):
+            spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
+        spherical = validation.real_array("6 sqrt(5) rms / (1 - eps^2)^2", spherical)
+        return cls(-0.5 * (1 + eps**2) * spherical, spherical)
 
     @cached_property
     def defocus(self) -> Array:
@@ -147,7 +384,7 @@ class Wavefront(Descriptions):
         return tuple(np.moveaxis(self.coefficients[..., 2:], -1, 0))
 
     @cached_property
-    def nonradial(self) -> Mapping[tuple[int, int], Array]:
+    def nonradial(self) -> Mapping[Term, Array]:
         """Coefficients of the other terms, radians at the edge, by (n, m)."""
         others = enumerate(self.terms[self.symmetric :], self.symmetric)
         return MappingProxyType({term: np.asarray(self.edge[..., j]) for j, term in others})
@@ -163,8 +400,157 @@ class Wavefront(Descriptions):
         names = [f"W0{2 * k}0" for k in range(1, 1 + self.coefficients.shape[-1])]
         return {name: self.coefficients[..., k] / (2 * math.pi) for k, name in enumerate(names)}
 
+    @property
+    def radial_terms(self) -> Array:
+        """Coefficients of R_2^0, R_4^0, ..., shape ``shape + (terms,)``."""
+        return self.edge if self.symmetric == len(self.terms) else self.edge[..., : self.symmetric].copy()
+
+    @property
+    def indices(self) -> NDArray[np.int32]:
+        """The n and m of each term, shape ``(terms, 2)``."""
+        return _indices(self.terms)
+
+    @cached_property
+    def coefficients(self) -> Array:
+        """Coefficients of t, t^2, ... with t = rho^2, radians: the radially symmetric part."""
+        if self._powers is not None:
+            return self._powers
+        powers = zernike.powers_of_edge(self.radial_terms)
+        powers.flags.writeable = False
+        return powers
+
+    def edge_terms(self) -> dict[Term, Array]:
+        """Return all Zernike coefficients, radians at the edge, by (n, m), without the constant."""
+        return dict(zip(self.terms, np.moveaxis(self.edge, -1, 0), strict=True))
+
+    @cached_property
+    def flat(self) -> bool:
+        """Whether there is no phase at all, and no stack of it."""
+        return not (self.edge.any() or self.error or self.shape)
+
+    @property
+    def left_out(self) -> float:
+        """Bound on the phase that the terms leave out: `error`, and rounding where powers of rho cancel, radians."""
+        return self.error + (0.0 if self._powers is None or self.symmetric <= 2 else self._lost)
+
+    @cached_property
+    def _lost(self) -> float:
+        lost = zernike.conversion_error(self.coefficients)
+        rounded = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
+        return float(lost.max()) if np.any(lost > rounded) else 0.0
+
+    def __len__(self) -> int:
+        """Return the length of the first axis of a stack."""
+        if self.shape == ():
+            raise TypeError("a single wavefront has no length")
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        """Return True, for a single wavefront too."""
+        return True
+
+    def __getitem__(self, index: Index) -> Self:
+        """Return part of a stack, indexed as an array of its shape."""
+        if self.shape == ():
+            raise TypeError("a single wavefront cannot be indexed")
+
+        def part(columns: Array) -> Array:
+            return np.stack([column[index] for column in np.moveaxis(columns, -1, 0)], axis=-1)
+
+        return self._each(part)
+
+    def broadcast(self, shape: tuple[int, ...]) -> Self:
+        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
+        wanted = validation.stack_shape(shape, self.shape)
+        return self._each(lambda c: np.broadcast_to(c, (*wanted, c.shape[-1])).copy())
+
+    def _each(self, change: Callable[[Array], Array], growth: float = 1.0) -> Self:
+        """Return the wavefront with `change` applied to its coefficients, its error `growth` times as large."""
+        powers = None if self._powers is None else change(self._powers)
+        return self.trusted(self.terms, change(self.edge), growth * self.error, powers)
+
+    def flattened(self) -> Self:
+        """Return the same stack with the shape ``(n,)``; a single wavefront becomes a stack of one."""
+        if self.edge.ndim == 2:
+            return self
+        return self._each(lambda c: c.reshape(-1, c.shape[-1]).copy())
+
+    def __add__(self, other: object) -> Self:
+        """Return the sum of two wavefronts."""
+        if not isinstance(other, Wavefront):
+            return NotImplemented
+        try:
+            shape = np.broadcast_shapes(self.shape, other.shape)
+        except ValueError:
+            raise ValueError(f"wavefronts must broadcast to add, got shapes {self.shape} and {other.shape}") from None
+        terms = self.terms
+        if other.terms != terms:
+            others = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
+            terms = (*symmetric_terms(max(self.symmetric, other.symmetric)), *sorted(others))
+        edge = np.zeros((*shape, len(terms)))
+        powers = None
+        if self._powers is not None and other._powers is not None:
+            powers = np.zeros((*shape, max(self.symmetric, other.symmetric)))
+        with np.errstate(over="ignore", invalid="ignore"):
+            for each in (self, other):
+                if each.terms == terms:
+                    edge += each.edge
+                else:
+                    edge[..., [terms.index(term) for term in each.terms]] += each.edge
+                if powers is not None and each._powers is not None:
+                    powers[..., : each.symmetric] += each._powers
+        return self.trusted(terms, edge, self.error + other.error, powers)
+
+    def __mul__(self, factor: float) -> Self:
+        """Return the wavefront times a number."""
+        f = validation.real("factor", factor)
+        with np.errstate(over="ignore"):  # refused below where not finite
+            return self._each(lambda c: f * c, abs(f))
+
+    __rmul__ = __mul__
+    # NumPy is not to multiply each element of an array with a wavefront, but to leave that to __rmul__.
+    __array_ufunc__ = None
+
+    def __truediv__(self, divisor: float) -> Self:
+        """Return the wavefront divided by a number."""
+        d = validation.real("divisor", divisor)
+        if d == 0 or math.isinf(1.0 / d):
+            raise ValueError(f"divisor must not be 0, nor so close to it, got {d:g}")
+        return self * (1.0 / d)
+
+    def __neg__(self) -> Self:
+        """Return the conjugate wavefront."""
+        return -1.0 * self
+
+    def __sub__(self, other: object) -> Self:
+        """Return the difference of two wavefronts."""
+        if not isinstance(other, Wavefront):
+            return NotImplemented
+        return self + -other
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether shapes, coefficients and errors are equal."""
+        if not isinstance(other, Wavefront):
+            return NotImplemented
+        if self.shape != other.shape or self.error != other.error:
+            return False
+        return self._content() == other._content()
+
+    def _content(self) -> tuple[object, ...]:
+        """Return the coefficients without terms that are zero throughout, and without signs of zeros."""
+        return self.shape, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
+
+    def __hash__(self) -> int:
+        """Hash what :meth:`__eq__` compares."""
+        return hash(self._content())
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # Without cached properties: the mapping of `nonradial` cannot be pickled.
+        powers = None if self._powers is None else self._powers.copy()
+        return type(self).trusted, (self.terms, self.edge.copy(), self.error, powers)
+
     def phase(self, rho: ArrayLike, theta: ArrayLike = 0.0) -> Array:
-        """Return the phase at points of the pupil.
+        """Return the phase at points of the pupil, radians.
 
         Parameters
         ----------
@@ -176,7 +562,7 @@ class Wavefront(Descriptions):
         Returns
         -------
         ndarray, shape ``shape + s``
-            Radians; s is what `rho` and `theta` broadcast to.
+            s is the shape that `rho` and `theta` broadcast to.
 
         Raises
         ------
@@ -194,59 +580,29 @@ class Wavefront(Descriptions):
         return total
 
     def _shape_with(self, name: str, each: Array) -> tuple[int, ...]:
-        """Return the shape of the stack and of what each of it has a value of; ValueError if there is none."""
+        """Return the shape that the stack and an argument of a method broadcast to."""
         try:
             return np.broadcast_shapes(self.shape, each.shape)
         except ValueError:
             raise ValueError(f"{name} must broadcast with the stack, got {each.shape} and {self.shape}") from None
 
     def rotated(self, angle: ArrayLike) -> Self:
-        """Return the wavefront turned from x towards y: clockwise in a picture.
+        """Return the wavefront rotated by an `angle`, radians from x towards y: clockwise in a picture.
 
         ``phase'(rho, theta) = phase(rho, theta - angle)``, and the image turns by the same angle. Exact but for
-        rounding: each pair of terms (n, m) and (n, -m) turns in its plane by m times the angle. Arrays of angles
-        broadcast with the stack.
-
-        Parameters
-        ----------
-        angle : array_like
-            Radians.
-
-        Returns
-        -------
-        Wavefront
-
-        Raises
-        ------
-        TypeError, ValueError
-            If an angle is not real and finite, or they do not broadcast.
+        rounding. Angles broadcast with the stack; TypeError or ValueError if they are not finite or do not broadcast.
         """
         turn = validation.real_array("angle", angle)
         shape = self._shape_with("angle", turn)
-        powers = None if self._powers is None else _broadcast(self._powers, shape)
-        edge = _broadcast(self.edge, shape)
+        here = self if shape == self.shape else self.broadcast(shape)
         turned = zernike.rotated(dict(self.nonradial), turn)
         terms = (*self.terms[: self.symmetric], *sorted(turned))
-        edge = np.stack([*np.moveaxis(edge, -1, 0)[: self.symmetric], *(turned[t] for t in sorted(turned))], axis=-1)
-        return self.trusted(terms, edge, self.error, powers)
+        columns = np.moveaxis(here.edge, -1, 0)[: self.symmetric]
+        edge = np.stack([*columns, *(turned[t] for t in sorted(turned))], axis=-1)
+        return self.trusted(terms, edge, self.error, here._powers)
 
     def flipped(self, axis: str) -> Self:
-        """Return the mirror image. Exact.
-
-        Parameters
-        ----------
-        axis : {"x", "y"}
-            What changes its sign: left and right, or up and down.
-
-        Returns
-        -------
-        Wavefront
-
-        Raises
-        ------
-        ValueError
-            If it is neither.
-        """
+        """Return the mirror image, exactly: `axis` "x" exchanges left and right, "y" up and down; else ValueError."""
         validation.choice("axis", axis, ("x", "y"))
 
         def sign(m: int) -> float:
@@ -259,21 +615,8 @@ class Wavefront(Descriptions):
     def scaled(self, radius: ArrayLike) -> Self:
         """Return the wavefront across a smaller, concentric pupil: ``phase'(rho, theta) = phase(radius rho, theta)``.
 
-        Exact but for rounding, and but for the constant. Arrays of radii broadcast with the stack.
-
-        Parameters
-        ----------
-        radius : array_like
-            Radius of the smaller pupil over that of this one, above 0 and at most 1.
-
-        Returns
-        -------
-        Wavefront
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a radius is out of range, or they do not broadcast.
+        Exact but for rounding and piston. `radius` is over that of this pupil, above 0 and at most 1; radii broadcast
+        with the stack. TypeError or ValueError if one is out of range or they do not broadcast.
 
         References
         ----------
@@ -293,6 +636,9 @@ class Wavefront(Descriptions):
             powers = self._powers * eps[..., None] ** (2.0 * np.arange(1, 1 + self.symmetric))
         return self.trusted(terms, edge, self.error, powers)
 
+    def _repr_html_(self) -> str:
+        return display.html(self)
+
     def __repr__(self) -> str:
         if self._powers is None:
             terms = {t: c for t, c in self.edge_terms().items() if np.any(c)}
@@ -307,12 +653,12 @@ class Wavefront(Descriptions):
             shown.append(f"error={self.error:.3g}")
         return f"Wavefront({', '.join(shown)})"
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return the coefficients as plain lists and numbers; :meth:`from_dict` is the inverse."""
         if self._powers is None:
-            plain: dict[str, Any] = {"terms": [[n, m, c.tolist()] for (n, m), c in self.edge_terms().items()]}
+            plain: Json = {"terms": [[n, m, c.tolist()] for (n, m), c in self.edge_terms().items()]}
         else:
-            # What is the same throughout the stack is said once; the defocus has its shape.
+            # Only the defocus has the shape of the stack where others are the same throughout.
             plain = {
                 "defocus": self.defocus.tolist(),
                 "spherical": _once_or_all(self.spherical),
@@ -340,8 +686,8 @@ def _once_or_all(value: Array) -> Any:
     return float(value.flat[0]) if value.min() == value.max() else value.tolist()
 
 
-def _once(name: str, listed: Iterable[Sequence[Any]]) -> dict[tuple[int, int], Any]:
-    terms: dict[tuple[int, int], Any] = {}
+def _once(name: str, listed: Iterable[Sequence[Any]]) -> dict[Term, Any]:
+    terms: dict[Term, Any] = {}
     for n, m, value in listed:
         if (n, m) in terms:
             raise ValueError(f"{name} holds the term (n, m) = ({n}, {m}) twice")
@@ -349,14 +695,10 @@ def _once(name: str, listed: Iterable[Sequence[Any]]) -> dict[tuple[int, int], A
     return terms
 
 
-def _broadcast(columns: Array, shape: tuple[int, ...]) -> Array:
-    return np.broadcast_to(columns, (*shape, columns.shape[-1])).copy()
-
-
-def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], Array]:
+def _checked_nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[Term, Array]:
     if not isinstance(terms, Mapping):
         raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(terms)}")
-    found: dict[tuple[int, int], Array] = {}
+    found: dict[Term, Array] = {}
     for key in terms:
         n, m = zernike.term(key, "nm")
         if m == 0:
@@ -365,7 +707,7 @@ def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], Array
     return dict(sorted(found.items()))
 
 
-def _listed(terms: Mapping[tuple[int, int], Array]) -> str:
+def _listed(terms: Mapping[Term, Array]) -> str:
     return f"{{{', '.join(f'{t}: {_short(c)}' for t, c in terms.items())}}}"
 
 
@@ -376,19 +718,5 @@ def _short(value: Array, *, shape: bool = False) -> str:
 
 
 def same_path(wavefront: Wavefront, known: float, wavelength: float) -> Wavefront:
-    """Return a wavefront known at one wavelength as it is at another.
-
-    Phases are optical path differences, which stay: in radians they grow as the wavelength falls. Dispersion is left
-    out.
-
-    Parameters
-    ----------
-    wavefront : Wavefront
-    known, wavelength : float
-        Metres.
-
-    Returns
-    -------
-    Wavefront
-    """
+    """Return a wavefront of one wavelength at another, metres: the same optical path differences, no dispersion."""
     return known / wavelength * wavefront

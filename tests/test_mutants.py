@@ -195,7 +195,7 @@ def test_every_file_has_tests_of_its_subject_and_its_own_come_first(mutants):
     # Of what a package hands on.
     assert "tests/io/test_depth_files.py" in mutants.subject("src/lommel/io/depthmaps.py", {})
     # Which no test names: that of what imports it.
-    assert mutants.subject("src/lommel/optics/geometry.py", {})
+    assert mutants.subject("src/lommel/optics/lens.py", {})
     header = "cpp/include/lommel/base/wide.hpp"
     assert mutants.subject(header, {"cpp/include/lommel/zernike/growth.hpp": ["tests/y.py"]}) == ("tests/y.py",)
     for path in (ROOT / "src" / "lommel").rglob("*.py"):

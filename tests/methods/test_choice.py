@@ -83,7 +83,7 @@ def test_each_rule_of_the_table_has_a_pupil_that_it_is_the_first_for():
     for pupil, most in ((COMA, 64), (STACK, 128), (STACK[:7], 64)):
         for side, first in ((most, lm.ChordalGauss), (most + 1, lm.NijboerZernike)):
             assert type(choice.candidates(pupil, lm.Grid((3, side), 0.5))[0]) is first
-    assert "up to 64 samples a side (128 of 8 pupils or more)" in choice.RULES[3].pupils
+    assert "up to 64 samples a side (128 for 8 pupils or more)" in choice.RULES[3].pupils
 
 
 def test_the_page_on_how_to_choose_has_the_table_of_the_code():

@@ -73,40 +73,40 @@ def _small(pupil: BasePupil, grid: Grid) -> bool:
 
 RULES = (
     Rule(
-        "of a microscope's objective, with aberrations",
+        "microscope objective with measured aberrations",
         lambda pupil, _: pupil.aberrated,
         _rings,
-        "a matrix product for each order of the azimuth, transforms on circles, and a sparse product",
+        "a matrix product per azimuthal order, FFTs on circles, a sparse product",
     ),
     Rule(
-        "of a microscope's objective, through plane layers",
+        "microscope objective",
         lambda pupil, _: pupil.layered,
         _stratified,
-        "one matrix product for the profiles of a stack, and writing it",
+        "one matrix product per stack, and writing the image",
     ),
     Rule(
         "radially symmetric",
         lambda pupil, _: pupil.radial,
         lambda: (NijboerZernike,),
-        "about what writing the image does",
+        "little more than writing the image",
     ),
     Rule(
-        f"round, any wavefront, windows up to {_SMALL} samples a side ({_SMALL_OF_STACK} of {_STACK} pupils or more)",
+        f"circular or annular, windows up to {_SMALL} samples a side ({_SMALL_OF_STACK} for {_STACK} pupils or more)",
         _small,
         _chords_first,
         "two matrix products; grows with the square of the number of chords",
     ),
     Rule(
-        "round, any wavefront, larger windows",
+        "circular or annular, larger windows",
         lambda pupil, _: pupil.circular,
         lambda: (NijboerZernike,),
-        "a sum over azimuthal orders at every eighth of the pixels",
+        "a sum over azimuthal orders for an eighth of the pixels",
     ),
     Rule(
         "any other aperture",
         lambda *_: True,
         _nonuniform,
-        "nodes over the clear aperture and one transform; no proven bound",
+        "one non-uniform FFT; no proven bound",
         requires="finufft",
     ),
 )
@@ -115,7 +115,7 @@ RULES = (
 
 def table() -> str:
     """Return the rules as a table in Markdown; the page on how to choose a method has it."""
-    rows = [("pupil", "method", "what it costs"), ("---",) * 3]
+    rows = [("pupil", "method", "cost"), ("---",) * 3]
     rows += [(r.pupils, ", else ".join(f"`{m.__name__}`" for m in r.methods), r.costs) for r in RULES]
     return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 

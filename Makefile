@@ -191,7 +191,7 @@ photo: build env ## blur a photograph by its depth, near, far and from one to th
 	set -- out/motorcycle-depth.tif "$$lens" --missing nearest
 	.venv/bin/lommel blur out/motorcycle.png "$$@" --focus 2.4m --output out/motorcycle-near.png
 	.venv/bin/lommel blur out/motorcycle.png "$$@" --focus 4.8m --output out/motorcycle-far.png
-	.venv/bin/lommel focus-pull out/motorcycle.png "$$@" --from 2.2m --to 4.8m --frames 6 --tol 1e-3 \
+	.venv/bin/lommel blur out/motorcycle.png "$$@" --focus 2.2m --focus-to 4.8m --frames 6 --tol 1e-3 \
 		--output out/motorcycle-pull.webp
 	.venv/bin/lommel restore out/motorcycle-near.png "$$@" --focus 2.4m --white 50000 --read 3 \
 		--output out/motorcycle-restored.png

@@ -18,12 +18,14 @@ sys.path.insert(0, str(HERE))
 import api  # noqa: E402
 import command_options  # noqa: E402
 import drawn  # noqa: E402
+import format_table  # noqa: E402
 import organisation  # noqa: E402
 
 # What pages include is written from the code: diagrams, figures, command options, and the live page of `make page`.
 organisation.write(HERE / "_generated")
 drawn.write(HERE / "_generated" / "pictures")
 command_options.write(HERE / "_generated")
+format_table.write(HERE / "_generated")
 (HERE / "_generated" / "live").mkdir(exist_ok=True)
 shutil.copy(module.path(), HERE / "_generated" / "live")
 

@@ -30,13 +30,16 @@ from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd
 from lommel.field.vignetting import Shading as Shading, Vignetting as Vignetting
-from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
+from lommel.io.zernike_tables import (
+    ZernikeTable as ZernikeTable,
+    load_zernike as load_zernike,
+    save_zernike as save_zernike,
+)
 from lommel.lensfiles.channel_files import load_channels as load_channels
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope_files import Microscope as Microscope
 from lommel.lensfiles.microscope_files import load_microscope as load_microscope
-from lommel.lensfiles.zernike_files import load_zernike as load_zernike
 from lommel.measures.aperture_means import (
     centroid as centroid,
     marechal as marechal,

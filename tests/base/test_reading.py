@@ -23,8 +23,8 @@ from lommel.base import reading
 from lommel.io import psf_numpy
 from lommel.io.photos import PhotoError
 from lommel.io.psf_files import FileError
+from lommel.io.zernike_tables import ZernikeFileError
 from lommel.lensfiles.lens_files import LensFileError
-from lommel.lensfiles.zernike_files import ZernikeFileError
 
 LENS = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\nshape = 9\n'
 

@@ -174,9 +174,12 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
     photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
     refused(call_lommel(*photo, folder=folder), "say what is there by --missing")
     np.save(folder / "zeros.npy", np.pad(np.full((20, 19), 1.9), ((0, 0), (1, 0))))
-    refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, say so by --zero-unknown")
+    refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, give --zero-unknown")
     Image.fromarray(np.full((20, 20), 1900, np.uint16)).save(folder / "levels.png")
-    refused(call_lommel(*photo[:2], "levels.png", *photo[3:], folder=folder), "say by --depth-scale how many metres")
+    refused(
+        call_lommel(*photo[:2], "levels.png", *photo[3:], folder=folder),
+        "give the scale, e.g. --depth-scale 0.001 for millimetres",
+    )
     stars = ("retrieve", "photo.png", lenses["phone"], "--read", "2", "--terms", "size")
     refused(call_lommel(*stars, folder=folder), "'wavelength', 'f_number', 'obscuration', 'object_distance'")
     photo = (*photo[:2], "near.npy", *photo[3:])
@@ -238,7 +241,10 @@ def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     result = call_lommel("info", lenses["phone"], folder=tmp_path)
     assert result.returncode == 1
     (line,) = result.stderr.splitlines()
-    assert "a fault of lommel, not yours: AttributeError: 'int' object\\nhas no attribute; please report it" in line
+    assert (
+        "a bug in lommel, not in your input: AttributeError: 'int' object\\nhas no attribute; please report it"
+        in line
+    )
     assert "LOMMEL_TRACEBACK=1" in line
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lommel.lensfiles import examples
+from lommel.cli import examples_command as examples
 
 ROOT = Path(__file__).resolve().parents[2] / "examples"
 THERE = {path.stem: path for kind in ("lenses", "objectives") for path in (ROOT / kind).glob("*.toml")}
@@ -42,7 +42,7 @@ def test_all_go_to_a_folder_that_is_made(call_lommel, tmp_path):
 def test_nothing_is_written_over_nor_invented(call_lommel, tmp_path):
     (tmp_path / "phone.toml").write_text("mine")
     result = call_lommel("examples", "nifty-fifty", "phone", folder=tmp_path)
-    assert (result.returncode, result.stderr) == (2, "Error: phone.toml: is there already\n")
+    assert (result.returncode, result.stderr) == (2, "Error: phone.toml: File exists\n")
     assert [path.name for path in tmp_path.iterdir()] == ["phone.toml"]
     assert (tmp_path / "phone.toml").read_text() == "mine"
     result = call_lommel("examples", "camera", folder=tmp_path)
@@ -54,9 +54,8 @@ def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):
     place = tmp_path / "lommel" / "examples" / "lenses"
     place.mkdir(parents=True)
     (place / "one.toml").write_text('name = "One"')
-    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "lensfiles" / "examples.py"))
+    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "cli" / "examples_command.py"))
     assert examples.files() == {"one": place / "one.toml"}
-    assert examples.title(place / "one.toml") == "One"
     (place / "one.toml").unlink()
     with pytest.raises(FileNotFoundError, match="wheels bring them"):
         examples.files()

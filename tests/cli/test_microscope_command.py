@@ -45,7 +45,7 @@ def test_a_stack_is_written_as_data_and_as_sections(folder, call_lommel):
         assert min(picture.size) > 400
     assert (folder / "a.pdf").read_bytes().startswith(b"%PDF")
     last = result.stdout.splitlines()[-4:]
-    how = ": sections xy, xz and yz, the square root of the values"
+    how = ": sections xy, xz and yz, square root of the values"
     assert last == ["wrote a.ome.tif", "wrote a.npz", f"wrote a.png{how}", f"wrote a.pdf{how}"]
     assert "4 x 5 x 6 float32" in result.stdout
 
@@ -55,9 +55,9 @@ def test_one_plane_is_written_as_the_picture_of_a_psf(folder, call_lommel):
     assert result.returncode == 0, result.stderr
     assert lm.PSF.load(folder / "a.png").shape == (5, 5)
     assert "sections" not in result.stdout
-    picture = "a.png: 515 x 515 pixels, 103 x 103 for each of the PSF, square root of the values, 16 bit"
-    assert result.stdout.splitlines()[-2:] == [f"wrote {picture}", "wrote b.png: the square root of the values"]
-    assert "emitter 2 um deep" in result.stdout
+    picture = "a.png: 515 x 515 pixels, 103 x 103 for each pixel of the PSF, square root of the values, 16 bit"
+    assert result.stdout.splitlines()[-2:] == [f"wrote {picture}", "wrote b.png: square root of the values"]
+    assert "emitter at a depth of 2 um" in result.stdout
 
 
 def test_the_json_is_what_python_says(folder, call_lommel):
@@ -70,8 +70,10 @@ def test_the_json_is_what_python_says(folder, call_lommel):
     info = json.loads(call_lommel("info", "objective.toml", "--depth", "3 um", "--json", folder=folder).stdout)
     assert facts["focus"] == []
     assert len(info["focus"]) == 6
-    assert "Focus of an emitter" in call_lommel("info", "objective.toml", folder=folder).stdout
-    assert "Focus of an emitter" not in call_lommel("psf", "objective.toml", *STACK, folder=folder).stdout
+    assert "Focus of a freely rotating dipole" in call_lommel("info", "objective.toml", folder=folder).stdout
+    assert (
+        "Focus of a freely rotating dipole" not in call_lommel("psf", "objective.toml", *STACK, folder=folder).stdout
+    )
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "examples" / "objectives").glob("*.toml")), ids=lambda p: p.stem)
@@ -88,8 +90,8 @@ def test_info_shows_every_example(path, folder, call_lommel):
     assert float(row[2]) == pytest.approx(1e6 * best.brightest, abs=6e-4)
     assert float(row[4]) == pytest.approx(1e9 * best.axial_fwhm, abs=0.6)
     coarse = found.pixel > found.objective.nyquist(wavelength=found.wavelength).pixel
-    assert ("is coarser than Nyquist's" in out) == coarse
-    assert ("critical angle  none" in out) == (found.objective.critical_angle is None)
+    assert ("is coarser than Nyquist sampling" in out) == coarse
+    assert ("critical angle    none" in out) == (found.objective.critical_angle is None)
 
 
 def test_what_the_file_has_besides_is_told(folder, call_lommel):
@@ -118,18 +120,21 @@ def test_no_digit_is_left_out_of_narrow_tables(columns, folder, call_lommel, mon
             ["psf", "objective.toml", "--object-distance", "1 m"],
             "--object-distance is for lenses, and objective.toml",
         ),
-        (["info", "objective.toml", "--object-distance", "1 m"], "--depth says where the emitter is"),
+        (["info", "objective.toml", "--object-distance", "1 m"], "--depth sets the position of the emitter"),
         (["psf", "objective.toml", "--field", "2x2"], "--field is for lenses, and objective.toml describes a micro"),
         (["psf", "lens.toml", "--stack", "3"], "--stack is for microscopes, files with a section [objective]; lens"),
         (["psf", "lens.toml", "--step", "1 um"], "--step is for microscopes"),
         (["psf", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
         (["info", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
         (["psf", "lens.toml", "--normalize", "emitted"], '--normalize "emitted" is for the pupils of an Objective'),
-        (["psf", "objective.toml", "-m", "hankel"], "supports pupils of the type Pupil only"),
+        (["psf", "objective.toml", "-m", "hankel"], "supports the pupils of a lens only"),
         (["psf", "objective.toml", "--stack", "0"], "0 is not in the range"),
         (["psf", "objective.toml", "--step", "0 nm"], "step must be of the stage, not 0 and below 10 mm, got 0 m"),
         (["psf", "plane.toml", "--step", "1 um"], "--step needs --stack, where the file has no stack"),
-        (["psf", "plane.toml", "--stack", "3"], "--stack needs --step, where the file has no stack; at most 279 nm"),
+        (
+            ["psf", "plane.toml", "--stack", "3"],
+            "--stack needs --step, where the file has no stack; Nyquist sampling needs at most 279 nm",
+        ),
         (["psf", "objective.toml", "--depth", "-1 um"], "depth is in metres and must be at least 0"),
         (["psf", "objective.toml", "--depth", "1 m"], 'for 1 um write "1 um", for 1 mm "1 mm"'),
         (["psf", "objective.toml", "--depth", "2"], "'2' is a length without a unit"),
@@ -155,7 +160,7 @@ def test_options_of_the_other_kind_and_numbers_out_of_range_are_refused_in_a_lin
         "compare objective.toml",
         "live objective.toml",
         "blur photo.png depth.tif objective.toml --focus 1m -o out.png",
-        "focus-pull photo.png depth.tif objective.toml --from 1m --to 2m -o out.gif",
+        "blur photo.png depth.tif objective.toml --focus 1m --focus-to 2m -o out.gif",
         "restore photo.png depth.tif objective.toml --focus 1m --white 1 --read 2 -o out.png",
         "depth depth.tif depth.tif objective.toml --focus 1m --focus 2m --between 1m 3m --white 9 --read 2",
         "precision objective.toml --focus 1m --focus 2m --between 1m 3m --photons 9",

@@ -58,10 +58,10 @@ def test_a_perfect_lens_has_the_contrast_of_overlapping_discs_and_of_its_pixels(
 def test_the_table_shows_the_numbers(call_lommel, tmp_path):
     (tmp_path / "lens.toml").write_text(LENS.replace('["1.22 um", "2.44 um"]', '"1.22 um"'), encoding="utf-8")
     shown = call_lommel("psf", "lens.toml", "--mtf", folder=tmp_path).stdout
-    head, row, said = shown[shown.index("MTF, with the pixel") :].splitlines()[1:4]
+    head, row, said = shown[shown.index("MTF, pixel included") :].splitlines()[1:4]
     assert head.split("  ")[0].strip() == "x, Nyquist"
     assert row.split()[:2] == ["0.3170", "0.3170"]
-    assert said.startswith("Nyquist: 409.8 cycles/mm")
+    assert said.startswith("Nyquist frequency: 409.8 cycles/mm")
 
 
 def test_there_is_a_row_for_each_place_and_each_channel(told, lenses, call_lommel, tmp_path):
@@ -76,7 +76,7 @@ def test_there_is_a_row_for_each_place_and_each_channel(told, lenses, call_lomme
         expected = lm.mtf(field.pupil(row["x"], row["y"]), 0.0, 0.25 / pixel, pixel=pixel, spectrum=light)
         assert row["half_nyquist"][1] == pytest.approx(float(expected), abs=2e-6)
     shown = call_lommel("psf", file, "--mtf", "--field", "2x3", "--shape", "5", folder=tmp_path).stdout
-    assert sum(" mm, " in line for line in shown[shown.index("MTF, with") :].splitlines()) == 6
+    assert sum(" mm, " in line for line in shown[shown.index("MTF, pixel") :].splitlines()) == 6
 
 
 def test_what_has_no_such_contrast_is_refused(call_lommel, tmp_path):

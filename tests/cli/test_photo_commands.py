@@ -1,4 +1,4 @@
-"""`lommel blur` and `lommel focus-pull`, run as a user runs them, and their files read back."""
+"""`lommel blur`, of one photograph and as a focus pull, run as a user runs them, and their files read back."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ PHOTO = (RNG.integers(40, 200, (30, 36, 1)) * [1.0, 0.8, 0.6]).astype(np.uint8)
 DEPTH = 1.9 + 0.3 * np.linspace(0.0, 1.0, 30 * 36).reshape(30, 36)
 BLUR = "blur photo.png depth.npy"
 FULL = f"{BLUR} lens.toml -o out.png"
-PULL = "focus-pull photo.png depth.npy lens.toml --frames 3"
+PULL = "blur photo.png depth.npy lens.toml --frames 3"
 BAD = [
     ("blur photo.png", "Missing argument 'DEPTH'"),
     (f"{BLUR} lens.toml", "Missing option '-o'"),
@@ -58,7 +58,7 @@ BAD = [
     ),
     (
         "blur photo.png depth.png lens.toml -o out.png",
-        "(uint16); say by --depth-scale how many metres",
+        "depth.png is an integer image; give the scale, e.g. --depth-scale 0.001 for millimetres",
     ),
     ("blur photo.png holes.npy lens.toml -o out.png", "points; say what is there by --missing"),
     (
@@ -69,7 +69,7 @@ BAD = [
     (f"{BLUR} -o out.png --focal-length 50mm --f-number 2 --pixel 40um", "without a lens file give --focus"),
     (
         "blur camera.png depth.npy --focus 2m --pixel 40um --f-number 2.8 -o out.png",
-        "--f-number f/2.8 contradicts the EXIF of camera.png, f/2; to leave that out give --no-exif",
+        "--f-number f/2.8 contradicts the EXIF of camera.png, f/2; give --no-exif to ignore the EXIF",
     ),
     (
         "blur camera.png depth.npy --focus 2m --pixel 40um --focal-length 35mm -o out.png",
@@ -85,10 +85,10 @@ BAD = [
     ),
     (f"{FULL} --no-exif --pixel-from-exif", "--pixel-from-exif contradicts --no-exif"),
     (f"{FULL} --pixel 40um --pixel-from-exif", "give one of --pixel and --pixel-from-exif"),
-    (f"{FULL} --focal-length 35mm", "--focal-length has no meaning with a lens file"),
+    (f"{FULL} --focal-length 35mm", "--focal-length cannot be combined with a lens file"),
     (f"{FULL} --f-number 1.4", "--f-number of lens.toml: --f-number must be at least that of the lens, f/2"),
     (f"{BLUR} vanes.toml -o out.png", "lens must have a round aperture"),
-    ("focus-pull photo.png depth.npy vanes.toml --from 2m --to 3m -o f.gif", "lens must have a round aperture"),
+    ("blur photo.png depth.npy vanes.toml --focus 2m --focus-to 3m -o f.gif", "lens must have a round aperture"),
     (f"{FULL} --f-number nan", "--f-number must be finite, got nan"),
     (f"{FULL} --focus 10mm", "--focus must exceed the focal length 0.05 m"),
     (f"{FULL} --wavelengths 550nm", "wavelengths must be one for each of the 3 channels, got 1"),
@@ -104,24 +104,24 @@ BAD = [
     ),
     (f"{BLUR} lens.toml -o nowhere/out.png", "nowhere/out.png: No such file or directory"),
     (f"{BLUR} lens.toml -o taken.png", "'taken.png' is a directory"),
-    (f"{PULL} --from 2m -o f-%03d.png", "Missing option '--to'"),
+    (f"{PULL} --focus 2m -o f-%03d.png", "--frames needs --focus-to, the end of a focus pull"),
     (
-        f"{PULL} --from 2m --to 3m -o f.jpg",
+        f"{PULL} --focus 2m --focus-to 3m -o f.jpg",
         "--output must end in .gif, .png, .apng, .webp, .tif, .tiff for frames, got '.jpg' in 'f.jpg'; a number",
     ),
-    (f"{PULL} --from 2m --to 3m -o %03d-%03d.png", "--output may have one number such as %03d"),
-    (f"{PULL} --from 2m --to 3m -o f%s.png", "--output may have one number such as %03d"),
-    (f"{PULL} --from 0m --to 3m -o f-%03d.png", "--from must be > 0 metres, got 0"),
-    (f"{PULL} --from 2m --to 3m --fps 0 -o f.gif", "fps must be >= 0.001"),
-    (f"{PULL} --from 2m --to 3m --bits 16 -o f.gif", ".gif holds 8 bits; give --bits 8"),
+    (f"{PULL} --focus 2m --focus-to 3m -o %03d-%03d.png", "--output may have one number such as %03d"),
+    (f"{PULL} --focus 2m --focus-to 3m -o f%s.png", "--output may have one number such as %03d"),
+    (f"{PULL} --focus 0m --focus-to 3m -o f-%03d.png", "--focus must be > 0 metres, got 0"),
+    (f"{PULL} --focus 2m --focus-to 3m --fps 0 -o f.gif", "fps must be >= 0.001"),
+    (f"{PULL} --focus 2m --focus-to 3m --bits 16 -o f.gif", ".gif holds 8 bits; give --bits 8"),
     (
-        f"{PULL} --from 2m --to 3m --bits 16 -o f-%03d.jpg",
+        f"{PULL} --focus 2m --focus-to 3m --bits 16 -o f-%03d.jpg",
         "--output must end in .png, .tif, .tiff for a photograph of uint16, got '.jpg' in 'f-%03d.jpg'",
     ),
-    (f"{PULL} --from 2m --to 3m -o nowhere/f-%03d.png", "nowhere/f-%03d.png: No such file or directory"),
+    (f"{PULL} --focus 2m --focus-to 3m -o nowhere/f-%03d.png", "nowhere/f-%03d.png: No such file or directory"),
     # The third frame is too far out of focus, the first two are not.
-    (f"{PULL} --from 2m --to 0.2m --largest 14 -o f-%03d.png", "windows of more than 29 pixels"),
-    (f"{PULL} --from 2m --to 0.2m --largest 14 -o f.gif", "windows of more than 29 pixels"),
+    (f"{PULL} --focus 2m --focus-to 0.2m --largest 14 -o f-%03d.png", "windows of more than 29 pixels"),
+    (f"{PULL} --focus 2m --focus-to 0.2m --largest 14 -o f.gif", "windows of more than 29 pixels"),
 ]
 
 
@@ -165,7 +165,7 @@ def ran(result: subprocess.CompletedProcess[str]) -> str:
 
 def test_a_shell_blurs_a_photo_as_python_does(run_lommel, folder):
     told = ran(run_lommel("blur", "photo.png", "depth.npy", *GIVEN, "-o", "out.png", folder=folder))
-    assert told.splitlines()[0] == "values of 8 bits, taken for sRGB; if they are linear, give --encoding linear"
+    assert told.splitlines()[0] == "8-bit values, assumed sRGB; if they are linear, give --encoding linear"
     assert told.splitlines()[-1] == "wrote out.png"
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "out.png")), expected())
 
@@ -173,24 +173,24 @@ def test_a_shell_blurs_a_photo_as_python_does(run_lommel, folder):
 @pytest.mark.parametrize(
     ("options", "line"),
     [
-        ((), "values of 16 bits, taken for sRGB; if they are linear, give --encoding linear"),
-        (("--encoding", "linear"), "values of 16 bits, linear"),
+        ((), "16-bit values, assumed sRGB; if they are linear, give --encoding linear"),
+        (("--encoding", "linear"), "16-bit values, linear"),
     ],
 )
 def test_what_a_photo_was_taken_for_is_said_first(call_lommel, folder, options, line):
     Image.fromarray((257 * PHOTO[..., 0].astype(int)).astype(np.uint16)).save(folder / "deep.png")
-    for command, more in (("blur", ()), ("focus-pull", ("--from", "1.9 m", "--to", "2 m", "--frames", 2))):
+    for out, more in (("a.png", ()), ("a-%d.png", ("--focus-to", "2 m", "--frames", 2))):
         given = ("--focal-length", "50mm", "--f-number", 2, "--pixel", "40um")
-        focus = ("--focus", "2 m") if command == "blur" else ()
-        out = "a.png" if command == "blur" else "a-%d.png"
-        told = ran(call_lommel(command, "deep.png", "depth.npy", *given, *focus, *more, *options, "-o", out,
-                               folder=folder))  # fmt: skip
+        told = ran(
+            call_lommel("blur", "deep.png", "depth.npy", *given, "--focus", "1.9 m", *more, *options, "-o", out,
+                        folder=folder)
+        )  # fmt: skip
         assert told.splitlines()[0] == line
 
 
 def test_all_of_the_light_is_held_where_that_is_asked_for(call_lommel, folder):
     told = ran(call_lommel("blur", "photo.png", "depth.npy", *GIVEN, "--energy", 1, "-o", "out.png", folder=folder))
-    assert "and a remainder, which leave out nothing and err by" in told
+    assert "pixels and all light beyond; error" in told
     whole = expected(energy=1.0)
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "out.png")), whole)
     assert np.any(whole != expected())
@@ -266,7 +266,7 @@ def test_without_occlusion_light_adds_up_beyond_white_and_is_told(call_lommel, f
 
 
 def test_a_focus_pull_is_numbered_or_one_file_with_the_same_frames(call_lommel, folder):
-    arguments = (*PULL.split(), "--from", "1.8 m", "--to", "2.6 m")
+    arguments = (*PULL.split(), "--focus", "1.8 m", "--focus-to", "2.6 m")
     for name in ("f-%02d.png", "a.tif", "a.apng", "a.gif", "a.webp"):
         told = ran(call_lommel(*arguments, "-o", name, folder=folder))
         assert told.count("wrote ") == (3 if "%" in name else 1)
@@ -307,8 +307,8 @@ def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(call_lommel, fo
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
 def test_an_interrupted_focus_pull_leaves_nothing(folder, sent):
     before = sorted(folder.rglob("*"))
-    command = [Path(sys.executable).with_name("lommel"), "focus-pull", "photo.png", "depth.npy", "lens.toml"]
-    options = ["--from", "1.8 m", "--to", "2.6 m", "--frames", "9999", "-o", "f-%04d.png"]
+    command = [Path(sys.executable).with_name("lommel"), "blur", "photo.png", "depth.npy", "lens.toml"]
+    options = ["--focus", "1.8 m", "--focus-to", "2.6 m", "--frames", "9999", "-o", "f-%04d.png"]
     with subprocess.Popen([*map(str, command), *options], cwd=folder, stderr=subprocess.PIPE, text=True) as running:
         until = time.monotonic() + 60.0
         while not any(folder.glob(".lommel-*")):

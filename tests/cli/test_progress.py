@@ -28,8 +28,8 @@ pixel = "6 um"
 NOISE = ("--white", "5000", "--read", "3")
 LONG = {
     "blur": ("blur", "photo.png", "depth.npy", "lens.toml", "-o", "out.png"),
-    "focus-pull": (
-        "focus-pull", "photo.png", "depth.npy", "lens.toml", "--from", "1.6m", "--to", "1.7m", "--frames", "3",
+    "focus pull": (
+        "blur", "photo.png", "depth.npy", "lens.toml", "--focus", "1.6m", "--focus-to", "1.7m", "--frames", "3",
         "-o", "pull.gif",
     ),
     "restore": ("restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "--steps", "4", "-o", "out.png"),

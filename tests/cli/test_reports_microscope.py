@@ -92,11 +92,11 @@ def test_what_differs_from_the_design_is_told():
 @pytest.mark.parametrize(
     ("emitter", "words"),
     [
-        (lm.Dipole(0.0, 0.0, wobble=1.0), "turns freely"),
+        (lm.Dipole(0.0, 0.0, wobble=1.0), "freely rotating dipole"),
         (lm.Dipole(math.pi / 3, math.pi / 6, wobble=0.5), "dipole, 60 deg from the axis, azimuth 30 deg, wobble 0.5"),
         (lm.Dipole(0.0, 0.0), "dipole, 0 deg from the axis, azimuth 0 deg"),
-        (lm.Scalar(), "scalar, as of Gibson and Lanni"),
-        (lm.Beam("x"), "a beam focused into the sample, x polarisation"),
+        (lm.Scalar(), "scalar (Gibson-Lanni)"),
+        (lm.Beam("x"), "beam focused into the sample, x polarization"),
     ],
 )
 def test_emitters_have_words(emitter, words):

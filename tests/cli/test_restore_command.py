@@ -65,7 +65,7 @@ def test_a_shell_restores_a_photo_as_python_does(call_lommel, folder, way):
     assert f"discrepancy {same.before:.3g} of the photo, {same.discrepancy:.3g} of the result" in told
     assert f"stopped after {same.steps} steps: the rest is noise" in told
     assert ("strength of the total variation" in told) == isinstance(way, TotalVariation)
-    assert told.splitlines()[0] == "values of floats, taken for linear; if they are sRGB, give --encoding srgb"
+    assert told.splitlines()[0] == "float values, assumed linear; if they are sRGB, give --encoding srgb"
     assert told.splitlines()[-1] == "wrote sharp.tif"
     facts = json.loads(ran(call_lommel(*arguments, "--json", "-o", "sharp.tif", folder=folder)))
     assert facts["discrepancy"] == pytest.approx(
@@ -110,7 +110,7 @@ FULL = "restore photo.tif depth.npy lens.toml --white 5000 --read 3 -o sharp.tif
         (FULL.replace("5000", "0"), "white must be > 0 electrons"),
         (FULL.replace("depth.npy", "small.npy"), "must have the size of the upright photo"),
         (FULL.replace("sharp.tif", "sharp.bmp"), "--output must end in"),
-        (f"{FULL} --strength 0.1", "--strength has a meaning with --method total-variation only"),
+        (f"{FULL} --strength 0.1", "--strength needs --method total-variation"),
         (f"{FULL} --method total-variation --target 0", "target must be > 0"),
         (f"{FULL} --steps 0", "steps must be from 1"),
         (f"{FULL} --saturation -1", "saturation must be > 0"),

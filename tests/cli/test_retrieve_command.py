@@ -45,7 +45,7 @@ def test_terms_come_with_deviations_and_the_verdict_last(folder, call_lommel):
     true = 0.6 / np.sqrt(8.0)
     assert float(coma[-2]) == pytest.approx(true, abs=5 * float(coma[-1]))
     assert lines[-3].startswith("converged: chi2 ")
-    assert lines[-2:] == ["wrote wave.json", "wrote fit.png: images and model as their square roots"]
+    assert lines[-2:] == ["wrote wave.json", "wrote fit.png: square roots of images and model"]
     assert (folder / "fit.png").stat().st_size > 10_000
     # A lens file reads it back, and what it makes has the coma.
     (folder / "again.toml").write_text(LENS + '[aberrations.zernike]\nfile = "wave.json"\n', encoding="utf-8")
@@ -103,7 +103,7 @@ def test_units_are_those_asked_for(folder, call_lommel):
     [
         (["star-0.tif", "lens.toml"], "Missing option '--read'"),
         (["nix.tif", "lens.toml", "--read", "2"], "nix.tif: No such file or directory"),
-        (["nix-*.tif", "lens.toml", "--read", "2"], "nix-*.tif: No file is called so"),
+        (["nix-*.tif", "lens.toml", "--read", "2"], "nix-*.tif: No file matches"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "-4", "0"], "one for each of 3 images"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "x"], "defocus must be numbers, one for each image"),
         (["pages.tif", "lens.toml", "--read", "2", "--terms", "coma"], "terms must be one of 'defocus'"),

@@ -20,7 +20,7 @@ GOOD = (
     "psf lens.toml --shape 5 --normalize peak --dtype float64 -o a.npy --json", "compare lens.toml --shape 5",
     "blur photo.png depth.npy lens.toml --focus 2m --largest 9 -o out.png",
     "blur photo.png depth.npy --focal-length 50mm --f-number 8 --pixel 8um --focus 2m -o out.tif --bits float",
-    "focus-pull photo.png depth.npy lens.toml --f-number 8 --from 1.9m --to 2.1m --frames 2 -o f-%02d.png",
+    "blur photo.png depth.npy lens.toml --f-number 8 --focus 1.9m --focus-to 2.1m --frames 2 -o f-%02d.png",
     "psf objective.toml --stack 2 --step 200nm --depth 1um --shape 5 -o a.tif", "info objective.toml --json",
 )  # fmt: skip
 HOSTILE = (

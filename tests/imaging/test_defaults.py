@@ -92,7 +92,7 @@ def test_all_ways_are_found():
     known = {
         "depth_of_field", "FocusPlan", "restore", "restore_with", "DepthBlur", "FieldBlur", "traced_blur", "Settings",
         "depth_from_defocus", "deconvolve", "StackBlur", "bead", "confocal", "sted", "light_sheet", "two_photon",
-        "lommel blur", "lommel focus-pull", "lommel restore", "lommel depth",
+        "lommel blur", "lommel restore", "lommel depth",
     }  # fmt: skip
     assert known <= found
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli.photo_commands import blur, focus_pull
+from lommel.cli.photo_commands import blur, restore
 from lommel.imaging import DepthBlur, FocusPlan, depth_of_field
 from lommel.imaging.photograph import TileBlur
 from lommel.imaging.settings import BlurKeywords, Keywords, Settings
@@ -39,7 +39,7 @@ def test_a_door_shows_every_setting_with_its_default_and_its_text(door):
     assert "Share of the light of a point that its window must hold, 0.5 to 0.9999." in text
 
 
-@pytest.mark.parametrize(("command", "needed"), [(blur, ""), (focus_pull, "--from 1m --to 2m")])
+@pytest.mark.parametrize(("command", "needed"), [(blur, ""), (restore, "--white 1 --read 1")])
 def test_the_command_line_has_the_defaults_of_python(command, needed):
     parsed = command.make_context("lommel", f"photo depth -o out.png {needed}".split()).params
     named = DEFAULTS.keys() - {"dtype", "threads"}

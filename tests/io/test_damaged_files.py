@@ -197,8 +197,8 @@ def rewritten(path, **changes: object) -> None:
         (lambda v: (v * 1e9).astype(np.int64), "must be float32, got int64"),
         (lambda v: np.where(v == v.max(), np.nan, v), "must be finite, got nan"),
         (lambda v: np.where(v == v.max(), np.inf, v), "must be finite, got inf"),
-        (lambda v: np.nextafter(v, np.float32(1)), "its checksum is another"),
-        (lambda v: v[::-1, ::-1].T.copy() if v[0, 1] != v[1, 0] else v * 0, "its checksum is another"),
+        (lambda v: np.nextafter(v, np.float32(1)), "its checksum does not match"),
+        (lambda v: v[::-1, ::-1].T.copy() if v[0, 1] != v[1, 0] else v * 0, "its checksum does not match"),
     ],
 )
 def test_values_that_were_not_saved_are_refused(change, why, tmp_path):
@@ -213,11 +213,11 @@ def test_a_description_without_a_checksum_or_changed_by_hand_is_refused(tmp_path
     with np.load(tmp_path / "a.npz") as archive:
         description = json.loads(archive["description"].tobytes())
     rewritten(tmp_path / "a.npz", description=np.array(json.dumps(description | {"error_bound": 1e-12})))
-    with pytest.raises(FileError, match="its checksum is another: it is damaged, or was changed"):
+    with pytest.raises(FileError, match="its checksum does not match: it is damaged, or was changed"):
         lm.PSF.load(tmp_path / "a.npz")
     del description["checksum"]
     rewritten(tmp_path / "a.npz", description=np.array(json.dumps(description)))
-    with pytest.raises(FileError, match="it has no checksum, so nobody knows whether it is whole; save it anew"):
+    with pytest.raises(FileError, match="it has no checksum, so it may be incomplete; save it again"):
         lm.PSF.load(tmp_path / "a.npz")
 
 
@@ -240,7 +240,7 @@ def test_any_bit_of_the_values_that_turns_is_noticed(suffix, tmp_path):
         damaged = bytearray(data)
         damaged[start + bit // 8] ^= 1 << bit % 8
         file.write_bytes(damaged)
-        with pytest.raises(FileError, match=r"its checksum is another|must be finite|must be >= 0"):
+        with pytest.raises(FileError, match=r"its checksum does not match|must be finite|must be >= 0"):
             lm.PSF.load(file)
 
 

@@ -69,7 +69,7 @@ def test_what_is_no_grey_image_is_refused(tmp_path):
         (("a.npy", "wide.npy"), r"wide.npy has images of 3 x 3 uint16, those before are of 3 x 4 uint16"),
         (("a.npy", "float.npy"), r"images of 3 x 4 float64, those before are of 3 x 4 uint16"),
         (("line.npy",), r"line.npy cannot be read as images: it holds uint16 of the shape \(4,\)"),
-        (("complex.npy",), "no grey images"),
+        (("complex.npy",), "not grey images"),
         (("text.tif",), "is not a"),
         (("sizes.tif",), "its pages are of several sizes"),
     ]:

@@ -215,7 +215,7 @@ GOOD = metropro(VALUES)
         bad("a.csv", "# Unit: nm\n1,2\n", "it states 'Unit', which is unknown"),
         bad("a.csv", "# unit: nm\nnan,\n", "somewhere there must be one"),
         bad("a.csv", "# unit: nm\n1,inf\n", "values must be finite"),
-        bad("a.int", "title\nZFR 2 WFR WVL 0.5 SSZ 1\n1 2\n", "it holds coefficients, no grid; load_zernike"),
+        bad("a.int", "title\nZFR 2 WFR WVL 0.5 SSZ 1\n1 2\n", "it holds coefficients; load_zernike"),
         bad("a.npy", b"\x93NUMPY", "its header is not that of an array"),
     ],
 )
@@ -233,7 +233,7 @@ def test_a_fits_header_that_claims_more_than_the_file_holds_is_refused_before_it
     for card, value in ((b"NAXIS1  =", b"99999999"), (b"NAXIS1  =", b"-44"), (b"BITPIX  =", b"-128")):
         at = data.index(card)
         (tmp_path / "a.fits").write_bytes(data[:at] + card + value.rjust(21) + data[at + 30 :])
-        with pytest.raises(OPDFileError, match=r"a\.fits cannot be read as a map of path differences: "):
+        with pytest.raises(OPDFileError, match=r"a\.fits cannot be read as an OPD map: "):
             lm.load_opd(tmp_path / "a.fits")
 
 
@@ -288,7 +288,7 @@ def test_maps_that_a_format_does_not_hold_are_told(tmp_path):
         lm.save_opd(tmp_path / "a.dat", lm.OPDMap(VALUES))
     with pytest.raises(ValueError, match="holds paths below"):
         lm.save_opd(tmp_path / "a.dat", lm.OPDMap(1e9 * VALUES, wavelength=WAVE))
-    with pytest.raises(ValueError, match=r"path must end in .*\.npy, \.csv for a map of path differences, got"):
+    with pytest.raises(ValueError, match=r"path must end in .*\.npy, \.csv for an OPD map, got"):
         lm.save_opd(tmp_path / "a.datx", MAP)
     lm.save_opd(tmp_path / "a.fits", stack)
     np.testing.assert_array_equal(lm.load_opd(tmp_path / "a.fits").values, stack.values)

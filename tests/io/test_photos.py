@@ -261,7 +261,7 @@ def test_depth_comes_in_metres_from_every_format(tmp_path):
 def test_zero_is_unknown_only_where_one_says_so(tmp_path):
     levels = np.array([[0, 1000], [2000, 0]], np.uint16)
     Image.fromarray(levels).save(tmp_path / "a.png")
-    with pytest.raises(ValueError, match=r"is 0 at 2 of 4 points; if .*, say so by `zero_is_unknown`"):
+    with pytest.raises(ValueError, match=r"is 0 at 2 of 4 points; if .*, give `zero_is_unknown`"):
         read_depth(tmp_path / "a.png", scale=1e-3)
     found = read_depth(tmp_path / "a.png", scale=1e-3, zero_is_unknown=True)
     np.testing.assert_array_equal(found, [[np.nan, 1.0], [2.0, np.nan]])
@@ -276,7 +276,11 @@ def npy(values: np.ndarray) -> bytes:
 @pytest.mark.parametrize(
     ("data", "options", "message"),
     [
-        (npy(np.ones((2, 3), np.uint16)), {}, "holds levels"),
+        (
+            npy(np.ones((2, 3), np.uint16)),
+            {},
+            "is an integer image; give the scale, e.g. scale=0.001 for millimetres",
+        ),
         (npy(np.ones((2, 3), object)), {}, "cannot be read as a depth map"),
         (npy(np.ones((2, 3), complex)), {}, "holds complex128"),
         (npy(np.ones((2, 3, 3))), {}, r"shape \(2, 3, 3\); a depth map has"),
@@ -284,12 +288,12 @@ def npy(values: np.ndarray) -> bytes:
         (npy(-np.ones((2, 3))), {}, "must hold distances > 0 metres, got -1"),
         (npy(np.ones((2, 3))), {"scale": 0.0}, "scale must be > 0"),
         (b"Pf\n3 2\n-1\n" + bytes(20), {}, "3 x 2 values take 24 bytes, got 20"),
-        (b"PF\n3 2\n-1\n" + bytes(72), {}, "it has colours"),
+        (b"PF\n3 2\n-1\n" + bytes(72), {}, "it is in colour"),
         (b"Pf\n3 2\n-0.5\n" + bytes(24), {}, "its header states the scale -0.5"),
         (b"Pf\nthree", {}, "its header is not that of a PFM file"),
         (b"P5\n3 2\n255\n", {}, "is not a NPY, PFM, TIFF or PNG file"),
         (b"", {}, "is empty"),
-        (b"\xff\xd8\xff\xe0", {}, "a JPEG, whose losses no depth map survives"),
+        (b"\xff\xd8\xff\xe0", {}, "is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG"),
     ],
 )
 def test_what_is_no_depth_map_is_refused_by_name(tmp_path, data, options, message):

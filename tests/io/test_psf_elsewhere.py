@@ -20,9 +20,10 @@ from astropy.io import fits
 from astropy.wcs import WCS
 from scipy.io.matlab import matfile_version
 
+import format_table
 import lommel as lm
 from lommel.base.checksums import sealed
-from lommel.io import psf_files, registry
+from lommel.io import colour_files, field_files, psf_files, registry
 from lommel.io.psf_files import FileError
 
 TELESCOPE = lm.Lens(focal_length=57.6, f_number=24.0, wavelength=550e-9, obscuration=0.33)
@@ -161,14 +162,13 @@ def test_no_bit_of_hdf5_may_turn_in_what_is_no_value_either(suffix, tmp_path):
     whole = (tmp_path / f"a{suffix}").read_bytes()
     for at in range(512, len(whole), 211):
         (tmp_path / f"a{suffix}").write_bytes(whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :])
-        with pytest.raises(FileError, match="its checksum is another: it is damaged"):
+        with pytest.raises(FileError, match="its checksum does not match: it is damaged"):
             lm.PSF.load(tmp_path / f"a{suffix}")
 
 
 @each
-@pytest.mark.parametrize("suffix", [".raw", ".json"])
-def test_bare_numbers_are_told_by_the_text_beside_them(psf, suffix, tmp_path):
-    psf.save(tmp_path / f"a{suffix}")
+def test_bare_numbers_are_told_by_the_text_beside_them(psf, tmp_path):
+    psf.save(tmp_path / "a.raw")
     said = json.loads((tmp_path / "a.json").read_text())
     data = (tmp_path / "a.raw").read_bytes()
     kind = {"float32": "f", "float64": "d"}[said["dtype"]]
@@ -193,13 +193,20 @@ def test_bare_numbers_without_their_text_or_of_another_size_are_told(tmp_path):
     (tmp_path / "b.json").write_bytes((tmp_path / "a.json").read_bytes())
     for size, why in ((280, "it holds 70 values, the .json beside it says"), (281, "multiple of element size")):
         (tmp_path / "b.raw").write_bytes((tmp_path / "a.raw").read_bytes()[:size])
-        with pytest.raises(FileError, match=rf"b\.json is not a PSF written by lommel: .*{why}"):
-            lm.PSF.load(tmp_path / "b.json")
+        with pytest.raises(FileError, match=rf"b\.raw is not a PSF written by lommel: .*{why}"):
+            lm.PSF.load(tmp_path / "b.raw")
     turned = bytearray((tmp_path / "a.raw").read_bytes())
     turned[5] ^= 1
     (tmp_path / "b.raw").write_bytes(turned)
-    with pytest.raises(FileError, match="its checksum is another"):
+    with pytest.raises(FileError, match="its checksum does not match"):
         lm.PSF.load(tmp_path / "b.raw")
+
+
+def test_the_text_beside_bare_numbers_is_no_file_of_its_own(tmp_path):
+    SINGLE.save(tmp_path / "a.raw")
+    for call in (lm.PSF.load, SINGLE.save):
+        with pytest.raises(ValueError, match=r"path must be the \.raw file to which '.*a\.json' belongs"):
+            call(tmp_path / "a.json")
 
 
 def test_archives_that_hold_their_description_as_text_still_load(tmp_path):
@@ -236,10 +243,17 @@ def test_the_program_of_the_page_reads_the_middle_of_bare_numbers(tmp_path):
 
 
 def test_the_table_of_the_page_names_every_suffix_of_a_psf():
-    rows = [line for line in PAGE.splitlines() if "`psf.save`" in line]
-    named = {suffix for row in rows for suffix in re.findall(r"`(\.\w+)`", row.split("|")[1])}
-    known = {suffix for form in registry._FORMATS if form.kind == "psf" for suffix in form.suffixes}
-    assert named - {".gz"} == {suffix for suffix in known if not suffix.endswith(".gz")} - {".tiff"}
+    named = {suffix for row in format_table.rows() for suffix in re.findall(r"`([.\w]+)`", row.split("|")[1])}
+    assert {suffix for form in registry.formats("psf") for suffix in (*form.suffixes, form.beside)} <= named | {""}
+    assert "```{include} _generated/formats.inc" in PAGE
+
+
+def test_the_list_of_formats_stands_in_the_docstrings_of_what_writes_them():
+    for save, kind in ((psf_files.save, "psf"), (colour_files.save, "colours"), (field_files.save, "field")):
+        assert "{formats}" not in save.__doc__
+        for form in registry.formats(kind):
+            assert f"``{form.suffixes[0]}``" in save.__doc__
+            assert form.what in save.__doc__
 
 
 @compiler

@@ -33,7 +33,6 @@ EXACT = [
     ".hdf5",
     ".mat",
     ".raw",
-    ".json",
 ]
 SUFFIXES = [*EXACT, ".png"]
 LENS = lm.Lens(

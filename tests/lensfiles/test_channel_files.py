@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel.base.units import LENGTHS
-from lommel.lensfiles.channel_files import ChannelsSection
+from lommel.lensfiles.lens_files import ChannelsSection
 
 WAVES = np.arange(400, 701, 20)
 

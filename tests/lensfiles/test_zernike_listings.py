@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.lensfiles.zernike_files import ZernikeFileError
+from lommel.io.zernike_tables import ZernikeFileError
 from lommel.special import zernike
 
 STANDARD = """\
@@ -199,7 +199,7 @@ INT = "title\nZFR 4 WFR WVL 0.6328 SSZ 1000\n1 2 3 4\n"
         (".int", INT.replace("3 4", "x 4"), "a value must be a finite number, got 'x'"),
         (".int", INT.replace("3 4", "nan 4"), "a value must be a finite number, got 'nan'"),
         (".int", INT.replace("1000", "1000 NDA 3"), "the term 3 has no value"),
-        (".int", INT.replace("ZFR 4", "GRD 2 2"), "it holds a grid, no coefficients"),
+        (".int", INT.replace("ZFR 4", "GRD 2 2"), "it holds a grid; load_opd reads it"),
         (".int", INT.replace("ZFR", "ABC"), "its second line must begin with GRD, ZRN, ZFR, got 'ABC'"),
         (".int", "", "it has no title"),
     ],
@@ -258,7 +258,7 @@ def test_a_wavefront_saves_itself(tmp_path):
         found = lm.load_zernike(tmp_path / name).wavefront()
         np.testing.assert_allclose(found.phase(*POINTS), wavefront.phase(*POINTS), atol=1e-12)
     assert lm.load_zernike(tmp_path / "b.toml").unit == "nm"
-    with pytest.raises(ValueError, match=r"path must end in \.json, \.toml, \.csv, got"):
+    with pytest.raises(ValueError, match=r"path must end in \.json, \.toml, \.csv for Zernike coefficients, got"):
         wavefront.save(tmp_path / "c.txt")
     with pytest.raises(ValueError, match="wavefront must be a single one, got a stack"):
         lm.Wavefront([1.0, 2.0]).save(tmp_path / "c.csv")

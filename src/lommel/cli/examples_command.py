@@ -1,4 +1,4 @@
-"""The command for files to begin with: ``lommel examples``."""
+"""The example files of lenses and objectives that come with the package: ``lommel examples``."""
 
 from __future__ import annotations
 
@@ -7,36 +7,37 @@ from pathlib import Path
 
 import click
 
+from lommel.base import atomic
 from lommel.base.validation import shown
-from lommel.cli.parts import one_line_errors, print_json
+from lommel.cli import tables
+from lommel.cli.options import JSON, Option, command, print_json
+from lommel.lensfiles import toml_files
+
+_KINDS = {"lenses": "lens", "objectives": "objective"}
 
 
-@click.command()
-@click.argument("names", nargs=-1)
-@click.option("-o", "--output", "folder", default=".", type=click.Path(file_okay=False, path_type=Path),
-              show_default="this one", help="Folder to copy to; made if it is not there.")  # fmt: skip
-@click.option("--all", "everything", is_flag=True, help="Copy all of them.")
-@click.option("--json", "as_json", is_flag=True, help="Print the table, or what was written, as JSON.")
-@one_line_errors
+@command(
+    click.Argument(["names"], nargs=-1),
+    Option("-o", "--output", "folder", default=".", type=click.Path(file_okay=False, path_type=Path),
+           show_default="this one", help="Folder to copy to, created if needed."),
+    Option("--all", "everything", is_flag=True, help="Copy all examples."),
+    JSON,
+)  # fmt: skip
 def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bool) -> None:
-    """List files of real lenses and objectives, to begin with; or copy those of these NAMES.
+    """List example files of real lenses and objectives, or copy those with these NAMES.
 
-    Each says where its figures come from. A file that is there is not written over.
+    Each file states the source of its numbers. Existing files are not overwritten.
 
-    \b
-    Examples:
-      lommel examples                      # what there is
-      lommel examples phone                # copies phone.toml here
+    Examples
+    --------
+      lommel examples                      # list them
+      lommel examples phone                # copy phone.toml here
       lommel examples --all -o lenses
-    """  # noqa: D301 (\b is meant)
-    from lommel.base import atomic
-    from lommel.cli import tables
-    from lommel.lensfiles import examples as known
-
-    there = known.files()
+    """
+    there = files()
     if not names and not everything:
         rows = [
-            {"name": name, "kind": known.KINDS[path.parent.name], "what": known.title(path)}
+            {"name": name, "kind": _KINDS[path.parent.name], "what": str(toml_files.parsed(path)[1]["name"])}
             for name, path in there.items()
         ]
         if as_json:
@@ -51,7 +52,7 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bo
     written = [folder / there[name].name for name in wanted]
     for path in written:
         if path.exists():
-            raise FileExistsError(errno.EEXIST, "is there already", str(path))
+            raise FileExistsError(errno.EEXIST, "File exists", str(path))
     folder.mkdir(parents=True, exist_ok=True)
     with atomic.together() as put:
         for name, path in zip(wanted, written, strict=True):
@@ -61,3 +62,14 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bo
         return
     for path in written:
         click.echo(f"wrote {path}")
+
+
+def files() -> dict[str, Path]:
+    """Return the example files by their names without suffix, lenses first."""
+    here = Path(__file__).resolve()
+    # A wheel has them within the package; in the sources they stand at the top.
+    for folder in (here.parents[1] / "examples", here.parents[3] / "examples"):
+        found = [path for kind in _KINDS for path in sorted((folder / kind).glob("*.toml"))]
+        if found:
+            return {path.stem: path for path in found}
+    raise FileNotFoundError(f"the examples are missing ({here.parents[1] / 'examples'}): wheels bring them")

@@ -7,34 +7,32 @@ from pathlib import Path
 
 import click
 
-from lommel.cli.parts import FILE, one_line_errors
+from lommel.base import atomic
+from lommel.cli.options import FILE, Option, command
+from lommel.lensfiles.lens_files import load_instrument
+from lommel.page import module
+from lommel.page.server import PageServer
+from lommel.page.state import state_of
 
 
-@click.command()
-@click.argument("lens", type=FILE, required=False)
-@click.option("--port", type=click.IntRange(0, 65535), default=0, help="By default any that is free.")
-@click.option("--no-browser", is_flag=True, help="Print the address and open nothing.")
-@click.option("--save", "saved", type=FILE, metavar="FILE",
-              help="Write the page to a file that opens on its own, and end.")  # fmt: skip
-@one_line_errors
-def live(lens: Path | None, port: int, no_browser: bool, saved: Path | None) -> None:
-    """Open the live page: sliders, and the PSF, its curves and a picture that follow them.
+@command(
+    click.Argument(["lens"], type=FILE, required=False),
+    Option("--port", type=click.IntRange(0, 65535), help="Port of the page; by default any that is free."),
+    Option("--no-browser", is_flag=True, help="Print the address without opening a browser."),
+    Option("--save", "saved", type=FILE, metavar="FILE", help="Write the page to a stand-alone HTML file instead."),
+)
+def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | None) -> None:
+    """Open an interactive page with the PSF, its curves and a test image, and sliders for every parameter.
 
-    Starts with what a lens file describes, or in defocus. The page is served to this machine alone, until Ctrl-C; it
-    computes in the browser and sends nothing.
+    It starts with the lens of a lens file, or with a defocused one. The page computes in the browser, is served to
+    this machine only until Ctrl-C, and sends nothing.
 
-    \b
-    Examples:
+    Examples
+    --------
       lommel live
       lommel live hubble.toml --port 8000 --no-browser
       lommel live hubble.toml --save hubble.html
-    """  # noqa: D301 (\b is meant)
-    from lommel.base import atomic
-    from lommel.lensfiles.lens_files import load_instrument
-    from lommel.page import module
-    from lommel.page.server import PageServer
-    from lommel.page.state import state_of
-
+    """
     state: dict[str, float] = {}
     title = "lommel"
     if lens is not None:
@@ -42,12 +40,12 @@ def live(lens: Path | None, port: int, no_browser: bool, saved: Path | None) -> 
         state, left_out = state_of(instrument)
         title = instrument.name or lens.name
         if left_out:
-            click.echo(f"The page leaves out {left_out}.", err=True)
+            click.echo(f"The page does not show {left_out}.", err=True)
     if saved is not None:
         atomic.write(saved, module.html(state, title, alone=True).encode())
         return
-    with PageServer(state, title, port) as server:
-        click.echo(f"{server.url} shows {title}; Ctrl-C ends.")
+    with PageServer(state, title, port or 0) as server:
+        click.echo(f"{server.url} shows {title}; Ctrl-C stops it.")
         if not no_browser:
             webbrowser.open(server.url)
         try:

@@ -1,4 +1,4 @@
-"""The commands for photographs: ``lommel blur`` and ``lommel focus-pull``."""
+"""The commands for photographs: ``lommel blur`` and ``lommel restore``."""
 
 from __future__ import annotations
 
@@ -7,165 +7,182 @@ import signal
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from types import FrameType
+from typing import TYPE_CHECKING, Any, Self
 
 import click
 import numpy as np
+from numpy.typing import NDArray
 
-from lommel.base.options import sentence
 from lommel.base.units import format_length
-from lommel.cli.parts import FILE, Length, one_line_errors, print_json
-from lommel.cli.photo_job import KINDS, Request
+from lommel.cli.options import (
+    FILE,
+    JSON,
+    Facts,
+    Length,
+    Lengths,
+    Option,
+    command,
+    documented,
+    print_json,
+    under,
+)
 from lommel.cli.progress import progress
-from lommel.imaging import Photograph
+from lommel.estimation.noise import Noise
+from lommel.imaging import FocusPlan, Photograph, Picture, RichardsonLucy, TotalVariation, read_depth, read_photo
+from lommel.imaging import restore as restored
 from lommel.imaging.settings import BORDERS, MISSING, Settings
 from lommel.io.frames import check_pattern, is_animation, write_frames
 from lommel.io.photos import find, stored, write_photo
+from lommel.io.registry import suffixes
+from lommel.optics.lens import Lens
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from lommel.imaging.restoration import Restoration
+
+_AGREE = 0.02  # EXIF has the nominal figures of a lens, rounded
+_TYPES: dict[str, np.dtype[np.generic]] = {
+    "8": np.dtype(np.uint8),
+    "16": np.dtype(np.uint16),
+    "float": np.dtype(np.float32),
+}
+
+_FRAMES, _FPS = 24, 12.0
+
+_ARGUMENTS = [
+    click.Argument(["photo"], type=FILE),
+    click.Argument(["depth"], type=FILE),
+    click.Argument(["lens"], type=FILE, required=False),
+]
+_FOCUS = Option("--focus", type=Length(), help='Focus distance, such as "1.5 m" or "inf"; overrides the lens file.')
+_COMMON = [
+    JSON,
+    *under(
+        "Camera",
+        Option("--f-number", type=float, help="F-number; by default that of the lens file or of the EXIF."),
+        Option("--focal-length", type=Length(), help="Focal length, without a lens file; by default from the EXIF."),
+        Option("--pixel", type=Length(), help="Pixel pitch; overrides the lens file."),
+        Option("--pixel-from-exif", is_flag=True,
+               help="Pixel pitch from the 35 mm equivalent in the EXIF, for uncropped photos; accurate to a few %."),
+        Option("--no-exif", is_flag=True, help="Ignore what the EXIF says about the lens."),
+        Option("--wavelengths", type=Lengths(),
+               help='One for each channel, by default "600nm, 540nm, 460nm"; for a grey photo that of the lens file, '
+               "or 550 nm."),
+    ),
+    *under(
+        "Photograph and depth map",
+        Option("--encoding", type=click.Choice(["srgb", "linear"]),
+               help="Encoding of the photo's values; by default integers are sRGB and floats are linear."),
+        Option("--depth-scale", type=float, help="Metres per level of an integer depth map, such as 0.001."),
+        Option("--zero-unknown", is_flag=True, help="Depth 0 means unknown."),
+        documented(Settings, "missing", type=click.Choice(MISSING)),
+    ),
+    *under(
+        "Blur",
+        documented(Settings, "border", type=click.Choice(BORDERS)),
+        documented(Settings, "occlusion", "--occlusion/--no-occlusion", sentences=2),
+        documented(Settings, "energy", type=float, sentences=3),
+        documented(Settings, "tol", type=float),
+        documented(Settings, "largest", type=int),
+    ),
+    *under(
+        "Output file",
+        Option("--bits", type=click.Choice(list(_TYPES)), help="Bits of the output; by default those of the photo."),
+        Option("--quality", type=int, default=95, help="Quality of JPEG and WebP, 1 to 100."),
+    ),
+]  # fmt: skip
 
 
-class _Wavelengths(click.ParamType[tuple[float, ...]]):
-    name = "lengths"
+@command(
+    *_ARGUMENTS,
+    Option("-o", "--output", required=True, type=FILE, metavar="FILE",
+           help=f"The blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or "
+           f"one animation or stack: {suffixes('frames')}."),
+    _FOCUS,
+    *under(
+        "Focus pull",
+        Option("--focus-to", "last", type=Length(),
+               help="Focus distance of the last frame: makes a focus pull from --focus, equally spaced in dioptres."),
+        Option("--frames", type=click.IntRange(2, 9999), help=f"Number of frames; {_FRAMES} by default."),
+        Option("--fps", type=float, help=f"Frames per second of an animation; {_FPS:g} by default."),
+    ),
+    *_COMMON,
+)  # fmt: skip
+def blur(
+    output: Path,
+    focus: float | None,
+    last: float | None,
+    frames: int | None,
+    fps: float | None,
+    as_json: bool,
+    **given: Any,
+) -> None:
+    """Blur a sharp photograph according to its depth map, or pull the focus through it.
 
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
-        return tuple(Length().convert(part.strip(), param, ctx) for part in value.split(","))
+    PHOTO is a PNG, JPEG or TIFF, grey or RGB. DEPTH is a depth map of the same size, the distance of each point from
+    the lens in metres: a grey TIFF, NPY, PFM or PNG. Without the lens file LENS, focal length and f-number come from
+    the options or from the photo's EXIF; options that contradict the EXIF are refused.
 
+    Integer values are clipped at white, as on a sensor, and the clipped fraction is printed.
 
-def photo_command(command: Callable[..., None]) -> Callable[..., None]:
-    """Add what all commands take that are about a photograph, its depth and its lens."""
-    parts = [
-        click.argument("photo", type=FILE),
-        click.argument("depth", type=FILE),
-        click.argument("lens", type=FILE, required=False),
-        click.option("--f-number", type=float, help="Instead of the lens file's, or without EXIF's."),
-        click.option("--focal-length", type=Length(), help="Without a lens file; by default EXIF's."),
-        click.option("--pixel", type=Length(), help="Pixel pitch, instead of the lens file's."),
-        click.option("--pixel-from-exif", is_flag=True,
-                     help="Pixel pitch by EXIF's 35 mm equivalent, good to a few per cent, of an uncropped photo."),
-        click.option("--no-exif", is_flag=True, help="Do not look at what the photo says of its lens."),
-        click.option("--wavelengths", type=_Wavelengths(),
-                     help='One a channel: "600nm, 540nm, 460nm", the default for colours. Grey: the lens file\'s, '
-                     "or 550 nm."),
-        click.option("--encoding", type=click.Choice(["srgb", "linear"]),
-                     help="Of the photo's values. By default integers are sRGB, floats linear."),
-        _of_settings("border", type=click.Choice(BORDERS)),
-        _of_settings("occlusion", "--occlusion/--no-occlusion"),
-        _of_settings("energy", type=float),
-        _of_settings("tol", type=float),
-        _of_settings("largest", type=int),
-        _of_settings("missing", type=click.Choice(MISSING)),
-        click.option("--depth-scale", type=float, help="Metres per level; needed for a depth of integers."),
-        click.option("--zero-unknown", is_flag=True, help="A depth of 0 means unknown."),
-        click.option("--bits", type=click.Choice(list(KINDS)), help="Of the output; by default the photo's."),
-        click.option("--quality", type=int, default=95, show_default=True, help="Of JPEG and WebP, 1 to 100."),
-        click.option("--json", "as_json", is_flag=True, help="Print what was done as JSON."),
-    ]  # fmt: skip
-    for part in reversed(parts):
-        command = part(command)
-    return command
-
-
-def _of_settings(name: str, *flags: str, **more: Any) -> Callable[..., Any]:
-    """Return an option for one of the settings of a photograph, with its default and its text."""
-    default = getattr(Settings, name)
-    shown = default is not None
-    return click.option(
-        *(flags or (f"--{name}",)), default=default, show_default=shown, help=sentence(Settings, name), **more
-    )
-
-
-@click.command()
-@photo_command
-@click.option("-o", "--output", required=True, type=FILE, help=".png, .jpg or .tif.")
-@click.option("--focus", type=Length(), help='Distance in focus: "1.5 m", "inf"; instead of the lens file\'s.')
-@one_line_errors
-def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> None:
-    """Blur a sharp photograph by its depth, as a lens would.
-
-    PHOTO is PNG, JPEG or TIFF, grey or RGB. DEPTH has the distance of each of its points from the lens, in metres: a
-    grey TIFF, NPY, PFM or PNG of the same size. LENS is a lens file; without it, focal length and f-number are the
-    options', or those of the photo's EXIF, which must not contradict the options.
-
-    What is brighter than white stays white in integers, as on a sensor; how much, is told.
-
-    \b
-    Examples:
+    Examples
+    --------
       lommel blur photo.jpg depth.tif --focus "1.2 m" --pixel 4um -o out.jpg
       lommel blur photo.png depth.png lens.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
-    """  # noqa: D301 (\b is meant)
-    request = Request.of(options)
+      lommel blur photo.png depth.tif lens.toml --focus "0.8 m" --focus-to "4 m" --frames 48 -o pull-%03d.png
+      lommel blur photo.png depth.tif lens.toml --focus "0.8 m" --focus-to inf --fps 24 -o pull.webp
+    """
+    request = Request.of(given)
+    if last is not None:
+        _pull_focus(request, output, (focus, last), frames or _FRAMES, _FPS if fps is None else fps, as_json)
+    elif frames is not None or fps is not None:
+        raise ValueError(f"--{'frames' if frames is not None else 'fps'} needs --focus-to, the end of a focus pull")
+    else:
+        _blur(request, output, focus, as_json)
+
+
+def _blur(request: Request, output: Path, focus: float | None, as_json: bool) -> None:
+    """Blur one photograph."""
     find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as started:
         job = request.job(output)
-        find(output, "--output", holding=f"of {job.dtype}")
-        lens = job.lens(focus, "--focus")
-        started("making windows")
+        lens = job.lens(focus)
+        started("computing PSFs")
         start = time.perf_counter()
         made = job.photograph(lens, lambda share: started("blurring", share))
         seconds = time.perf_counter() - start
-        same = job.encoding == job.picture.encoding
-        clipped = write_photo(
-            output,
-            made.values,
-            encoding=job.encoding,
-            dtype=job.dtype,
-            quality=request.quality,
-            profile=job.picture.profile if same else None,
-        )
+        clipped = job.write(output, made.values)
     facts = job.facts(lens) | {"focus_distance": finite(lens.focus_distance), "seconds": seconds}
-    facts |= _quality([made], [clipped]) | {"files": [str(output)]}
-    _tell(facts, as_json)
+    _print(facts | _quality([made], [clipped]), [output], as_json, _blur_lines)
 
 
-@click.command("focus-pull")
-@photo_command
-@click.option("-o", "--output", required=True, type=FILE,
-              help="Numbered, as out-%03d.png (.jpg, .tif), or one .gif, .png, .webp or .tif.")  # fmt: skip
-@click.option("--from", "first", type=Length(), required=True, help="Distance in focus of the first frame.")
-@click.option("--to", "last", type=Length(), required=True, help='Of the last; may be "inf".')
-@click.option("--frames", type=click.IntRange(2, 9999), default=24, show_default=True)
-@click.option("--fps", type=float, default=12.0, show_default=True, help="Of an animation.")
-@one_line_errors
-def focus_pull(
-    output: Path, first: float, last: float, frames: int, fps: float, as_json: bool, **options: Any
+def _pull_focus(
+    request: Request, output: Path, ends: tuple[float | None, float], frames: int, fps: float, as_json: bool
 ) -> None:
-    """Turn the focus of a lens through a photograph, from one distance to another.
-
-    Frames are equally spaced in dioptres, which is how a lens moves. Arguments are those of `lommel blur`. A run that
-    fails, or is interrupted, writes nothing.
-
-    \b
-    Examples:
-      lommel focus-pull photo.png depth.tif lens.toml --from "0.8 m" --to "4 m" --frames 48 -o pull-%03d.png
-      lommel focus-pull photo.png depth.tif lens.toml --from "0.8 m" --to inf --fps 24 -o pull.webp
-    """  # noqa: D301 (\b is meant)
-    request = Request.of(options)
+    """Blur a photograph once for each focus distance of a focus pull; a failure leaves no file."""
+    first, last = ends
     check_pattern(output, "--output")
-    for name, distance in (("--from", first), ("--to", last)):
-        if not distance > 0.0:
+    for name, distance in (("--focus", first), ("--focus-to", last)):
+        if distance is not None and not distance > 0.0:
             raise ValueError(f"{name} must be > 0 metres, got {distance:g}")
-    steps = [1.0 / first + (1.0 / last - 1.0 / first) * k / (frames - 1) for k in range(frames)]
     photographs: list[Photograph] = []
     shares: list[float] = []
     with terminated_as_interrupted(), progress("reading", total=frames) as started:
-        job = request.job(output)
-        if is_animation(output) and job.dtype.itemsize > 1:
-            raise ValueError(f"{output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
-        if "%" in output.name:
-            find(output, "--output", holding=f"of {job.dtype}")
-        lenses = [job.lens(1.0 / step if step else math.inf, "--from and --to") for step in steps]
+        job = request.job(output, one_file="%" not in output.name)
+        near = 1.0 / (job.lens(None).focus_distance if first is None else first)
+        # A lens moves by equal steps where 1 / distance does.
+        steps = [near + (1.0 / last - near) * k / (frames - 1) for k in range(frames)]
+        lenses = [job.lens(1.0 / step if step else math.inf) for step in steps]
         start = time.perf_counter()
 
-        def made() -> Iterator[NDArray[Any]]:
+        def made() -> Iterator[NDArray[np.generic]]:
             for number, lens in enumerate(lenses, 1):
                 started(f"frame {number} of {frames}, focus {format_length(lens.focus_distance)}")
                 photograph = job.photograph(lens)
                 values, clipped = stored(photograph.values, job.encoding, job.dtype)
-                photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep them all
+                photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep all of them
                 shares.append(clipped)
                 yield values
 
@@ -176,10 +193,119 @@ def focus_pull(
         "focus_distances": [finite(lens.focus_distance) for lens in lenses],
         "seconds": seconds,
     }
-    _tell(facts | _quality(photographs, shares) | {"files": [str(path) for path in files]}, as_json)
+    _print(facts | _quality(photographs, shares), files, as_json, _blur_lines)
 
 
-def _quality(photographs: list[Photograph], clipped: list[float]) -> dict[str, Any]:
+_METHODS = ("richardson-lucy", "total-variation")
+
+
+@command(
+    *_ARGUMENTS,
+    Option("-o", "--output", required=True, type=FILE, help=f"The restored photo: {suffixes('photo')}."),
+    _FOCUS,
+    *under(
+        "Noise",
+        Option("--white", type=float, required=True, help="Electrons of a white pixel, such as 5000."),
+        documented(Noise, "read", type=float, required=True),
+        Option("--offset", type=float, default=0.0, help="Black level; white is 1."),
+        Option("--saturation", type=float, help="Level at which pixels saturate; white is 1."),
+    ),
+    *under(
+        "Restoration",
+        Option("--method", type=click.Choice(_METHODS), default=_METHODS[0],
+               help="Richardson-Lucy maximizes the likelihood; total variation also smooths and keeps edges: better, "
+               "and ten times slower."),
+        Option("--steps", type=int,
+               help=f"Maximum number of steps; by default {RichardsonLucy.steps}, or {TotalVariation.steps} for each "
+               "strength that is tried."),
+        documented(RichardsonLucy, "target", type=float),
+        Option("--strength", type=float,
+               help="Weight of the total variation; by default found from the noise."),
+    ),
+    *_COMMON,
+)  # fmt: skip
+def restore(
+    output: Path,
+    focus: float | None,
+    white: float,
+    read: float,
+    offset: float,
+    saturation: float | None,
+    method: str,
+    steps: int | None,
+    target: float,
+    strength: float | None,
+    as_json: bool,
+    **given: Any,
+) -> None:
+    """Deblur a photograph whose depth map and lens are known.
+
+    PHOTO is a PNG, JPEG or TIFF, grey or RGB, neither sharpened nor denoised. DEPTH is a depth map of the same size,
+    the distance of each point from the lens in metres: a grey TIFF, NPY, PFM or PNG. Without the lens file LENS,
+    focal length and f-number come from the options or from the photo's EXIF.
+
+    The discrepancy compares the blurred result with the photo: it is about 1 where they differ only by noise. A
+    larger one means that depth, lens or noise do not fit the photo.
+
+    Examples
+    --------
+      lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 -o sharp.jpg
+      lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 --method total-variation -o sharp.png
+    """
+    request = Request.of(given)
+    find(output, "--output")
+    noise = Noise(white=white, read=read, offset=offset)
+    way = _method(method, steps, target, strength)
+    with terminated_as_interrupted(), progress("reading") as started:
+        job = request.job(output)
+        lens = job.lens(focus)
+        started("computing PSFs")
+        start = time.perf_counter()
+
+        def step_done(step: int, discrepancy: float, left: float) -> None:
+            spent = time.perf_counter() - start
+            started(f"step {step}, discrepancy {discrepancy:.3g}", spent / max(spent + left, 1e-9))
+
+        found = restored(
+            job.picture.values,
+            job.depth,
+            lens,
+            job.pixel,
+            encoding=job.picture.encoding,
+            noise=noise,
+            method=way,
+            saturation=saturation,
+            progress=step_done,
+            **vars(request.settings),
+        )
+        seconds = time.perf_counter() - start
+        clipped = job.write(output, np.asarray(found.light))
+    facts = job.facts(lens) | {"focus_distance": finite(lens.focus_distance), "seconds": seconds}
+    _print(facts | _outcome(found, method) | {"clipped": clipped}, [output], as_json, _restore_lines)
+
+
+def _method(name: str, steps: int | None, target: float, strength: float | None) -> RichardsonLucy | TotalVariation:
+    """Return the restoration method that the options describe."""
+    if name == _METHODS[1]:
+        count = TotalVariation.steps if steps is None else steps
+        return TotalVariation(strength=strength, steps=count, target=target)
+    if strength is not None:
+        raise ValueError(f"--strength needs --method {_METHODS[1]}")
+    return RichardsonLucy(steps=RichardsonLucy.steps if steps is None else steps, target=target)
+
+
+def _outcome(found: Restoration, method: str) -> Facts:
+    return {
+        "method": method,
+        "discrepancy": {"photo": found.before, "result": found.discrepancy, "by_channel": list(found.by_channel)},
+        "steps": found.steps,
+        "stopped": found.stopped,
+        "strength": found.strength,
+        "unknown": found.unknown,
+    }
+
+
+def _quality(photographs: list[Photograph], clipped: list[float]) -> Facts:
     return {
         "largest_window": max(p.window for p in photographs),
         "light_beyond_windows": max(p.lost for p in photographs),
@@ -188,14 +314,10 @@ def _quality(photographs: list[Photograph], clipped: list[float]) -> dict[str, A
     }
 
 
-def finite(distance: float) -> float | str:
-    """Return a distance as JSON can hold it."""
-    return distance if math.isfinite(distance) else "infinity"
-
-
-def _tell(facts: dict[str, Any], as_json: bool) -> None:
+def _print(facts: Facts, files: list[Path], as_json: bool, lines: Callable[[Facts], Iterator[str]]) -> None:
+    """Print what was done as JSON or in lines."""
     if as_json:
-        print_json(facts)
+        print_json(facts | {"files": [str(path) for path in files]})
         return
     click.echo(facts["read"])
     height, width, *_ = facts["shape"]
@@ -203,27 +325,43 @@ def _tell(facts: dict[str, Any], as_json: bool) -> None:
         f"{width} x {height} pixels of {format_length(facts['pixel'])}; "
         f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
     )
-    if facts["light_beyond_windows"]:
-        click.echo(
-            f"windows up to {facts['largest_window']} pixels, which leave out {facts['light_beyond_windows']:.2g} of "
-            f"the light and err by {facts['interpolation_error']:.2g} of their peak"
-        )
-    else:
-        click.echo(
-            f"windows up to {facts['largest_window']} pixels and a remainder, which leave out nothing and err by "
-            f"{facts['interpolation_error']:.2g} of the brightest point"
-        )
+    for text in lines(facts):
+        click.echo(text)
     if facts["clipped"]:
         click.echo(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
-    for name in facts["files"]:
-        click.echo(f"wrote {name}")
+    for path in files:
+        click.echo(f"wrote {path}")
+
+
+def _blur_lines(facts: Facts) -> Iterator[str]:
+    side, lost, error = facts["largest_window"], facts["light_beyond_windows"], facts["interpolation_error"]
+    if lost:
+        yield f"PSFs of up to {side} pixels, without {lost:.2g} of the light; error {error:.2g} of their peak"
+    else:
+        yield f"PSFs of up to {side} pixels and all light beyond; error {error:.2g} of the brightest point"
+
+
+def _restore_lines(facts: Facts) -> Iterator[str]:
+    values, reason = facts["discrepancy"], facts["stopped"]
+    yield f"discrepancy {values['photo']:.3g} of the photo, {values['result']:.3g} of the result"
+    if facts["strength"] is not None:
+        yield f"strength of the total variation {facts['strength']:.3g}"
+    why = {"noise": "the rest is noise", "steps": "maximum number of steps; more would fit better"}
+    yield f"stopped after {facts['steps']} steps: {why.get(reason, reason)}"
+    if facts["unknown"]:
+        yield f"saturated or unknown: {100.0 * facts['unknown']:.2g} % of the values"
+
+
+def finite(distance: float) -> float | str:
+    """Return a distance as JSON can hold it."""
+    return distance if math.isfinite(distance) else "infinity"
 
 
 @contextmanager
 def terminated_as_interrupted() -> Iterator[None]:
-    """Have a SIGTERM clean up as Ctrl-C does."""
+    """Clean up after a SIGTERM as after Ctrl-C."""
 
-    def interrupt(*_: Any) -> None:
+    def interrupt(_signal: int, _frame: FrameType | None) -> None:
         raise KeyboardInterrupt
 
     before = signal.signal(signal.SIGTERM, interrupt)
@@ -231,3 +369,189 @@ def terminated_as_interrupted() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGTERM, before)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Request:
+    """Arguments and options of a command for photographs."""
+
+    photo: Path
+    depth: Path
+    lens: Path | None
+    f_number: float | None
+    focal_length: float | None
+    pixel: float | None
+    pixel_from_exif: bool
+    no_exif: bool
+    encoding: str | None
+    depth_scale: float | None
+    zero_unknown: bool
+    bits: str | None
+    quality: int
+    settings: Settings
+
+    @classmethod
+    def of(cls, given: Facts) -> Self:
+        """Return the request of a command's options, by their names."""
+        own = {field.name for field in fields(cls)}
+        settings = Settings(**{name: value for name, value in given.items() if name not in own})
+        return cls(settings=settings, **{name: value for name, value in given.items() if name in own})
+
+    def job(self, output: Path, *, one_file: bool = False) -> Job:
+        """Read the files and settle how the output is stored; `one_file` for the frames of an animation or stack."""
+        picture = read_photo(self.photo, self.encoding)
+        depth = read_depth(self.depth, scale=self.depth_scale, zero_is_unknown=self.zero_unknown)
+        height, width = picture.values.shape[:2]
+        if depth.shape != (height, width):
+            raise ValueError(
+                f"{self.depth} must have the size of the upright photo, {width} x {height}, "
+                f"got {depth.shape[1]} x {depth.shape[0]}"
+            )
+        pixel = self._pixel(picture)
+        if self.lens is None:
+            lens, file_pixel = self._lens_of_options(picture), None
+        else:
+            lens, file_pixel = self._lens_of_file(self.lens)
+        pixel = file_pixel if pixel is None else pixel
+        if pixel is None:
+            raise ValueError("without a lens file give --pixel or --pixel-from-exif")
+        dtype = _TYPES[self.bits or _bits(picture.values.dtype, output.suffix.lower())]
+        if not one_file:
+            find(output, "--output", holding=f"of {dtype}")
+        elif is_animation(output) and dtype.itemsize > 1:
+            raise ValueError(f"{output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
+        # Values of the same kind keep their encoding; others get the one that readers will take them for.
+        kept = (dtype.kind == "f") == (picture.values.dtype.kind == "f")
+        encoding = picture.encoding if kept else "linear" if dtype.kind == "f" else "srgb"
+        return Job(self, picture, picture.light(), depth, encoding, dtype, pixel, lens)
+
+    def _pixel(self, picture: Picture) -> float | None:
+        """Return the pixel pitch of the options or of the EXIF, if one of them has to say it."""
+        if not self.pixel_from_exif:
+            return self.pixel
+        if self.pixel is not None:
+            raise ValueError("give one of --pixel and --pixel-from-exif")
+        if self.no_exif:
+            raise ValueError("--pixel-from-exif contradicts --no-exif")
+        return picture.exif.pixel(picture.values.shape)
+
+    def _lens_of_options(self, picture: Picture) -> Lens:
+        """Return a lens with what the options or the EXIF state, focused at infinity."""
+        exif = picture.exif
+        return Lens(
+            focal_length=self._agreed("--focal-length", self.focal_length, exif.focal_length, format_length),
+            f_number=self._agreed("--f-number", self.f_number, exif.f_number, lambda n: f"f/{n:g}"),
+            wavelength=540e-9 if picture.values.ndim == 3 else 550e-9,
+        )
+
+    def _agreed(self, option: str, given: float | None, read: float | None, show: Callable[[float], str]) -> float:
+        """Return the value of an option or of the EXIF; ValueError if they contradict each other."""
+        known = None if self.no_exif else read
+        if given is None:
+            if known is None:
+                reason = "the EXIF is ignored" if self.no_exif else f"{self.photo} has none in its EXIF"
+                raise ValueError(f"give a lens file or {option}: {reason}")
+            return known
+        if known is not None and not math.isclose(given, known, rel_tol=_AGREE):
+            raise ValueError(
+                f"{option} {show(given)} contradicts the EXIF of {self.photo}, {show(known)}; "
+                "give --no-exif to ignore the EXIF"
+            )
+        return given
+
+    def _lens_of_file(self, path: Path) -> tuple[Lens, float]:
+        """Return the lens of a file, stopped down as the options say, and its pixel pitch."""
+        from lommel.lensfiles.lens_files import load_instrument
+
+        if self.focal_length is not None or self.pixel_from_exif:
+            stray = "--focal-length" if self.focal_length is not None else "--pixel-from-exif"
+            raise ValueError(f"{stray} cannot be combined with a lens file, which states it")
+        instrument = load_instrument(path)
+        if instrument.aberrations_of_field is not None:
+            raise ValueError(f"{path} has aberrations that vary over the field, which this command does not support")
+        if self.f_number is None:
+            return instrument.lens, instrument.side
+        try:
+            return instrument.lens.stopped(self.f_number), instrument.side
+        except ValueError as error:
+            raise ValueError(f"--f-number of {path}: {error}") from None
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """A photograph, its depth, the lens (focused as its file says, or at infinity), and how the result is stored."""
+
+    request: Request
+    picture: Picture
+    light: NDArray[np.floating]
+    depth: NDArray[np.float64]
+    encoding: str
+    dtype: np.dtype[np.generic]
+    pixel: float
+    optics: Lens
+
+    def lens(self, focus: float | None) -> Lens:
+        """Return the lens, focused at a distance or as its file says."""
+        if focus is None and self.request.lens is None:
+            raise ValueError("without a lens file give --focus")
+        try:
+            return self.optics if focus is None else self.optics.focused(focus)
+        except ValueError as error:
+            raise ValueError(str(error).replace("focus_distance", "--focus")) from None
+
+    def photograph(self, lens: Lens, progress: Callable[[float], object] | None = None) -> Photograph:
+        """Return the blurred light; `progress` is called with the share of the work that is done."""
+        settings = self.request.settings
+        plan = FocusPlan(self.light, self.depth, lens, self.pixel, encoding="linear", keep=1, **vars(settings))
+        if progress is not None:
+            blur = plan.blur()
+            # Occlusion blurs a white image too: once for each spectrum, twice where the whole PSF is kept.
+            looks = len(set(blur.spectra)) * (2 if settings.energy == 1.0 else 1) if settings.occlusion else 0
+            total, done = self.depth.size * (blur.channels + looks), 0
+
+            def watch(points: int) -> None:
+                nonlocal done
+                done += points
+                progress(min(done / total, 1.0))
+
+            blur.watch = watch
+        return plan()
+
+    def write(self, output: Path, light: NDArray[np.floating]) -> float:
+        """Write the result and return the clipped fraction of its values."""
+        # A profile of other values than these would be wrong.
+        profile = self.picture.profile if self.encoding == self.picture.encoding else None
+        return write_photo(
+            output, light, encoding=self.encoding, dtype=self.dtype, quality=self.request.quality, profile=profile
+        )
+
+    def facts(self, lens: Lens) -> Facts:
+        """Return a description of the photograph and the lens."""
+        return {
+            "shape": list(self.light.shape),
+            "encoding": {"photo": self.picture.encoding, "output": self.encoding},
+            "read": read_as(self.picture, self.request.encoding),
+            "bits": "float" if self.dtype.kind == "f" else str(8 * self.dtype.itemsize),
+            "focal_length": lens.focal_length,
+            "f_number": lens.f_number,
+            "pixel": self.pixel,
+        }
+
+
+def read_as(picture: Picture, given: str | None) -> str:
+    """Return how the values of a photograph were interpreted, as `given` or by default."""
+    kind = "float" if picture.values.dtype.kind == "f" else f"{8 * picture.values.dtype.itemsize}-bit"
+    names = {"srgb": "sRGB", "linear": "linear"}
+    if given is not None:
+        return f"{kind} values, {names[given]}"
+    other = "linear" if picture.encoding == "srgb" else "srgb"
+    return f"{kind} values, assumed {names[picture.encoding]}; if they are {names[other]}, give --encoding {other}"
+
+
+def _bits(photo: np.dtype[np.generic], suffix: str) -> str:
+    """Return the bits of the output by default: those of the photo, if the format holds them."""
+    if suffix in (".jpg", ".jpeg"):
+        return "8"
+    if photo.kind != "f":
+        return str(8 * photo.itemsize)
+    return "float" if suffix in (".tif", ".tiff") else "16"

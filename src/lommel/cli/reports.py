@@ -1,4 +1,4 @@
-"""What the command line's tables show, as plain data."""
+"""Descriptions of lenses, microscopes and PSFs as plain data, for tables and JSON."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from lommel.channel_psf import ColourPSF
+from lommel.cli.options import Facts
 from lommel.core.answers import ToleranceError
 from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
@@ -33,18 +35,10 @@ from lommel.special import zernike
 _OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength")
 
 
-def describe_lens(instrument: Instrument) -> dict[str, Any]:
-    """Return what there is to say about a lens and its object without computing an image.
+def describe_lens(instrument: Instrument) -> Facts:
+    """Return the description of a lens and its object; None for infinity and for what cannot be computed.
 
-    Lengths in metres (None for infinity), phases in radians, energies as fractions of all light, frequencies in
-    cycles per metre along x. Each encircled energy stands beside that of the same aperture in focus and without
-    aberration; see :func:`lommel.measures.energy.encircled`, which refuses wide circles where the pupil is not
-    radially symmetric: these are None. "encircled_energy_error" bounds the error of all, None where the method has no
-    bound or the pupil is radial, whose energies are within 1e-6. The "fwhm" is the mean of those along x and y.
-    "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels that average;
-    they and "mtf50" are None for an aperture that is not round. "field" is None, or what the wavefront is at some
-    places between the axis and the corner of the sensor; all else is then that of the axis. "other_model" is what
-    :func:`other_model` says. What cannot be computed is None, too, for the reasons in "refused".
+    Lengths in metres, phases in radians, frequencies in cycles per metre along x; "refused" has the reasons.
     """
     lens, pupil = instrument.lens, instrument.pupil()
     radii = dict(instrument.radii)
@@ -67,7 +61,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     ideal, other_error = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None)
     # Along columns, whose pitch is the width of a pixel.
     nyquist, round_ = 0.5 / instrument.pitch[1], pupil.circular
-    sensor: dict[str, Any] = {"pixel": instrument.pixel, "fill": instrument.fill}
+    sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill}
     return {
         "name": instrument.name,
         "source": instrument.source,
@@ -117,8 +111,8 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     }
 
 
-def _field(instrument: Instrument) -> dict[str, Any]:
-    """Return what there is to say of the field, from the axis to a corner of the sensor."""
+def _field(instrument: Instrument) -> Facts:
+    """Return the description of the field, from the axis to a corner of the sensor."""
     assert instrument.sensor is not None  # as long as there is a map
     field, (height, width) = instrument.field(), instrument.sensor
     places = []
@@ -142,22 +136,21 @@ def _field(instrument: Instrument) -> dict[str, Any]:
     return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
 
 
-def _terms(terms: dict[tuple[int, int], Any]) -> list[dict[str, Any]]:
+def _terms(terms: dict[tuple[int, int], Any]) -> list[Facts]:
     return [
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
         for (n, m), c in sorted(terms.items(), key=_noll)
     ]
 
 
-def other_model(instrument: Instrument) -> dict[str, Any]:
-    """Return what the other model of the lens would change: what paraxial costs, or aplanatic gains.
+def other_model(instrument: Instrument) -> Facts:
+    """Return how the PSF changes with the other model of the lens, paraxial or aplanatic; or the "reason" why not.
 
-    "model" and "corrected_for" of it (for the focus where the lens magnifies, as of an objective: its sensor is in
-    place and its object is not), its "geometric_radius" in metres, and "peak_error", the largest difference of the
-    two PSFs in the window over the peak of the aplanatic one. Or None, and the "reason".
+    "peak_error" is the largest difference of the two PSFs in the window over the peak of the aplanatic one.
     """
     lens = instrument.lens
     model = "aplanatic" if lens.model == "paraxial" else "paraxial"
+    # Where the lens magnifies, as an objective does, the sensor is in its design position and the object is not.
     side = "focus" if model == "aplanatic" and _magnifies(lens) else lens.corrected_for
     found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
     try:
@@ -189,13 +182,8 @@ def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], flo
     return [next(within) if r <= most else None for r in radii], found.error
 
 
-def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
-    """Return what there is to say about a computed PSF.
-
-    "sum" is that of all values where these are fractions of the light and sample pixels too wide for it to be the
-    light in the window, else None. "wide_enough" is the side of a window that holds some 98 % of the light, where
-    this one does not hold 95 % and is smaller, else None.
-    """
+def describe_psf(answer: PSF, seconds: float) -> Facts:
+    """Return the description of a PSF; "wide_enough" is a window for 98 % of the light if this has under 95 %."""
     energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
     return how_made(answer, seconds) | {
         "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
@@ -203,24 +191,45 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
     }
 
 
-def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
-    """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
+def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Facts:
+    """Return the description of PSFs over the field, with one entry for each PSF of the grid."""
     place = {"sensor": list(grid.sensor), "x": grid.x.tolist(), "y": grid.y.tolist()}
     answer: Any = checked(grid.psf)
     energy = {"energy": np.asarray(answer.energy).tolist()}
     return {"name": instrument.name, "source": instrument.source} | place | energy | how_made(answer, seconds)
 
 
-def describe_mtf(
-    instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None
-) -> dict[str, Any]:
-    """Return the MTF at the Nyquist frequency of the pixels and at half of it, of the lens and of averaging pixels.
+def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -> Facts:
+    """Return the description of PSFs in colour channels, with the peak and the energy of each channel."""
+    each = [
+        {
+            "name": name,
+            "wavelengths": [w for w, _ in pairs],
+            "weights": [share for _, share in pairs],
+            "light": light,
+            "peak": float(one.values.max()),
+            "energy": float(one.values.sum(axis=(-2, -1), dtype=float).mean())
+            if answer.normalize == "energy"
+            else None,
+        }
+        for (name, pairs), light, one in zip(answer.channels, answer.channels.light, answer, strict=True)
+    ]
+    made = how_made(answer[0], seconds)
+    return {
+        "name": instrument.name,
+        "source": instrument.source,
+        **{name: made[name] for name in ("sampling", "pixel", "dtype", "normalize", "seconds")},
+        "shape": list(answer.shape),
+        "error_bound": answer.error_bound,
+        "of_spectra": answer.channels.error,
+        "channels": each,
+    }
 
-    "frequency" is Nyquist's along x and y, cycles per metre. "rows" has, for each place of a `grid` (or that of the
-    file, whose "x" and "y" are None) and each of the `channels` (or the wavelength of the file, whose "channel" is
-    None), "nyquist" and "half_nyquist", both along x and y. From the wavefront, to 1e-6.
 
-    ValueError for an aperture with a mask.
+def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channels: Channels | None = None) -> Facts:
+    """Return the MTF, pixel included, at the Nyquist frequency and at half of it, along x and y.
+
+    One row for each place of a `grid` and each of the `channels`, or for the axis and the wavelength of the file.
     """
     nyquist = tuple(0.5 / side for side in instrument.pitch[::-1])
     fx, fy = np.array([nyquist[0], 0.0]), np.array([0.0, nyquist[1]])
@@ -232,7 +241,7 @@ def describe_mtf(
     lights: list[tuple[str | None, Polychromatic | None]] = [] if channels else [(None, None)]
     for name, pairs in channels or ():
         lights.append((name, Polychromatic([w for w, _ in pairs], [share for _, share in pairs])))
-    sensor: dict[str, Any] = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
+    sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
     rows = [
         {"x": x, "y": y, "channel": name}
         | {
@@ -245,9 +254,9 @@ def describe_mtf(
     return {"frequency": list(nyquist), "rows": rows}
 
 
-def how_made(answer: PSFLike, seconds: float) -> dict[str, Any]:
-    """Return what there is to say about values and how they were made, sums and peaks for each of a stack."""
-    # Fractions of the light that sample too far apart are none.
+def how_made(answer: PSFLike, seconds: float) -> Facts:
+    """Return the description of the values and how they were computed, sums and peaks for each PSF of a stack."""
+    # Samples too far apart do not sum to the light in the window.
     stray = answer.normalize == "energy" and answer.undersampled
     return {
         "method": answer.method.to_dict(),
@@ -266,18 +275,10 @@ def how_made(answer: PSFLike, seconds: float) -> dict[str, Any]:
 
 def compare(
     instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
-) -> tuple[list[dict[str, Any]], dict[str, PSF]]:
-    """Compute one lens by several methods and judge each by the `reference` for its pupil.
+) -> tuple[list[Facts], dict[str, PSF]]:
+    """Return the errors and times of several methods against the `reference`, and the PSFs of those that apply.
 
-    Returns
-    -------
-    rows : list of dict
-        For each method: name, options, seconds, mse and peak_error (:mod:`lommel.measures.errors`), error_bound,
-        sampling, and reason, which is None or says why the method does not apply.
-    answers : dict of str to PSF
-        Those that could be computed on the pixels of the instrument, in float64, by the method's name; the reference
-        first, by its `reference_name`. Wavelets are summed at the centres of pixels only, since averages of
-        `HuygensFresnel` would take minutes, and judged by samples of the reference: they are not among these.
+    The PSF of the reference comes first. Those on other samples than it has are left out.
     """
     pupil = instrument.pupil()
     judge = reference(pupil)
@@ -293,7 +294,7 @@ def compare(
     rows = []
     for method in methods:
         name = type(method).__name__
-        row: dict[str, Any] = {"method": name, "options": method.to_dict(), "reason": None}
+        row: Facts = {"method": name, "options": method.to_dict(), "reason": None}
         row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
         rows.append(row)
         if method == judge:
@@ -301,11 +302,10 @@ def compare(
             row |= {"error_bound": truth.error_bound, "sampling": truth.sampling}
             continue
         if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and _magnifies(instrument.lens):
-            row["reason"] = (
-                'needs model = "aplanatic" here: it takes a paraxial lens for a flat one, as no objective is'
-            )
+            row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike any objective'
             continue
         started(name)
+        # Its sums over the area of every pixel would take minutes.
         integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
         try:
             found, row["seconds"] = timed(partial(answer, method, integrate))
@@ -329,11 +329,8 @@ def reference_name(pupil: Pupil) -> str:
 
 
 def timed(work: Callable[[], PSF]) -> tuple[PSF, float]:
-    """Return the second of two runs and its seconds: the first loads libraries and fills caches.
-
-    Of what takes longer than a second there is no second.
-    """
-    for _ in range(2):
+    """Return the PSF and the seconds of the second of two runs, or of a first that takes more than a second."""
+    for _ in range(2):  # the first one loads libraries and fills caches
         start = time.perf_counter()
         answer = work()
         seconds = time.perf_counter() - start
@@ -351,20 +348,13 @@ def _finite(value: float) -> float | None:
 
 
 DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
-"""Told beside the depth of the file, metres."""
+"""Depths that are listed besides that of the file, metres."""
 
 
-def describe_microscope(microscope: Microscope, *, foci: bool = True) -> dict[str, Any]:
-    """Return what there is to say about a microscope without computing an image.
+def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Facts:
+    """Return the description of a microscope; with `foci`, a row for each depth of a freely rotating dipole.
 
-    Lengths in metres, angles in radians; x and y in the sample but for "pixel", which is on the camera, z of the
-    stage. "focus" has a row for each depth: "paraxial" and "brightest" are how far the objective has been driven
-    towards the sample since the surface of the cover glass was in focus, "ratio" the depth over the brightest (None
-    at depth 0), "peak" the intensity there and "peak_of_surface" the same over that at depth 0, "collected" the
-    light that the objective takes in over that of an emitter far from the glass. All of an emitter that turns
-    freely, whatever the file has; without `foci`, which take longer than a stack, it is empty. "nyquist" has the
-    coarsest steps that keep all of an image, and "too_coarse" the names of those that are exceeded, "pixel" or
-    "step". Depths that cannot be reached are left out, for the reasons in "refused".
+    Lengths in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles in radians.
     """
     objective, wavelength = microscope.objective, microscope.wavelength
     nyquist, glass = objective.nyquist(wavelength=wavelength), objective.coverslip
@@ -402,7 +392,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> dict[st
 
 
 def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[str]]:
-    """Return the foci of several depths, and why others have none."""
+    """Return the foci at several depths, and the reasons why other depths have none."""
     objective, wavelength = microscope.objective, microscope.wavelength
     rows: list[dict[str, float | None]] = []
     refused: dict[str, None] = {}
@@ -422,12 +412,8 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
     return rows, list(refused)
 
 
-def describe_stack(answer: PSF, seconds: float) -> dict[str, Any]:
-    """Return what there is to say about a computed stack of planes, or about one plane.
-
-    "z", "focus", "peak" and "energy" have a number for each plane, metres of the stage and shares of the light;
-    "brightest" is the index of the plane with the largest value, None for a single plane.
-    """
+def describe_stack(answer: PSF, seconds: float) -> Facts:
+    """Return the description of a stack of planes, or of one plane, whose "brightest" is None."""
     pupil: Any = answer.pupil
     peaks = answer.values.max(axis=(-2, -1))
     return how_made(answer, seconds) | {
@@ -440,18 +426,18 @@ def describe_stack(answer: PSF, seconds: float) -> dict[str, Any]:
 
 
 def emitter_in_words(microscope: Microscope) -> str:
-    """Return what sends light, or is focused into the sample."""
+    """Return a description of the emitter or of the excitation beam."""
     emitter = microscope.emitter
     if isinstance(emitter, Dipole):
         if emitter.wobble == 1.0:
-            return "turns freely"
+            return "freely rotating dipole"
         place = (
             f"{math.degrees(emitter.polar):.4g} deg from the axis, azimuth {math.degrees(emitter.azimuth):.4g} deg"
         )
         return f"dipole, {place}" + (f", wobble {emitter.wobble:.4g}" if emitter.wobble else "")
     if isinstance(emitter, Scalar):
-        return "scalar, as of Gibson and Lanni"
-    return f"a beam focused into the sample, {emitter.polarization} polarisation"
+        return "scalar (Gibson-Lanni)"
+    return f"beam focused into the sample, {emitter.polarization} polarization"
 
 
 def _layer(layer: Layer | None) -> dict[str, float] | None:

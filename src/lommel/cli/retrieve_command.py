@@ -1,24 +1,40 @@
-"""The command that fits a wavefront to images of a star: ``lommel retrieve``."""
+"""Phase retrieval, the wavefront from images of a star: ``lommel retrieve``."""
 
 from __future__ import annotations
 
 import errno
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
+from numpy.typing import ArrayLike
 
-from lommel.cli.parts import (
+from lommel.cli import tables
+from lommel.cli.options import (
     FILE,
-    Length,
+    JSON,
+    LENS,
+    OBJECT_DISTANCE,
+    SQUARE_PIXEL,
+    Command,
+    Facts,
+    Option,
+    command,
+    documented,
     figure_format,
     instrument_of,
-    one_line_errors,
+    plot_option,
     print_json,
     save_figure,
+    under,
 )
 from lommel.cli.progress import progress
+from lommel.estimation.noise import Noise
+from lommel.estimation.phase_retrieval import retrieve as fit
+from lommel.io import zernike_tables
+from lommel.io.photos import read_images
 
 if TYPE_CHECKING:
     from lommel.estimation.phase_retrieval import Retrieval
@@ -26,7 +42,7 @@ if TYPE_CHECKING:
 _UNITS = ("radians", "waves", "nm", "um")
 
 
-class _SeveralNumbers(click.Command):
+class _SeveralNumbers(Command):
     """A command whose option ``--defocus`` takes all numbers that follow it."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -50,43 +66,39 @@ def _is_number(word: str) -> bool:
     return True
 
 
-@click.command(cls=_SeveralNumbers)
-@click.argument("images", type=FILE, nargs=-1, required=True)
-@click.argument("lens", type=FILE)
-@click.option(
-    "--defocus",
-    default="0",
-    metavar="NUMBERS",
-    help="C_d that each image has on top of the wavefront, radians: -4 0 4; positive where the sensor was "
-    "moved towards the lens.",
-)
-@click.option(
-    "--terms",
-    default="15",
-    show_default=True,
-    help='A number of Zernike terms from defocus on (Noll\'s 4, 5, ...), or names: "defocus, spherical", '
-    '"noll 5, noll 6".',
-)
-@click.option(
-    "--also",
-    default="center",
-    show_default=True,
-    help='What else is solved for: "center, f_number, wavelength, obscuration", or none.',
-)
-@click.option("--white", type=float, help="Electrons at the value 1 of an image: of counts, electrons per count.")
-@click.option("--read", type=float, required=True, help="Noise of reading a pixel, rms electrons.")
-@click.option("--offset", type=float, default=0.0, show_default=True, help="Value of a pixel that counted none.")
-@click.option("--saturation", type=float, help="Values from here on are left out; of integers the largest is always.")
-@click.option("--pixel", type=Length(), help='Pixel pitch, instead of the lens file\'s: "3.45 um".')
-@click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".')
-@click.option("--starts", type=int, default=20, show_default=True, help="So often is begun anew where nothing fits.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of these.")
-@click.option("--unit", type=click.Choice(_UNITS), default="radians", show_default=True, help="Of what is printed.")
-@click.option("-o", "--output", type=FILE, help="The wavefront, in Noll's terms: .json, .toml or .csv.")
-@click.option("--plot", "figure", type=FILE,
-              help="Square roots of images and model, the residual, the terms: .png, .pdf, .svg.")  # fmt: skip
-@click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
-@one_line_errors
+@command(
+    click.Argument(["images"], type=FILE, nargs=-1, required=True),
+    LENS,
+    Option("--defocus", default="0", metavar="NUMBERS",
+           help="Known defocus C_d of each image in radians, such as -4 0 4; positive where the sensor was moved "
+           "towards the lens."),
+    Option("--terms", default="15",
+           help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
+           '"noll 5, noll 6".'),
+    Option("--also", default="center",
+           help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
+    Option("-o", "--output", type=FILE, help="The wavefront as Noll's Zernike terms: .json, .toml or .csv."),
+    plot_option("Figure of images, model, residuals and terms"),
+    Option("--unit", type=click.Choice(_UNITS), default="radians", help="Unit of the printed coefficients."),
+    JSON,
+    *under(
+        "Camera and noise",
+        Option("--white", type=float,
+               help="Electrons at the value 1 of an image; of images in counts, the gain in electrons per count."),
+        documented(Noise, "read", type=float, required=True),
+        Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
+        Option("--saturation", type=float,
+               help="Value at which pixels saturate; the largest integer always counts as saturated."),
+        SQUARE_PIXEL,
+        OBJECT_DISTANCE,
+    ),
+    *under(
+        "Search",
+        documented(fit, "starts", type=int, help="Maximum number of random restarts."),
+        Option("--seed", type=click.IntRange(0), default=0, help="Seed of the random restarts."),
+    ),
+    kind=_SeveralNumbers,
+)  # fmt: skip
 def retrieve(
     images: tuple[Path, ...],
     lens: Path,
@@ -103,28 +115,24 @@ def retrieve(
     output: Path | None,
     figure: Path | None,
     as_json: bool,
-    **changes: Any,
+    **changes: object,
 ) -> None:
-    """Fit a wavefront to images of a star, or of any point of light.
+    """Estimate a wavefront from images of a star or another point source (phase retrieval).
 
-    IMAGES are TIFF (each page is an image), NPY, FITS or PNG, of one size, with values proportional to light but for
-    the offset: no JPEG, no sRGB. LENS is a lens file: aperture, wavelength, f-number and pixel pitch; its wavefront
-    is where the fit starts. Several images need the defocus of each.
+    IMAGES are TIFF (one image per page), NPY, FITS or 16-bit PNG files of one size, linear in light (no JPEG, no
+    sRGB). LENS is a lens file with aperture, wavelength, f-number and pixel pitch; its wavefront is the starting
+    point. Several images need the --defocus of each (phase diversity).
 
-    Terms are Noll's, rms. chi2 is about 1 where pupil, pixel and noise are right.
+    Coefficients are of Noll's Zernike terms, rms, with their standard errors. chi2 is about 1 where pupil, pixel
+    pitch and noise are right.
 
-    \b
-    Examples:
+    Examples
+    --------
       lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
       lommel retrieve spot.tif lens.toml --terms "defocus, spherical" --also "center, f_number" --read 2
-    """  # noqa: D301 (\b is meant)
-    from lommel.estimation.noise import Noise
-    from lommel.estimation.phase_retrieval import retrieve as fit
-    from lommel.io import zernike_tables
-    from lommel.io.photos import read_images
-
+    """
     if output is not None:
-        zernike_tables.suffix(output, "--output")
+        zernike_tables.find(output, "--output")
     if figure is not None:
         figure_format(figure)
     instrument = instrument_of(lens, **changes)
@@ -156,15 +164,13 @@ def retrieve(
     if as_json:
         print_json(_facts(found) | {"files": [str(path) for path in written]})
         return
-    from lommel.cli import tables
-
     tables.print_retrieval(found, unit)
     for path in written:
-        click.echo(f"wrote {path}{': images and model as their square roots' if path == figure else ''}")
+        click.echo(f"wrote {path}{': square roots of images and model' if path == figure else ''}")
 
 
 def _files(paths: tuple[Path, ...]) -> list[Path]:
-    """Return the files, those of patterns that no shell has replaced in the order of their names."""
+    """Return the files; patterns that the shell has not expanded are expanded in the order of names."""
     found: list[Path] = []
     for path in paths:
         if path.exists() or not set("*?[") & set(path.name):
@@ -172,18 +178,18 @@ def _files(paths: tuple[Path, ...]) -> list[Path]:
         elif several := sorted(path.parent.glob(path.name)):
             found += several
         else:
-            raise FileNotFoundError(errno.ENOENT, "No file is called so", str(path))
+            raise FileNotFoundError(errno.ENOENT, "No file matches", str(path))
     return found
 
 
-def _numbers(text: str) -> Any:
+def _numbers(text: str) -> float | list[float]:
     words = text.replace(",", " ").split()
     if not words or not all(map(_is_number, words)):
         raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")
     return float(words[0]) if len(words) == 1 else [float(word) for word in words]
 
 
-def _terms(text: str) -> Any:
+def _terms(text: str) -> int | list[str]:
     return int(text) if text.strip().isdecimal() else _names(text)
 
 
@@ -192,28 +198,19 @@ def _names(text: str) -> list[str]:
     return [] if names in (["none"], [""]) else names
 
 
-def _facts(found: Retrieval) -> dict[str, Any]:
-    """Return what JSON can hold; null is infinite."""
+def _facts(found: Retrieval) -> Facts:
+    """Return the results as JSON can hold them; null is infinite."""
 
-    def plain(value: Any) -> Any:
+    def plain(value: ArrayLike) -> float | list[Any] | None:
         if np.ndim(value):
             return [plain(part) for part in np.asarray(value)]
-        return float(value) if np.isfinite(value) else None
+        number = float(np.asarray(value))
+        return number if np.isfinite(number) else None
 
-    def named(values: dict[Any, Any]) -> dict[str, Any]:
+    def named(values: Mapping[Any, ArrayLike]) -> Facts:
         return {name if isinstance(name, str) else ",".join(map(str, name)): plain(v) for name, v in values.items()}
 
-    return {
-        "converged": found.converged,
-        "reliable": found.reliable,
-        "message": found.message,
-        "chi2": found.chi2,
-        "coefficients": named(found.coefficients),
-        "deviation": named(found.deviation),
-        "covariance": plain(found.covariance),
-        "flux": plain(found.flux),
-        "background": plain(found.background),
-        "center": plain(found.center),
-        "steps": found.steps,
-        "starts": found.starts,
-    }
+    plainly = ("covariance", "flux", "background", "center")
+    facts = {name: getattr(found, name) for name in ("converged", "reliable", "message", "chi2", "steps", "starts")}
+    named_facts = {name: named(getattr(found, name)) for name in ("coefficients", "deviation")}
+    return facts | named_facts | {name: plain(getattr(found, name)) for name in plainly}

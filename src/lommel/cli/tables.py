@@ -1,16 +1,17 @@
-"""The command line's tables: what :mod:`lommel.cli.reports` says, for people."""
+"""The tables that the commands print."""
 
 from __future__ import annotations
 
 import math
 import sys
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.table import Table
 
 from lommel.base.units import format_length
+from lommel.cli.options import Facts
 from lommel.measures.psf_like import checked
 from lommel.show.drawing import HOW, MEANING
 
@@ -22,20 +23,20 @@ if TYPE_CHECKING:
 
 
 _NOTES = {
-    "HuygensFresnel": "takes the lens for a flat, thin one, without the Fresnel approximation",
+    "HuygensFresnel": "flat, thin lens without the Fresnel approximation",
     "Geometric": "no diffraction",
 }
 
 
 def console_of() -> Console:
-    """Return where tables go, standard output."""
-    # A pipe has no width; tables are then as wide as they need to be. Names are shown as they are written.
+    """Return the console of standard output."""
+    # A pipe has no width; tables are then as wide as they need to be. Brackets in names are no markup.
     width = None if sys.stdout.isatty() else 160
     return Console(width=width, markup=False, emoji=False, highlight=False)
 
 
 def table_of(*names: str, left: int = 0, no_wrap: bool = False, title: str | None = None) -> Table:
-    """Return a table with columns of these names, that at the place `left` of words and the others of numbers."""
+    """Return a table with columns of these names, numbers but for the column at `left`, which holds words."""
     table = Table(box=None, pad_edge=False, title=title, title_justify="left")
     for place, name in enumerate(names):
         table.add_column(name, justify="left" if place == left else "right", no_wrap=no_wrap)
@@ -43,7 +44,7 @@ def table_of(*names: str, left: int = 0, no_wrap: bool = False, title: str | Non
 
 
 def list_of(rows: Iterable[tuple[str, str]], title: str | None = None) -> Table:
-    """Return a table of what there is to say, each with its name."""
+    """Return a table of names and values."""
     table = Table(box=None, pad_edge=False, title=title, title_justify="left", show_header=False)
     table.add_column(style="cyan")
     table.add_column()
@@ -52,22 +53,22 @@ def list_of(rows: Iterable[tuple[str, str]], title: str | None = None) -> Table:
     return table
 
 
-def made_how(facts: dict[str, Any]) -> list[tuple[str, str]]:
-    """Return rows about the error and the time of values."""
-    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
+def _error_and_time(facts: Facts) -> list[tuple[str, str]]:
+    """Return rows for the error bound and the time."""
+    bound = "none" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
     return [("error bound", bound), ("time", f"{1e3 * facts['seconds']:.1f} ms")]
 
 
-def print_lens(facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.cli.reports.describe_lens` says."""
+def print_lens(facts: Facts) -> None:
+    """Print the description of a lens."""
     waves = ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())
-    focused, seen = _told_apart(facts["focus_distance"], facts["object_distance"])
+    focused, seen = _distinct(facts["focus_distance"], facts["object_distance"])
     lines = [
         ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
          + (f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else "")),
         *_aperture(facts),
-        ("focused at", focused),
-        ("object at", seen),
+        ("focus distance", focused),
+        ("object distance", seen),
         ("wavelength", format_length(facts["wavelength"])),
         ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
          f" (working f/{facts['working_f_number']:.4g})"),
@@ -84,14 +85,14 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("rms wavefront error", f"{facts['rms_waves']:.4g} waves"),
         ("Strehl ratio (on axis)", "-" if facts["strehl"] is None else f"{facts['strehl']:.4g}"),
         ("Marechal's estimate", f"{facts['marechal']:.4g}"
-         + (" (holds where it is above 0.3)" if facts["marechal"] < 0.3 else "")),
-        ("full width at half", "-" if facts["fwhm"] is None else format_length(facts["fwhm"])),
+         + (" (valid above 0.3)" if facts["marechal"] < 0.3 else "")),
+        ("FWHM", "-" if facts["fwhm"] is None else format_length(facts["fwhm"])),
         *([
-            ("MTF falls to 50 % at", f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
+            ("MTF50", f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
         ] if facts["mtf50"] is not None else []),
         *([
             ("MTF at Nyquist", f"{facts['mtf_at_nyquist']:.4g} at {_per_mm(facts['nyquist'])},"
-             f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
+             f" pixel included {facts['mtf_at_nyquist_with_pixel']:.4g}"),
         ] if facts["mtf_at_nyquist_with_pixel"] is not None else []),
     ]  # fmt: skip
     terms = table_of("name", "(n, m)", "waves rms", title="Zernike terms")
@@ -113,15 +114,15 @@ def print_lens(facts: dict[str, Any]) -> None:
     console.print()
     console.print(energies)
     if facts["encircled_energy_error"] is not None:
-        console.print(f"errors below {facts['encircled_energy_error']:.1g}", style="dim")
+        console.print(f"error bound {facts['encircled_energy_error']:.1g}", style="dim")
     elif any(facts["aperture"].values()):
         console.print("no error bound", style="dim")
     for reason in facts["refused"]:
-        console.print(f"not all could be computed: {reason}", style="dim")
+        console.print(f"not computed: {reason}", style="dim")
 
 
-def _told_apart(*distances: float | None) -> list[str]:
-    """Return lengths with as many digits as it takes to tell those apart that differ."""
+def _distinct(*distances: float | None) -> list[str]:
+    """Return lengths with enough digits for different ones to look different."""
     for digits in range(4, 13):
         texts = ["infinity" if d is None else format_length(d, digits=digits) for d in distances]
         if len(set(texts)) == len(set(distances)):
@@ -129,12 +130,12 @@ def _told_apart(*distances: float | None) -> list[str]:
     return texts
 
 
-def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
+def _print_field_of_lens(console: Console, field: Facts) -> None:
     seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
     if seidel:
-        seidel = f": {seidel} waves {format_length(field['reach'])} from the axis"
-    names = ("from the axis", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
-    table = table_of(*names, left=3, title=f"Over the field{seidel}")
+        seidel = f": {seidel} waves at an image height of {format_length(field['reach'])}"
+    names = ("image height", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
+    table = table_of(*names, left=3, title=f"Field{seidel}")
     for place in field["places"]:
         largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:3]
         terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
@@ -142,25 +143,25 @@ def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
         table.add_row(distance, f"{place['strehl']:.4g}", f"{place['rms_waves']:.4g}", terms)
     console.print()
     console.print(table)
-    console.print("along a diagonal of the sensor; all else is of the axis", style="dim")
+    console.print("along a diagonal of the sensor; all other values are on the axis", style="dim")
 
 
-def _amplitude(facts: dict[str, Any]) -> str:
+def _amplitude(facts: Facts) -> str:
     kind = facts["apodization"]
     if isinstance(kind, float):
         name = f"Gaussian, exp(-{kind:.4g} rho^2)"
     else:
-        name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "a polynomial of rho^2 in the exponent"
-    return f"{name}: at the rim {facts['rim_amplitude']:.4g} of that of the middle"
+        name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "exponential of a polynomial in rho^2"
+    return f"{name}: {facts['rim_amplitude']:.4g} at the edge of the pupil"
 
 
-def _model(facts: dict[str, Any]) -> str:
+def _model(facts: Facts) -> str:
     side = f", corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else ""
     return f"{facts['model']}{side}"
 
 
-def model_in_words(other: dict[str, Any]) -> str:
-    """Return in a line what :func:`lommel.cli.reports.other_model` says."""
+def model_in_words(other: Facts) -> str:
+    """Return the difference of the paraxial and the aplanatic model in one line."""
     if other["reason"] is not None:
         return f"{other['model']}: {other['reason']}"
     if _identical(other):
@@ -171,19 +172,19 @@ def model_in_words(other: dict[str, Any]) -> str:
     )
 
 
-def _identical(other: dict[str, Any]) -> bool:
+def _identical(other: Facts) -> bool:
     """Return whether the other model makes the same PSF within the tolerance of both, 1e-6."""
     return other["reason"] is None and bool(other["peak_error"] < 1e-6)
 
 
-def _aperture(facts: dict[str, Any]) -> list[tuple[str, str]]:
-    """Return rows about what narrows the aperture, if anything does."""
+def _aperture(facts: Facts) -> list[tuple[str, str]]:
+    """Return rows for the spider, the vignetting and the mask, if there are any."""
     spider, edge, mask = (facts["aperture"][name] for name in ("spider", "vignetting", "mask"))
     rows = []
     if spider is not None:
         angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
         width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
-        rows.append(("vanes", f"{width} wide, at {angles} degrees from x to y"))
+        rows.append(("vanes", f"{width} wide, at {angles} degrees from x towards y"))
     if edge is not None and edge["name"] == "Ellipse":
         rows.append(
             ("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {math.degrees(edge['angle']):.4g} degrees")
@@ -200,13 +201,13 @@ def _per_mm(frequency: float) -> str:
     return f"{1e-3 * frequency:.4g} cycles/mm"
 
 
-def print_mtf(facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.cli.reports.describe_mtf` says."""
+def print_mtf(facts: Facts) -> None:
+    """Print the MTF of each place and channel."""
     first = facts["rows"][0]
     places, channels = first["x"] is not None, first["channel"] is not None
-    heads = [*(("place x, y",) if places else ()), *(("channel",) if channels else ())]
+    heads = [*(("position x, y",) if places else ()), *(("channel",) if channels else ())]
     columns = ("x, Nyquist", "y, Nyquist", "x, half", "y, half")
-    table = table_of(*heads, *columns, left=0 if heads else -1, title="MTF, with the pixel")
+    table = table_of(*heads, *columns, left=0 if heads else -1, title="MTF, pixel included")
     for row in facts["rows"]:
         name = [f"{format_length(row['x'], like=1e-3)}, {format_length(row['y'], like=1e-3)}"] if places else []
         name += [row["channel"]] if channels else []
@@ -216,37 +217,34 @@ def print_mtf(facts: dict[str, Any]) -> None:
     console.print(table)
     across, down = (_per_mm(frequency) for frequency in facts["frequency"])
     at = across if across == down else f"{across} along x and {down} along y"
-    console.print(f"Nyquist: {at}; along x the frequency is that of vertical lines", style="dim")
+    console.print(f"Nyquist frequency: {at}; x: vertical lines", style="dim")
 
 
-def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.cli.reports.describe_psf` says."""
+def print_psf(answer: PSF, facts: Facts) -> None:
+    """Print the description of a PSF."""
     lines = [
         ("method", repr(answer.method)),
         ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
         ("pixels", f"{HOW[facts['sampling']]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"),
         ("largest value", f"{facts['peak']:.4g}"),
         ("energy in the window", f"{facts['energy']:.2%}"),
-        *made_how(facts),
+        *_error_and_time(facts),
     ]
     console = console_of()
     console.print()
     console.print(list_of(lines, title="PSF"))
     if facts["sum"] is not None:
         console.print(
-            f"The values sum to {facts['sum']:.4g}, not to the light in the window: samples this far apart are no "
-            "share of it. A sensor averages: --integrate."
+            f"The values sum to {facts['sum']:.4g}, not to the light in the window: point samples this far apart "
+            "miss some of it. Use --integrate for pixel-integrated values."
         )
     if facts["wide_enough"] is not None:
         side = facts["wide_enough"]
-        console.print(
-            f"The window holds {facts['energy']:.0%} of the light; {side} x {side} pixels would hold about 98 %: "
-            f"--shape {side}."
-        )
+        console.print(f"The window holds {facts['energy']:.0%} of the light; --shape {side} would hold about 98 %.")
 
 
-def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
-    """Print what :func:`lommel.cli.reports.describe_field` says: the largest value of each PSF, in its place."""
+def print_field(grid: PSFGrid, facts: Facts) -> None:
+    """Print the description of a grid of PSFs."""
     rows, columns, height, width = facts["shape"]
     lines = [
         ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
@@ -256,10 +254,10 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     ]
     if facts["sum"] is not None:
         sums = [value for row in facts["sum"] for value in row]
-        said = f"{min(sums):.4g} to {max(sums):.4g}: samples this far apart are no share of the light"
+        said = f"{min(sums):.4g} to {max(sums):.4g}: point samples this far apart miss some of the light"
         lines.append(("sums of the values", said))
     held = [value for row in facts["energy"] for value in row]
-    lines.append(("energy in a window", f"{min(held):.2%} to {max(held):.2%}"))
+    lines.append(("energy in the window", f"{min(held):.2%} to {max(held):.2%}"))
     peaks = Table(box=None, pad_edge=False, title="Largest value at y (down) and x (across)", title_justify="left")
     peaks.add_column("", style="cyan", justify="right", no_wrap=True)
     reach = max(facts["sensor"])
@@ -269,17 +267,15 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
         peaks.add_row(format_length(y, like=reach), *(f"{value:.4g}" for value in values))
     console = console_of()
     console.print(facts["name"], style="bold")
-    console.print(list_of([*lines, *made_how(facts)]))
+    console.print(list_of([*lines, *_error_and_time(facts)]))
     if min(held) < 0.95:
-        console.print(f"One window holds {min(held):.0%} of the light only; larger ones hold more: --shape.")
+        console.print(f"One window holds only {min(held):.0%} of the light; a larger --shape holds more.")
     console.print()
     console.print(peaks)
 
 
-def print_comparison(
-    instrument: Instrument, rows: list[dict[str, Any]], reference: str, sampling: str, other: dict[str, Any]
-) -> None:
-    """Print the rows of :func:`lommel.cli.reports.compare`, judged by the `reference` of that name."""
+def print_comparison(instrument: Instrument, rows: list[Facts], reference: str, sampling: str, other: Facts) -> None:
+    """Print the errors and times of the methods against the reference."""
     height, width = instrument.window
     size = f"{height} x {width} pixels of {_pitch(instrument.pixel)}, {HOW[sampling]}"
     table = table_of("method", "time", "MSE", "peak error", "error bound", no_wrap=True)
@@ -293,7 +289,7 @@ def print_comparison(
         reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
         note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
         if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
-            note = "the same model, without its expansion in powers of rho"
+            note = "same model, without its expansion in powers of rho"
         if row["sampling"] not in (None, sampling):
             note = f"{HOW[row['sampling']]}; {note}"
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
@@ -302,33 +298,33 @@ def print_comparison(
     console = console_of()
     console.print(instrument.name, style="bold")
     # A reference with a row of its own is marked there.
-    console.print(size if any(row["method"] == reference for row in rows) else f"{size}; judged by {reference}")
+    console.print(size if any(row["method"] == reference for row in rows) else f"{size}; reference {reference}")
     console.print(table)
     console.print(f"model: {instrument.lens.model}; {model_in_words(other)}")
 
 
-def print_examples(rows: list[dict[str, Any]]) -> None:
-    """Print the rows of ``lommel examples``."""
+def print_examples(rows: list[Facts]) -> None:
+    """Print the examples."""
     table = Table(box=None, pad_edge=False)
-    for name in ("name", "kind", "what it is"):
-        table.add_column(name, no_wrap=name != "what it is")
+    for name in ("name", "kind", "description"):
+        table.add_column(name, no_wrap=name != "description")
     for row in rows:
         table.add_row(row["name"], row["kind"], row["what"])
     console_of().print(table)
 
 
-def print_methods(rows: list[dict[str, Any]]) -> None:
-    """Print the rows of ``lommel methods``."""
+def print_methods(rows: list[Facts]) -> None:
+    """Print the methods and their options."""
     table = Table(box=None, pad_edge=False, show_lines=False)
-    for name in ("method", "what it is", "options (defaults)"):
+    for name in ("method", "description", "options (defaults)"):
         table.add_column(name, no_wrap=name == "method")
     for row in rows:
         table.add_row(row["name"], row["what"], " ".join(f"{name}={value}" for name, value in row["options"].items()))
     console_of().print(table)
 
 
-def print_numbers(rows: list[dict[str, Any]]) -> None:
-    """Print the rows of :func:`lommel.paper.numbers.rows`."""
+def print_numbers(rows: list[Facts]) -> None:
+    """Print the numbers of the paper beside the computed ones."""
     from lommel.paper.numbers import closest_text, number
 
     names = ("quantity", "paper", "as printed", "corrected", "closest, as printed")
@@ -340,17 +336,17 @@ def print_numbers(rows: list[dict[str, Any]]) -> None:
 
 
 def print_retrieval(found: Retrieval, unit: str) -> None:
-    """Print what was found behind images, the wavefront in this unit, and what it is worth."""
+    """Print a retrieved wavefront in a unit, with standard errors and the verdict."""
     from lommel.estimation.phase_retrieval import label
 
     console = console_of()
     short = {"radians": "rad"}.get(unit, unit)
     values, deviations = found.in_unit(unit)
-    table = table_of("term", f"{short}", "+-")
+    table = table_of("term", short, "std. error")
     for name, value in values.items():
-        table.add_row(label(name), *_with_deviation(value, deviations[name]))
+        table.add_row(label(name), *_with_error(value, deviations[name]))
     for name in found.coefficients.keys() - values.keys():
-        cells = _with_deviation(found.coefficients[name], found.deviation[name])
+        cells = _with_error(found.coefficients[name], found.deviation[name])
         table.add_row(f"{name} {found.units[name]}".rstrip(), *cells)
     console.print(table)
     console.print()
@@ -359,9 +355,9 @@ def print_retrieval(found: Retrieval, unit: str) -> None:
         "flux": found.flux,
         "background": found.background,
     }
-    images = table_of("image", *(column for name in own for column in (name, "+-")))
+    images = table_of("image", *(column for name in own for column in (name, "std. error")))
     for k in range(len(found.flux)):
-        pairs = [_with_deviation(float(each[name][k]), float(found.deviation[name][k])) for name in own]
+        pairs = [_with_error(float(each[name][k]), float(found.deviation[name][k])) for name in own]
         images.add_row(str(k), *(cell for pair in pairs for cell in pair))
     console.print(images)
     console.print()
@@ -369,8 +365,8 @@ def print_retrieval(found: Retrieval, unit: str) -> None:
 
 
 def print_precision(rows: Iterable[tuple[float, float]]) -> None:
-    """Print distances and how well each can be known, metres."""
-    table = table_of("distance", "+-", "of it")
+    """Print the depth precision at each distance, metres."""
+    table = table_of("distance", "standard deviation", "relative")
     for distance, deviation in rows:
         known = math.isfinite(deviation)
         share = f"{100.0 * deviation / distance:.2g} %" if known else ""
@@ -378,8 +374,8 @@ def print_precision(rows: Iterable[tuple[float, float]]) -> None:
     console_of().print(table)
 
 
-def _with_deviation(value: float, deviation: float) -> tuple[str, str]:
-    """Return a number and its deviation, which has two digits, to the same place."""
+def _with_error(value: float, deviation: float) -> tuple[str, str]:
+    """Return a number and its standard error, which has two digits, to the same place."""
     if not 0.0 < deviation < math.inf:
         return f"{value:.6g}", "-" if deviation == 0.0 else "inf"
     places = max(0, 1 - math.floor(math.log10(deviation)))
@@ -387,5 +383,151 @@ def _with_deviation(value: float, deviation: float) -> tuple[str, str]:
 
 
 def _pitch(pixel: float | Sequence[float]) -> str:
-    """Return the side of a pixel with its unit, or height and width."""
+    """Return the pixel pitch with its unit, or height x width."""
     return " x ".join(format_length(side) for side in ([pixel] if isinstance(pixel, float) else pixel))
+
+
+def print_colour(facts: Facts) -> None:
+    """Print the description of PSFs in colour channels."""
+    bound = "none" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak of a channel"
+    rows = [
+        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
+        ("pixel", f"{format_length(facts['pixel'])}, {HOW[facts['sampling']]}"),
+        ("error bound", bound),
+        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
+    ]
+    if facts["of_spectra"]:
+        rows.insert(3, ("spectral sampling", f"error at most {facts['of_spectra']:.2g} of the unaberrated peak"))
+    table = table_of("channel", "wavelengths", "light", "largest value", "sum of values")
+    for one in facts["channels"]:
+        waves = one["wavelengths"]
+        ends = (
+            format_length(waves[0])
+            if len(waves) == 1
+            else (f"{len(waves)} from {format_length(min(waves))} to {format_length(max(waves))}")
+        )
+        energy = "-" if one["energy"] is None else f"{one['energy']:.2%}"
+        table.add_row(one["name"], ends, f"{one['light']:.3g}", f"{one['peak']:.4g}", energy)
+    console = console_of()
+    console.print(facts["name"], style="bold")
+    console.print(list_of(rows))
+    console.print()
+    console.print(table)
+
+
+def print_microscope(facts: Facts) -> None:
+    """Print the description of a microscope."""
+    nyquist = facts["nyquist"]
+    lines = [
+        ("objective", f"NA {facts['NA']:g}, {facts['magnification']:g}x, immersion {facts['immersion']:g}, "
+         f"working distance {format_length(facts['working_distance'])}"),
+        ("cover glass", _layer(facts["coverslip"]) or "none (dipping objective)"),
+        *[("film", _layer(film)) for film in facts["films"]],
+        *([] if facts["design"] is None else [("designed for", _design(facts["design"]))]),
+        ("sample", f"index {facts['sample']:g}, emitter at a depth of {format_length(facts['depth'])}"),
+        ("critical angle", _angle(facts)),
+        ("wavelength", format_length(facts["wavelength"])),
+        ("emitter", facts["emitter"]),
+        ("planes", _planes(facts)),
+        ("pixel", f"{format_length(facts['pixel'])}, {format_length(facts['pixel_in_sample'])} in the sample"),
+        ("Nyquist sampling", f"pixel {format_length(nyquist['pixel'])}, "
+         f"{format_length(nyquist['lateral'])} in the sample; stage step {format_length(nyquist['axial'])}"),
+    ]  # fmt: skip
+    console = console_of()
+    console.print(facts["name"], style="bold")
+    console.print(list_of(lines))
+    for name in facts["too_coarse"]:
+        limit = nyquist["axial" if name == "step" else "pixel"]
+        console.print(
+            f"The {name}, {format_length(facts[name])}, is coarser than Nyquist sampling, {format_length(limit)}: "
+            "images lose their finest detail. The PSF itself is not affected."
+        )
+    if facts["focus"]:
+        _print_foci(facts)
+
+
+def _print_foci(facts: Facts) -> None:
+    """Print the focus of emitters at several depths."""
+    console = console_of()
+    heads = (
+        "depth um",
+        "paraxial um",
+        "best um",
+        "depth / best",
+        "axial nm",
+        "lateral nm",
+        "peak",
+        "/ at 0",
+        "light",
+    )
+    table = table_of(*heads, left=-1, title="Focus of a freely rotating dipole")
+    for column in table.columns:
+        column.overflow = "fold"  # or digits would be cut off
+    for row in facts["focus"]:
+        table.add_row(
+            f"{1e6 * row['depth']:.4g}",
+            *(f"{1e6 * row[name]:.3f}" for name in ("paraxial", "brightest")),
+            "-" if row["ratio"] is None else f"{row['ratio']:.3f}",
+            *(f"{1e9 * row[name]:.0f}" for name in ("axial_fwhm", "lateral_fwhm")),
+            *(f"{row[name]:.3f}" for name in ("peak", "peak_of_surface", "collected")),
+        )
+    console.print()
+    console.print(table)
+    console.print(
+        "paraxial, best (brightest): stage travel from the focus on the surface of the cover glass; axial, lateral: "
+        "full width at half maximum; light: collected light relative to an emitter far from the glass",
+        style="dim",
+    )
+    for reason in facts["refused"]:
+        console.print(f"not computed: {reason}", style="dim")
+
+
+def print_stack(answer: PSF, facts: Facts) -> None:
+    """Print the description of a stack of planes."""
+    peaks, energies = facts["peak"], facts["energy"]
+    lines = [
+        ("method", repr(answer.method)),
+        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
+        ("pixels", f"{format_length(facts['pixel_in_sample'])} in the sample, {HOW[facts['sampling']]}"),
+    ]
+    if facts["brightest"] is None:
+        lines += [("largest value", f"{peaks:.4g}"), ("energy in the window", f"{energies:.2%}")]
+    else:
+        best = facts["brightest"]
+        ends = (format_length(facts[name][best], like=1e-6) for name in ("z", "focus"))
+        at = "plane {}, z = {}, stage at {}".format(best, *ends)
+        lines += [
+            ("largest value", f"{peaks[best]:.4g} in {at}"),
+            ("energy in the window", f"{min(energies):.2%} to {max(energies):.2%}, by plane"),
+        ]
+    console = console_of()
+    console.print()
+    console.print(list_of([*lines, *_error_and_time(facts)], title="PSF"))
+
+
+def _layer(layer: dict[str, float] | None) -> str:
+    return "" if layer is None else f"{format_length(layer['thickness'])} of index {layer['index']:g}"
+
+
+def _design(design: Facts) -> str:
+    return f"immersion {design['immersion']:g}, cover glass {_layer(design['coverslip']) or 'none'}"
+
+
+def _angle(facts: Facts) -> str:
+    rim = f"pupil edge at {math.degrees(facts['rim_angle']):.1f} deg in the immersion"
+    if facts["critical_angle"] is None:
+        return f"none, all light of the pupil passes through the sample; {rim}"
+    return f"{math.degrees(facts['critical_angle']):.1f} deg; {rim}"
+
+
+def _planes(facts: Facts) -> str:
+    if facts["step"] is None:
+        return f"one, at {_ORIGINS[facts['origin']]}"
+    return f"{facts['planes']}, {format_length(facts['step'])} apart, centred on {_ORIGINS[facts['origin']]}"
+
+
+_ORIGINS = {
+    "brightest": "the brightest focus of the emitter",
+    "paraxial": "the paraxial focus of the emitter",
+    "coverslip": "the surface of the cover glass",
+}

@@ -1,4 +1,4 @@
-"""Code V's files of interferograms, .int: coefficients or a grid, with their scale, in plain text."""
+"""Interferogram files of Code V, .int: Zernike coefficients or a grid, in plain text."""
 
 from __future__ import annotations
 
@@ -21,35 +21,19 @@ _HOLDS = {"WFR": "a wavefront", "SUR": "the shape of a surface", "FIL": "a filte
 
 
 class Interferogram(NamedTuple):
-    """What a file holds.
-
-    Attributes
-    ----------
-    kind : {"GRD", "ZRN", "ZFR"}
-        A grid, Zernike terms in Code V's order, or Fringe terms.
-    size : tuple of int
-        Columns and rows of a grid, or the number of terms.
-    wavelength : float
-        Metres.
-    values : ndarray
-        In waves at `wavelength`.
-    missing : ndarray of bool
-        Which of the values are none (NDA).
-    """
+    """A grid (GRD), Zernike terms in Code V's order (ZRN), or Fringe terms (ZFR)."""
 
     kind: str
-    size: tuple[int, ...]
-    wavelength: float
-    values: Array
-    missing: NDArray[np.bool_]
+    size: tuple[int, ...]  # columns and rows of a grid, or the number of terms
+    wavelength: float  # metres
+    values: Array  # waves at this wavelength
+    missing: NDArray[np.bool_]  # marked by NDA
 
 
 def parse(text: str) -> Interferogram:
-    """Read the text of a file; ValueError for what it does not state or that is no wavefront.
-
-    The first line is a title, the second says what follows, such as ``ZFR 37 WFR WVL 0.6328 SSZ 1000 NDA 32767``;
-    lines that begin with ``!`` are comments. A value over SSZ is waves at WVL micrometres.
-    """
+    """Return the contents of a file that is a wavefront."""
+    # The first line is a title, the second one such as ZFR 37 WFR WVL 0.6328 SSZ 1000 NDA 32767; lines that begin
+    # with ! are comments. A value over SSZ is in waves at WVL micrometres.
     lines = (line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("!"))
     title, sizes = next(lines, ""), next(lines, "")
     stored = array("d", (_number(word[0], "a value") for line in lines for word in re.finditer(r"\S+", line)))
@@ -88,7 +72,7 @@ def parse(text: str) -> Interferogram:
 
 
 def term(index: int) -> tuple[int, int]:
-    """Return (n, m) of a term in Code V's own order (ZRN), from 1: by n, and from cos(n theta) to sin(n theta)."""
+    """Return (n, m) of a term in Code V's order (ZRN), from 1: by n, and from cos(n theta) to sin(n theta)."""
     n = 0
     while index > (n + 1) * (n + 2) // 2:
         n += 1

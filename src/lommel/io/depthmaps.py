@@ -1,11 +1,10 @@
-"""Depth maps from files and to them: TIFF, NPY, PFM, and from 16-bit PNG, in metres."""
+"""Depth maps in metres from and to files: TIFF, NPY, PFM, and from 16-bit PNG."""
 
 from __future__ import annotations
 
 import re
 from functools import partial
 from os import PathLike
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,25 +12,24 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.io import registry
-from lommel.io.photo_formats import write_tiff
-from lommel.io.photos import JPEG, PNG, TIFF, PhotoError, told, upright
-from lommel.io.registry import Format
+from lommel.io.photos import JPEG, PNG, TIFF, PhotoError, told, upright, write_tiff
+from lommel.io.registry import Format, Values
 
 _PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")
 
 
 def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is_unknown: bool = False) -> Array:
-    """Read the distance of every point from the lens; NaN where it is unknown.
+    """Read a depth map: the distance of every point from the lens, NaN where it is unknown.
 
     Parameters
     ----------
     path : path
-        NPY, PFM, or a grey TIFF or PNG, told by its content.
+        NPY, PFM, or a grey TIFF or PNG, recognized by its content.
     scale : float, optional
         Metres per level of integers, which need it; floats are metres without it. A PFM file whose header states a
         scale other than 1 needs it too: programs disagree on what that means.
     zero_is_unknown : bool, default False
-        Whether 0 means that there is no measurement.
+        Whether 0 means unknown.
 
     Returns
     -------
@@ -51,15 +49,17 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
     factor = 1.0 if scale is None else validation.real("scale", scale, above=0.0, unit="metres per level")
     data = reading.contents(source)
     if data.startswith(JPEG):
-        raise PhotoError(f"{validation.line(source)} is a JPEG, whose losses no depth map survives")
+        raise PhotoError(
+            f"{validation.line(source)} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG"
+        )
     with told(source, "depth map", data) as form:
         values = form.read(data, scale)
-    del data  # or it would lie beside what it becomes
+    del data  # to save memory
     return _metres(validation.line(source), values, scale is not None, factor, zero_is_unknown)
 
 
 def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
-    """Write distances, or how uncertain they are, for :func:`lommel.imaging.read_depth`, in single precision.
+    """Write a depth map, or its standard deviation, in single precision, for :func:`lommel.imaging.read_depth`.
 
     The file is written under a temporary name and moved into place.
 
@@ -89,13 +89,13 @@ def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
     atomic.write(target, data)
 
 
-def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero_is_unknown: bool) -> Array:
+def _metres(source: str, values: Values, scaled: bool, factor: float, zero_is_unknown: bool) -> Array:
     if values.ndim != 2 or 0 in values.shape:
         raise PhotoError(f"{source} has the shape {values.shape}; a depth map has (height, width)")
     if values.dtype.kind not in "iuf":
         raise PhotoError(f"{source} holds {values.dtype}; a depth map holds numbers")
     if values.dtype.kind != "f" and not scaled:
-        raise PhotoError(f"{source} holds levels ({values.dtype}); say by `scale` how many metres one is")
+        raise PhotoError(f"{source} is an integer image; give the scale, e.g. scale=0.001 for millimetres")
     with np.errstate(over="ignore", invalid="ignore"):  # of a NaN that signals
         metres = values.astype(np.float64)
         metres *= factor
@@ -103,8 +103,7 @@ def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero
     if zeros:
         if not zero_is_unknown:
             raise ValueError(
-                f"{source} is 0 at {zeros} of {values.size} points; if that means unknown, say so by "
-                "`zero_is_unknown`"
+                f"{source} is 0 at {zeros} of {values.size} points; if that means unknown, give `zero_is_unknown`"
             )
         metres[values == 0] = np.nan
     if (least := np.fmin.reduce(metres, axis=None)) < 0.0:
@@ -112,28 +111,28 @@ def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero
     return metres
 
 
-def _pfm(data: bytes, scale: float | None) -> NDArray[Any]:
+def _pfm(data: bytes, scale: float | None) -> Values:
     """Return the values of a portable float map: rows run upwards, a negative scale means little-endian."""
     found = _PFM.match(data)
     if not found:
         raise ValueError("its header is not that of a PFM file")
     if found[1] != b"Pf":
-        raise ValueError("it has colours")
+        raise ValueError("it is in colour")
     width, height, unit = int(found[2]), int(found[3]), float(found[4])
     reading.pixels(width, height)
     if unit == 0.0 or (abs(unit) != 1.0 and scale is None):
-        raise ValueError(f"its header states the scale {unit:g}; say by `scale` how many metres a unit is")
+        raise ValueError(f"its header states the scale {unit:g}; give `scale`, the metres per unit")
     body = data[found.end() :]
     if len(body) != 4 * width * height:
         raise ValueError(f"{width} x {height} values take {4 * width * height} bytes, got {len(body)}")
     return np.frombuffer(body, dtype="<f4" if unit < 0.0 else ">f4").reshape(height, width)[::-1]
 
 
-def _npy(data: bytes, _scale: float | None) -> NDArray[Any]:
+def _npy(data: bytes, _scale: float | None) -> Values:
     return reading.npy(data, reading.MAX_PIXELS)[0]
 
 
-def _raster(data: bytes, _scale: float | None) -> NDArray[Any]:
+def _raster(data: bytes, _scale: float | None) -> Values:
     return upright(registry.identify("photo", data), data)[0]
 
 

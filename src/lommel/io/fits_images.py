@@ -1,4 +1,4 @@
-"""Images in FITS, plain or compressed by gzip: written with a header, decoded once their sizes are known."""
+"""FITS images, plain or compressed by gzip; their sizes are checked before they are decoded."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from contextlib import suppress
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import atomic, reading
+from lommel.io.registry import Description, Values
 
 SUFFIXES = (".fits", ".fit")
 PACKED = (".fits.gz", ".fit.gz")
@@ -31,17 +31,17 @@ _TIMES = 4  # of a file unpacked are in memory while its values are read
 class Image(NamedTuple):
     """An image and its header, from the name of a card to its value."""
 
-    values: NDArray[Any]
+    values: Values
     header: Mapping[str, Any]
 
 
-def write(images: Sequence[tuple[NDArray[Any], Mapping[str, Any]]]) -> bytes:
+def write(images: Sequence[tuple[Values, Mapping[str, Any]]]) -> bytes:
     """Return a FITS file; the values of cards may be pairs of value and comment."""
     from astropy.io import fits
 
     file = fits.HDUList()
     for values, cards in images:
-        # In the order of the file: astropy would turn the bytes of the caller's own array.
+        # Big-endian copies: astropy would swap the bytes of the caller's array.
         stored = values.astype(values.dtype.newbyteorder(">"))
         made = fits.ImageHDU(stored) if file else fits.PrimaryHDU(stored)
         for name, value in cards.items():
@@ -52,7 +52,7 @@ def write(images: Sequence[tuple[NDArray[Any], Mapping[str, Any]]]) -> bytes:
 
 
 def packed(write: Callable[..., bytes]) -> Callable[..., bytes]:
-    """Return what writes the same, compressed, and the same bytes at any time of the day."""
+    """Return a function that writes the same, compressed, without a time stamp."""
 
     def made(*args: Any) -> bytes:
         plain = write(*args)
@@ -63,17 +63,17 @@ def packed(write: Callable[..., bytes]) -> Callable[..., bytes]:
 
 
 def read(data: bytes, most: int) -> list[Image]:
-    """Return the images of a file that have values, of at most so many in all; ValueError if there is none."""
+    """Return the images of a file, with at most `most` values in all; ValueError if there is none."""
     from astropy.io import fits
 
-    plain = _looked_at(data)
+    plain = _unpacked(data)
     found, total = [], 0
     with warnings.catch_warnings():
-        warnings.simplefilter("error")  # of a file that is cut, say
-        # But of comments in other letters, and cards that are not quite as they should be, nothing depends.
+        warnings.simplefilter("error")  # such as that of a truncated file
+        # Comments in other letters and slightly invalid cards do no harm.
         warnings.filterwarnings("ignore", "non-ASCII characters")
         warnings.simplefilter("ignore", fits.verify.VerifyWarning)
-        # One after the other: where the next begins follows from the sizes of the last, which are looked at first.
+        # One after the other: the next begins where the sizes of the last say, which are checked first.
         with fits.open(io.BytesIO(plain), memmap=False, disable_image_compression=True) as file:
             for unit in file:
                 header = unit.header
@@ -91,16 +91,16 @@ def read(data: bytes, most: int) -> list[Image]:
     return found
 
 
-def _cards(header: Any) -> dict[str, Any]:
+def _cards(header: Any) -> Description:
     found = {}
     for card in header.cards:
-        with suppress(Exception):  # of a card that is never asked for
+        with suppress(Exception):  # of a card that nobody reads
             found[card.keyword] = card.value
     return found
 
 
-def _looked_at(data: bytes) -> bytes:
-    """Return what a file holds, unpacked no farther than its headers say; ValueError if one has no end."""
+def _unpacked(data: bytes) -> bytes:
+    """Return the contents of a file, unpacked as far as its headers say."""
     source, plain = _Unpacked(data), data
     at = 0
     while not at or source.part(at, at + 8) == b"XTENSION":
@@ -127,7 +127,7 @@ def _looked_at(data: bytes) -> bytes:
 
 
 class _Unpacked:
-    """The bytes of a file, those of one that is compressed as far as they are asked for."""
+    """The bytes of a file, unpacked as far as they are needed."""
 
     def __init__(self, data: bytes) -> None:
         self.packed = data.startswith(_GZIP)
@@ -136,7 +136,7 @@ class _Unpacked:
         self._inflate = zlib.decompressobj(31)
 
     def upto(self, end: int) -> bool:
-        """Return whether there are so many bytes."""
+        """Return whether there are this many bytes, and unpack them."""
         while len(self._plain) < end and self._rest:
             try:
                 more = self._inflate.decompress(self._rest, max(end - len(self._plain), _BLOCK))
@@ -148,6 +148,6 @@ class _Unpacked:
         return len(self._plain) >= end
 
     def part(self, start: int, end: int) -> bytes:
-        """Return some of them, as far as there are."""
+        """Return the bytes from start to end, or to the end of the file."""
         self.upto(end)
         return bytes(self._plain[start:end])

@@ -1,4 +1,4 @@
-"""Frames to files: numbered photographs, animations, stacks; all of them or none."""
+"""Frames of a focus pull to files: numbered photographs, an animation or a stack."""
 
 from __future__ import annotations
 
@@ -9,21 +9,19 @@ from collections.abc import Iterable
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import atomic, validation
 from lommel.io import registry
 from lommel.io.photos import encoded, find
-from lommel.io.registry import Format
+from lommel.io.registry import Description, Format, Values
 
 _NUMBER = re.compile(r"%0?\d?d")
 
 
 def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
-    """Return a path that frames can be written to, with a number such as ``%03d`` or none; ValueError otherwise."""
+    """Return a path that frames can be written to, with one number such as ``%03d`` or none."""
     target = validation.path("path", path)
     numbers = _NUMBER.findall(target.name)
     if len(numbers) != target.name.count("%") or len(numbers) > 1 or "%" in str(target.parent):
@@ -42,32 +40,31 @@ def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
 
 
 def is_animation(path: str | PathLike[str]) -> bool:
-    """Return whether frames would be written to one file of 8 bits."""
+    """Return whether frames are written to one animation, which has 8 bits."""
     target = validation.path("path", path)
     return not _NUMBER.search(target.name) and registry.find("frames", target).holds == (_8,)
 
 
 def write_frames(
     path: str | PathLike[str],
-    frames: Iterable[NDArray[Any]],
+    frames: Iterable[Values],
     *,
     fps: float = 12.0,
     quality: int = 95,
 ) -> list[Path]:
-    """Write frames, and return the files written; nothing is left of a failure.
+    """Write frames and return the files written; a failure leaves no file.
 
     Parameters
     ----------
     path : path
-        With a number such as ``%03d``: one photograph a frame, counted from 1, as
-        :func:`lommel.imaging.write_photo` has them. Without: an animation, .gif (256 colours a frame), .png or .apng
-        (exact), .webp; or a TIFF stack. Animations have 8 bits.
+        With a number such as ``%03d``: one photograph per frame, counted from 1. Without: an 8-bit animation, .gif
+        (256 colours per frame), .png or .apng (lossless) or .webp; or a TIFF stack.
     frames : iterable of ndarray
-        Stored values, all of one shape and type; taken one after another, so that they may be made meanwhile.
+        Stored values, all of one shape and type, taken one after another.
     fps : float, default 12
-        Frames a second of an animation, which repeats for ever.
+        Frames per second of an animation, which repeats forever.
     quality : int, default 95
-        Of JPEG and WebP, 1 to 100.
+        Quality of JPEG and WebP, 1 to 100.
 
     Returns
     -------
@@ -91,7 +88,7 @@ def write_frames(
     return [target]
 
 
-def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
+def _alike(frames: Iterable[Values]) -> Iterable[Values]:
     first = None
     if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
         raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")
@@ -108,7 +105,7 @@ def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
         raise ValueError("there must be at least one frame")
 
 
-def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> list[Path]:
+def _numbered(target: Path, frames: Iterable[Values], quality: int) -> list[Path]:
     """Write all frames, then move them into place."""
     if not target.parent.is_dir():  # before the first frame is made
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
@@ -120,20 +117,20 @@ def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> lis
     return made
 
 
-def _stack(frames: list[NDArray[Any]], _duration: float, _quality: int) -> bytes:
+def _stack(frames: list[Values], _duration: float, _quality: int) -> bytes:
     import tifffile
 
     photometric = "rgb" if frames[0].ndim == 3 else "minisblack"
     return atomic.contents(tifffile.imwrite, np.stack(frames), photometric=photometric, metadata=None)
 
 
-def _animation(form: str, frames: list[NDArray[Any]], duration: float, quality: int) -> bytes:
+def _animation(form: str, frames: list[Values], duration: float, quality: int) -> bytes:
     from PIL import Image, features
 
     if form == "webp" and not features.check("webp"):
         raise ImportError("this Pillow has no WebP; write .png, .gif or .tif")
     first, *others = map(Image.fromarray, frames)
-    options: dict[str, Any] = {"quality": quality} if form == "webp" else {}
+    options: Description = {"quality": quality} if form == "webp" else {}
     options["duration"] = duration if form == "png" else round(duration)
     return atomic.contents(first.save, form, save_all=True, append_images=others, loop=0, **options)
 
@@ -141,7 +138,7 @@ def _animation(form: str, frames: list[NDArray[Any]], duration: float, quality: 
 _8, _DEEP = "of uint8", ("of uint16", "of float32", "of float64")
 _pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
 registry.register(
-    _pillow("frames", (".gif",), partial(_animation, "gif"), holds=(_8,)),
+    _pillow("frames", (".gif",), partial(_animation, "gif"), holds=(_8,), what="256 colours per frame"),
     _pillow("frames", (".png", ".apng"), partial(_animation, "png"), holds=(_8,)),
     _pillow("frames", (".webp",), partial(_animation, "webp"), holds=(_8,)),
     _tifffile("frames", (".tif", ".tiff"), _stack, holds=(_8, *_DEEP)),

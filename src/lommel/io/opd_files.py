@@ -1,4 +1,4 @@
-"""Maps of optical path differences from files and to them: FITS, Zygo's, Code V's, NPY and CSV."""
+"""Maps of optical path differences (OPD) from and to files: FITS, Zygo, Code V, NPY and CSV."""
 
 from __future__ import annotations
 
@@ -13,34 +13,33 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.units import LENGTHS, parse_length
-from lommel.io import cells, code_v, fits_images, registry
-from lommel.io.registry import Format
+from lommel.io import code_v, fits_images, registry, text_files
+from lommel.io.registry import Description, Format, Values
 from lommel.io.zernike_tables import UNITS
 from lommel.optics.wavefront.opd_fit import OPDMap
 
 _MAGIC = (0x881B036F, 0x881B0370, 0x881B0371)
 _HEADERS = (834, 4096)  # bytes
 _INVALID = 2147483640
-_STEPS = {0: 4096, 1: 32768, 2: 131072}  # of a fringe, by the resolution of the phase
-_SCALE = 0.5  # waves a fringe: light goes there and back
+_STEPS = {0: 4096, 1: 32768, 2: 131072}  # per fringe, by the resolution of the phase
+_SCALE = 0.5  # waves per fringe: light is reflected
 _LENGTHS = {"NanoMeters": "nm", "MicroMeters": "um", "MilliMeters": "mm", "Meters": "m", "Waves": "waves"}
 
 
 class Measured(NamedTuple):
-    """What a file says of a map: its values, and what it states of the unit, the spacing and the wavelength."""
+    """The values of a map, and the unit, spacing and wavelength that its file states."""
 
-    values: NDArray[Any]
+    values: Values
     unit: str | None = None
     spacing: float | None = None
     wavelength: float | None = None
 
 
 def read_dat(data: bytes) -> Measured:
-    """Return the map in a file of MetroPro, whose numbers are big-endian and at fixed places."""
+    """Return the map in a file of MetroPro, whose numbers are big-endian at fixed offsets."""
 
     def at(place: int, kind: str) -> Any:
         return struct.unpack_from(">" + kind, data, place)[0]
@@ -68,10 +67,10 @@ def read_dat(data: bytes) -> Measured:
 
 
 def write_dat(opd: OPDMap) -> bytes:
-    """Return a file of MetroPro with a map that has a wavelength, and no intensities."""
+    """Return a file of MetroPro with a map but no intensities."""
+    height, width = _single(opd, ".dat").values.shape
     if opd.wavelength is None:
-        raise ValueError("a .dat needs the wavelength of the map, in whose fringes it counts")
-    height, width = opd.values.shape
+        raise ValueError("a .dat needs the wavelength of the map, since its unit is a fringe")
     if max(height, width) > 65535:
         raise ValueError(f"a .dat has sides of at most 65535, got {height} x {width}")
     step = _SCALE * float(np.float32(opd.wavelength)) / _STEPS[1]
@@ -99,14 +98,14 @@ def write_dat(opd: OPDMap) -> bytes:
 
 
 def read_datx(data: bytes) -> Measured:
-    """Return the map in a file of Mx: the surface, in fringes or in a unit of length."""
+    """Return the surface map in a file of Mx, in fringes or in a unit of length."""
     import h5py
 
     with reading.hdf5(data) as file:
         found = _surface(file, h5py)
         said = found.attrs
         if found.ndim != 2 or found.dtype.kind not in "iuf" or found.size > reading.MAX_PIXELS:
-            raise ValueError(f"its surface holds {found.dtype} of the shape {found.shape}, which is no map")
+            raise ValueError(f"its surface holds {found.dtype} of the shape {found.shape}, not a map")
         values = np.asarray(reading.hdf5_values(found, len(data)), dtype=np.float64)
         if "No Data" in said:
             values[values >= _number(said["No Data"])] = np.nan
@@ -126,7 +125,7 @@ def read_datx(data: bytes) -> Measured:
 
 
 def _surface(file: Any, h5py: Any) -> Any:
-    """Return the dataset of the surface, reached by hard links only: others may lead to other files."""
+    """Return the dataset of the surface, by hard links only, since others may lead to other files."""
 
     def below(group: Any, *names: str) -> Any:
         for name in names:
@@ -148,13 +147,13 @@ def _number(attribute: Any) -> float:
 
 
 def _spacing(converter: Any) -> float:
-    """Return the metres from pixel to pixel: the second of the parameters of the converter of x."""
+    """Return the pixel spacing in metres, the second parameter of the converter of x."""
     parameters = np.ravel(converter)[0][2]
     return validation.real("the spacing", float(parameters[1]), least=0.0)
 
 
 def _digits(value: float) -> float:
-    """Return a number of 32 bits as it was meant: 6.328e-07, not 6.328000176813395e-07."""
+    """Return a 32-bit number without rounding noise: 6.328e-07, not 6.328000176813395e-07."""
     return float(str(np.float32(value)))
 
 
@@ -163,7 +162,7 @@ _NAMES |= {"nanometers": "nm", "meter": "m", "meters": "m", "wave": "waves", "ra
 
 
 class OPDFileError(ValueError):
-    """A file that cannot be read as a map of path differences; the message names it and says why."""
+    """A file that cannot be read as an OPD map; the message names it and says why."""
 
 
 def load_opd(
@@ -173,26 +172,26 @@ def load_opd(
     spacing: float | None = None,
     wavelength: float | None = None,
 ) -> OPDMap:
-    """Read a map of optical path differences, for :func:`lommel.fit_opd`.
+    """Read a map of optical path differences (OPD), for :func:`lommel.fit_opd`.
 
     ``.fits``, ``.fit``, also ``.gz``: the first image, in the unit of BUNIT, with the spacing of PUPLSCAL (metres, as
     POPPY and WebbPSF write it) or of CDELT1 and CUNIT1, and WAVELEN in metres. ``.dat``: MetroPro's binary files.
-    ``.datx``: Zygo Mx's. ``.int``: a grid of Code V (GRD) that is a wavefront. ``.npy``: an array. ``.csv``: rows of
-    numbers, with empty cells where there is none; lines such as ``# unit: nm``, ``# spacing: 0.1 mm`` and
+    ``.datx``: files of Zygo Mx. ``.int``: a wavefront grid of Code V (GRD). ``.npy``: an array. ``.csv``: rows of
+    numbers, with empty cells for missing ones; lines such as ``# unit: nm``, ``# spacing: 0.1 mm`` and
     ``# wavelength: 632.8 nm`` may stand above.
 
-    NaN, and what a file marks as missing, is no measurement. Rows and columns are as they are stored, and so are
-    signs: a map of a surface is its height, half of the path that it makes in reflection.
+    NaN and values that a file marks as missing are not measured. Rows, columns and signs are as they are stored: a
+    surface map is its height, half of the path difference in reflection.
 
     Parameters
     ----------
     path : path
     unit : str, optional
-        "waves", "radians", "metres" or another unit of length; for files that do not state it.
+        "waves", "radians", "metres" or another unit of length, for files that do not state it.
     spacing : float, optional
-        Metres; the same.
+        Metres, for files that do not state it.
     wavelength : float, optional
-        Metres; the same. Waves and radians need one.
+        Metres, for files that do not state it; waves and radians need it.
 
     Returns
     -------
@@ -201,10 +200,10 @@ def load_opd(
     Raises
     ------
     OPDFileError
-        If the file is damaged or of another kind, or states something else than the arguments do.
+        If the file is damaged or of another kind, or contradicts the arguments.
     TypeError, ValueError
-        If an argument is out of range, if nobody states the unit, or the wavelength where waves need it, or if the
-        suffix is unknown.
+        If an argument is out of range, if the unit or a wavelength that it needs is not known, or if the suffix is
+        unknown.
     ImportError
         If astropy (FITS) or h5py (``.datx``) is not installed.
     OSError
@@ -234,22 +233,22 @@ def load_opd(
 
 
 def save_opd(path: str | PathLike[str], opd: OPDMap) -> None:
-    """Write a map of optical path differences; the suffix chooses the format, and :func:`load_opd` reads it.
+    """Write an OPD map; the suffix chooses the format, and :func:`load_opd` reads it.
 
-    ``.fits``, ``.fits.gz``: metres, NaN where there is no measurement, with BUNIT, PUPLSCAL, CDELTn and WAVELEN.
-    ``.csv``: metres, with unit, spacing and wavelength above. ``.npy``: metres alone. ``.dat``: MetroPro's, whose
-    steps are the wavelength over 65536. The file is written under a temporary name and moved into place.
+    ``.fits``, ``.fits.gz``: metres, NaN where not measured, with BUNIT, PUPLSCAL, CDELTn and WAVELEN. ``.csv``:
+    metres, with unit, spacing and wavelength above. ``.npy``: metres only. ``.dat``: MetroPro, in steps of the
+    wavelength over 65536. The file is written under a temporary name and moved into place.
 
     Parameters
     ----------
     path : path
     opd : OPDMap
-        A single one, but for ``.fits`` and ``.npy``; with a wavelength for ``.dat``.
+        A single map, except for ``.fits`` and ``.npy``; with a wavelength for ``.dat``.
 
     Raises
     ------
     TypeError, ValueError
-        If `opd` is none, or is one that the format does not hold, or if the suffix is unknown.
+        If `opd` is not an OPDMap or one that the format cannot hold, or if the suffix is unknown.
     ImportError
         If astropy is not installed, for FITS.
     OSError
@@ -268,20 +267,20 @@ def _agreed(name: str, given: Any, stated: Any) -> Any:
     return stated
 
 
-def _in_metres(values: NDArray[Any], unit: str, spacing: float | None, wavelength: float | None) -> OPDMap:
+def _in_metres(values: Values, unit: str, spacing: float | None, wavelength: float | None) -> OPDMap:
     metres = LENGTHS.get(unit, 1.0)
     if unit in ("waves", "radians"):
         if wavelength is None:
             raise ValueError(f"wavelength must be given, since its unit is {unit}")
         metres = wavelength if unit == "waves" else wavelength / (2.0 * math.pi)
     if values.dtype.kind not in "iuf":
-        raise ValueError(f"it holds {values.dtype}, no real numbers")
+        raise ValueError(f"it holds {values.dtype}, not real numbers")
     with np.errstate(over="ignore"):
         return OPDMap(metres * values.astype(np.float64), spacing, wavelength)
 
 
 def _unit(text: Any) -> str | None:
-    """Return the unit that a file names, by the name that it has here; ValueError if it is another."""
+    """Return the unit that a file names, as this package names it."""
     plain = str(text).strip()
     if not plain:
         return None
@@ -305,7 +304,7 @@ def _read_fits(data: bytes) -> Measured:
 
 
 def _write_fits(opd: OPDMap) -> bytes:
-    cards: dict[str, Any] = {"CREATOR": "lommel", "BUNIT": ("m", "optical path; NaN where it was not measured")}
+    cards: Description = {"CREATOR": "lommel", "BUNIT": ("m", "optical path; NaN where it was not measured")}
     if opd.spacing is not None:
         cards["PUPLSCAL"] = (opd.spacing, "[m/pixel] in the pupil")
         for k in "12":
@@ -321,7 +320,7 @@ def _read_csv(data: bytes) -> Measured:
     if others := [key for key in said if key not in ("unit", "spacing", "wavelength")]:
         raise ValueError(f"it states {', '.join(map(validation.shown, others[:3]))}, which is unknown")
     values, width, wrong = array("d"), 0, False
-    for _, row in cells.rows(text):
+    for _, row in text_files.rows(text):
         wrong |= bool(width) and len(row) != width
         width = len(row)
         try:
@@ -350,13 +349,9 @@ def _write_csv(opd: OPDMap) -> bytes:
 def _read_int(data: bytes) -> Measured:
     held = code_v.parse(data.decode("latin-1"))
     if held.kind != "GRD":
-        raise ValueError("it holds coefficients, no grid; load_zernike reads them")
+        raise ValueError("it holds coefficients; load_zernike reads them")
     values = np.where(held.missing, np.nan, held.values).reshape(held.size[::-1])
     return Measured(values, "waves", None, held.wavelength)
-
-
-def _write_dat(opd: OPDMap) -> bytes:
-    return write_dat(_single(opd, ".dat"))
 
 
 def _single(opd: OPDMap, suffix: str) -> OPDMap:
@@ -369,9 +364,9 @@ _form, _fits = partial(Format, "opd"), partial(Format, "opd", library="astropy",
 registry.register(
     _fits(fits_images.SUFFIXES, _write_fits, _read_fits),
     _fits(fits_images.PACKED, fits_images.packed(_write_fits), _read_fits),
-    _form((".dat",), _write_dat, read_dat),
-    _form((".datx",), read=read_datx, library="h5py", extra="hdf5"),
-    _form((".int",), read=_read_int),
+    _form((".dat",), write_dat, read_dat, what="MetroPro"),
+    _form((".datx",), read=read_datx, library="h5py", extra="hdf5", what="Zygo Mx"),
+    _form((".int",), read=_read_int, what="Code V, GRD"),
     _form(
         (".npy",),
         lambda opd: atomic.contents(np.save, opd.values, allow_pickle=False),

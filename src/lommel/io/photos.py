@@ -1,9 +1,11 @@
-"""Photographs from files and to them: PNG, JPEG and TIFF, as light, with what EXIF knows of the lens."""
+"""Photographs from and to files, PNG, JPEG and TIFF, and images of stars; with the lens data of the EXIF."""
 
 from __future__ import annotations
 
 import math
+import struct
 import warnings
+import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -17,13 +19,13 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.encoding import ENCODINGS, from_light, to_light
-from lommel.io import fits_images, photo_formats, registry
-from lommel.io import photo_formats as formats
-from lommel.io.registry import Format
+from lommel.base.optional import version
+from lommel.io import fits_images, registry
+from lommel.io.registry import Format, Values
 
 _pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
-"""What files begin with."""
+"""The first bytes of files."""
 
 _RAW = (b"FUJIFILMCCD-RAW", b"IIRO", b"IIRS", b"MMOR", b"IIU\0", b"FOVb", b"\0MRM")
 _RAW_SUFFIXES = (
@@ -31,16 +33,8 @@ _RAW_SUFFIXES = (
     *(".nef", ".nrw", ".orf", ".pef", ".raf", ".rw2", ".rwl", ".sr2", ".srf", ".srw", ".x3f"),
 )
 
-_8, _16, _FLOAT = "of uint8", "of uint16", "of float32"
-registry.register(
-    _pillow("photo", (".png",), formats.write_png, formats.read_png, PNG, (_8, _16)),
-    _pillow("photo", (".jpg", ".jpeg"), formats.write_jpeg, formats.read_jpeg, JPEG, (_8,)),
-    _tifffile("photo", (".tif", ".tiff"), formats.write_tiff, formats.read_tiff, TIFF, (_8, _16, _FLOAT)),
-)
-find = partial(registry.find, "photo")
-
 _FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
-# What EXIF's Orientation asks for, from stored rows and columns to those of the scene.
+# EXIF's Orientation, from stored rows and columns to those of the scene.
 _TURNS = {
     1: lambda a: a,
     2: lambda a: a[:, ::-1],
@@ -59,7 +53,7 @@ class PhotoError(ValueError):
 
 @dataclass(frozen=True)
 class Exif:
-    """What a photograph says of its lens; None where it says nothing (EXIF writes 0 for unknown).
+    """Lens data in the EXIF of a photograph; None for unknown, which EXIF writes as 0.
 
     Attributes
     ----------
@@ -114,15 +108,15 @@ class Picture:
     encoding : {"srgb", "linear"}
     exif : Exif
     profile : bytes or None
-        ICC profile. It is handed on, not interpreted: of sRGB only the curve is used, which that of most displays is.
+        ICC profile, passed on without interpretation.
     """
 
-    values: NDArray[Any]
+    values: Values
     encoding: str
     exif: Exif
     profile: bytes | None = None
 
-    def light(self, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    def light(self, dtype: DTypeLike = np.float32) -> Values:
         """Return values in proportion to light, 1 being white.
 
         Parameters
@@ -143,18 +137,18 @@ class Picture:
 
 
 def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Picture:
-    """Read a photograph, told by its content to be PNG, JPEG or TIFF, and turn it as its EXIF says.
+    """Read a PNG, JPEG or TIFF photograph, recognized by its content, and rotate it as its EXIF says.
 
     Parameters
     ----------
     path : path
     encoding : {"srgb", "linear"}, optional
-        Of the values stored. By default integers are sRGB and floats linear.
+        Encoding of the stored values; by default integers are sRGB and floats are linear.
 
     Returns
     -------
     Picture
-        8 or 16 bits, or floats (TIFF), with all of them: 16-bit colour of PNG too.
+        With 8 or 16 bits, or floats (TIFF).
 
     Raises
     ------
@@ -173,7 +167,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     return Picture(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), exif, profile)
 
 
-def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | None]:
+def read_raster(path: str | PathLike[str]) -> tuple[Values, Exif, bytes | None]:
     """Return the upright values of a photograph, its EXIF and its ICC profile; see :func:`read_photo`."""
     source = validation.path("path", path)
     data = reading.contents(source)
@@ -183,12 +177,12 @@ def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | 
 
 @contextmanager
 def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
-    """Yield the format of the contents of a file; PhotoError if there is none, or if what reads it fails."""
+    """Yield the format of the contents of a file; PhotoError if it is unknown or if reading it fails."""
     if _is_raw(source, data):
         raise PhotoError(
-            f"{validation.line(source)} is a raw photograph, of which a preview is all that could be read. Develop "
-            "it first, for example by rawpy.imread(path).postprocess(gamma=(1, 1), no_auto_bright=True, "
-            "output_bps=16), and save it as TIFF"
+            f"{validation.line(source)} is a raw photograph, of which only a preview could be read. Develop it, "
+            "for example by rawpy.imread(path).postprocess(gamma=(1, 1), no_auto_bright=True, output_bps=16), and "
+            "save it as TIFF"
         )
     try:
         form = registry.identify(kind, data)
@@ -209,11 +203,11 @@ def _is_raw(source: Path, data: bytes) -> bool:
     try:
         return data.startswith(TIFF) and reading.is_raw(data)
     except ValueError:
-        return False  # damaged, which is told where it is read
+        return False  # damaged, which is reported when it is read
 
 
-def upright(form: Format, data: bytes) -> tuple[NDArray[Any], Exif, bytes | None]:
-    """Return what a file holds, turned as its EXIF says; what Pillow warns of, parts it leaves out, is an error."""
+def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
+    """Return the values, rotated as the EXIF says; a warning of Pillow, that parts are missing, is an error."""
     with warnings.catch_warnings(), reading.quietly():
         warnings.simplefilter("error")
         values, tags, profile = form.read(data)
@@ -236,7 +230,7 @@ def _exif(tags: dict[int, Any]) -> Exif:
 
 def write_photo(
     path: str | PathLike[str],
-    light: NDArray[Any],
+    light: Values,
     *,
     encoding: str = "srgb",
     dtype: DTypeLike = np.uint8,
@@ -245,8 +239,8 @@ def write_photo(
 ) -> float:
     """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF.
 
-    Integers end at black and white, as sensors do; what lies beyond by half a level or more is counted. Floats keep
-    all. The file is written under a temporary name and moved into place.
+    Integers are clipped at black and white, as on a sensor; floats are not. The file is written under a temporary
+    name and moved into place.
 
     Parameters
     ----------
@@ -255,17 +249,17 @@ def write_photo(
     light : ndarray of float, shape (height, width) or (height, width, 3)
         1 is white.
     encoding : {"srgb", "linear"}, default "srgb"
-        Of the values stored.
+        Encoding of the stored values.
     dtype : uint8, uint16 or float32, default uint8
     quality : int, default 95
-        Of a JPEG, 1 to 100; colours have the full resolution.
+        Quality of a JPEG, 1 to 100; there is no chroma subsampling.
     profile : bytes, optional
         An ICC profile to store.
 
     Returns
     -------
     float
-        Share of the values that were clipped.
+        Fraction of the values that are clipped by half a level or more.
 
     Raises
     ------
@@ -283,8 +277,8 @@ def write_photo(
     return clipped
 
 
-def stored(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> tuple[NDArray[Any], float]:
-    """Return light as values of uint8, uint16 or float32 in an encoding, and the share that integers clip."""
+def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, float]:
+    """Return light as values of uint8, uint16 or float32 in an encoding, and the fraction that is clipped."""
     validation.choice("encoding", encoding, ENCODINGS)
     kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
     light = validation.array("light", light)
@@ -298,39 +292,24 @@ def stored(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> tuple[NDArra
         return from_light(light, encoding, kind), 0.0
     half = 0.5 / np.iinfo(kind).max
     within = np.clip(light, 0.0, 1.0)
-    # Half a level of sRGB is less light than of linear values at black, and more at white.
+    # Half a level of sRGB is less light at black than at white.
     low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
     clipped = float(np.mean((light < -low) | (light > 1.0 + high)))
     return from_light(within, encoding, kind), clipped
 
 
-def encoded(path: str | PathLike[str], values: NDArray[Any], quality: int, profile: bytes | None = None) -> bytes:
+def encoded(path: str | PathLike[str], values: Values, quality: int, profile: bytes | None = None) -> bytes:
     """Return the bytes of a photograph in the format of the suffix of `path`."""
     written: bytes = find(path, holding=f"of {values.dtype.name}").write(values, quality, profile)
     return written
 
 
-def read_images(paths: Sequence[str | PathLike[str]]) -> NDArray[Any]:
-    """Read images of one size from TIFF (every page is one), NPY and FITS (one image or a stack) or 16-bit PNG files.
+def read_images(paths: Sequence[str | PathLike[str]]) -> Values:
+    """Read grey images of one size and type, shape (n, height, width), from TIFF, NPY, FITS or 16-bit PNG files.
 
-    Parameters
-    ----------
-    paths : sequence of path
-        Of one or several files; their images follow each other.
-
-    Returns
-    -------
-    ndarray, shape (n, height, width)
-        Of the type that is stored, integers or floats.
-
-    Raises
-    ------
-    PhotoError
-        If a file is damaged, of another format, has colours, or its images are of another size or type.
-    OSError
-        If one cannot be read.
+    Each page of a TIFF is an image, and NPY and FITS may hold stacks; PhotoError for other contents.
     """
-    found: list[NDArray[Any]] = []
+    found: list[Values] = []
     for path in paths:
         source = validation.path("paths", path)
         data = reading.contents(source)
@@ -339,7 +318,7 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> NDArray[Any]:
             if values.ndim == 2:
                 values = values[None]
             if values.ndim != 3 or 0 in values.shape or values.dtype.kind not in "iuf":
-                raise ValueError(f"it holds {values.dtype} of the shape {values.shape}, no grey images")
+                raise ValueError(f"it holds {values.dtype} of the shape {values.shape}, not grey images")
         if found and (found[0].shape[1:], found[0].dtype) != (values.shape[1:], values.dtype):
             (_, height, width), (_, other, across) = found[0].shape, values.shape
             raise PhotoError(
@@ -352,24 +331,161 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> NDArray[Any]:
     return np.concatenate(found)
 
 
-def _npy(data: bytes) -> NDArray[Any]:
+_BAND = 2**20  # pixels that are converted to an array at once
+
+
+def read_png(data: bytes) -> tuple[Values, Any, bytes | None]:
+    """Return the values, the tags and the ICC profile of a PNG file, with all 16 bits."""
+    return _read(data, reading.png)
+
+
+def read_jpeg(data: bytes) -> tuple[Values, Any, bytes | None]:
+    """Return the values, the tags and the ICC profile of a JPEG file."""
+    return _read(data, reading.jpeg)
+
+
+def _read(data: bytes, opener: Any) -> tuple[Values, Any, bytes | None]:
+    with opener(data) as file:
+        if getattr(file, "is_animated", False):
+            raise ValueError(f"it is an animation of {file.n_frames} frames")
+        if "A" in file.mode or "transparency" in file.info:
+            raise ValueError("it has alpha; flatten it first")
+        if file.mode not in ("1", "L", "P", "RGB", "I", "I;16"):
+            raise ValueError(f"its colours are {file.mode}, neither grey nor RGB")
+        deep, grey, mode = file.format == "PNG" and data[24] == 16, file.mode != "RGB", file.tile[0][3]
+        # The tags of a PNG may stand behind the image.
+        tags, profile = file.getexif(), file.info.get("icc_profile")
+        values = _array(file)
+    if not deep:
+        return values, tags, profile
+    if grey:
+        return values.astype(np.uint16, copy=False), tags, profile
+    if mode != "RGB;16B":
+        raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
+    del file  # to save memory
+    # Pillow keeps the high bytes of 16-bit colour; read as if bytes were swapped, the low ones.
+    values = values.astype(np.uint16)
+    values <<= 8
+    with opener(data) as again:
+        again.tile = [(*again.tile[0][:3], "RGB;16L")]
+        values |= _array(again)
+    return values, tags, profile
+
+
+def _array(image: Any) -> Values:
+    """Return the values of an image of Pillow, band by band, since Pillow makes two copies."""
+    width, height = image.size
+    step, plain = max(1, _BAND // width), {"P": "RGB", "1": "L"}.get(image.mode)
+    made: Values | None = None
+    for top in range(0, height, step):
+        part = image.crop((0, top, width, min(top + step, height)))
+        band = np.asarray(part.convert(plain) if plain else part)
+        if made is None:
+            made = np.empty((height, *band.shape[1:]), band.dtype)
+        made[top : top + step] = band
+    assert made is not None
+    return made
+
+
+def read_tiff(data: bytes) -> tuple[Values, Any, bytes | None]:
+    """Return the values, the tags and the ICC profile of a TIFF file of one page."""
+    import tifffile
+    from PIL import Image
+
+    with reading.tiff(data) as file:
+        pages = [page for page in list[Any](file.pages) if not page.is_reduced]
+        if len(pages) != 1:
+            raise ValueError(f"it has {len(pages)} pages; give a file of one")
+        page = pages[0]
+        if page.extrasamples:
+            raise ValueError("it has alpha or other further channels; flatten it first")
+        if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
+            raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
+        values, axes, profile = page.asarray(), page.axes, page.iccprofile
+    if values.shape != page.shape:
+        raise ValueError(
+            f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"
+        )
+    if axes == "SYX":
+        values = np.moveaxis(values, 0, 2)
+    elif axes not in ("YX", "YXS"):
+        raise ValueError(f"its axes are {axes}, neither YX nor YXS")
+    if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind != "f":
+        raise ValueError(f"it holds {values.dtype}, neither uint8, uint16 nor floats")
+    tags = Image.Exif()
+    if data[2:4] in (b"*\0", b"\0*"):  # not BigTIFF, which Pillow does not read
+        tags.load(data)
+    return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile
+
+
+def write_png(values: Values, _quality: int, profile: bytes | None) -> bytes:
+    """Return a PNG file, uncompressed where it would else exceed the limits of :mod:`lommel.base.reading`."""
+    bits = 8 * values.dtype.itemsize
+    takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
+    for level in (6, 0):
+        write = _png_of_16_bits if bits == 16 else _png_of_8_bits
+        made = write(values, profile, level)
+        if reading.affords(takes, len(made)):
+            break
+    return made
+
+
+def write_jpeg(values: Values, quality: int, profile: bytes | None) -> bytes:
+    """Return a JPEG file of this quality, 1 to 100, without chroma subsampling."""
+    return _by_pillow(values, profile, "jpeg", quality=quality, subsampling=0)
+
+
+def write_tiff(values: Values, _quality: int, profile: bytes | None) -> bytes:
+    """Return a TIFF file, lossless."""
+    import tifffile
+
+    options = {"photometric": "rgb" if values.ndim == 3 else "minisblack", "software": f"lommel {version()}"}
+    return atomic.contents(tifffile.imwrite, values, iccprofile=profile, metadata=None, **options)
+
+
+def _by_pillow(values: Values, profile: bytes | None, form: str, **options: Any) -> bytes:
+    from PIL import Image
+
+    return atomic.contents(Image.fromarray(values).save, form, icc_profile=profile, **options)
+
+
+def _png_of_8_bits(values: NDArray[np.uint8], profile: bytes | None, level: int) -> bytes:
+    return _by_pillow(values, profile, "png", compress_level=level)
+
+
+def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int) -> bytes:
+    """Return a 16-bit PNG, which Pillow writes for grey only, with each row as the difference from the one above."""
+    height, width = values.shape[:2]
+    rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
+    lines = np.full((height, 1 + rows.shape[1]), 2, dtype=np.uint8)
+    lines[0, 1:] = rows[0]
+    np.subtract(rows[1:], rows[:-1], out=lines[1:, 1:])
+    chunks = [(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 2 if values.ndim == 3 else 0, 0, 0, 0))]
+    if profile is not None:
+        chunks.append((b"iCCP", b"ICC Profile\0\0" + zlib.compress(profile)))
+    chunks += [(b"IDAT", zlib.compress(lines.tobytes(), level)), (b"IEND", b"")]
+    parts = [struct.pack(">I", len(d)) + name + d + struct.pack(">I", zlib.crc32(name + d)) for name, d in chunks]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
+
+
+def _npy(data: bytes) -> Values:
     return reading.npy(data, reading.MAX_PIXELS)[0]
 
 
-def _png(data: bytes) -> NDArray[Any]:
-    return photo_formats.read_png(data)[0]
+def _png(data: bytes) -> Values:
+    return read_png(data)[0]
 
 
-def _fits(data: bytes) -> NDArray[Any]:
+def _fits(data: bytes) -> Values:
     return fits_images.read(data, reading.MAX_PIXELS)[0].values
 
 
-def _tiff(data: bytes) -> NDArray[Any]:
+def _tiff(data: bytes) -> Values:
     with reading.tiff(data) as file:
         pages = [page for page in list[Any](file.pages) if not page.is_reduced]
         if wrong := [page.axes for page in pages if page.axes not in ("YX", "SYX")]:
             raise ValueError(f"a page has the axes {wrong[0]}, which is no grey image")
-        # Three images that were written without a word are planes of one page.
+        # Three images written without metadata are planes of one page.
         images = [page.asarray().reshape(-1, *page.shape[-2:]) for page in pages]
     if len({image.shape[1:] for image in images}) > 1:
         raise ValueError("its pages are of several sizes")
@@ -377,6 +493,13 @@ def _tiff(data: bytes) -> NDArray[Any]:
     return values.astype(values.dtype.newbyteorder("="), copy=False)
 
 
+_8, _16, _FLOAT = "of uint8", "of uint16", "of float32"
+registry.register(
+    _pillow("photo", (".png",), write_png, read_png, PNG, (_8, _16)),
+    _pillow("photo", (".jpg", ".jpeg"), write_jpeg, read_jpeg, JPEG, (_8,)),
+    _tifffile("photo", (".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, _FLOAT)),
+)
+find = partial(registry.find, "photo")
 registry.register(
     Format("images", (".npy",), read=_npy, starts=(b"\x93NUMPY",)),
     Format("images", (".tif", ".tiff"), read=_tiff, starts=TIFF, library="tifffile", extra="images"),

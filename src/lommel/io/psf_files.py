@@ -1,4 +1,4 @@
-"""PSFs to files and back; every file says how its values were made."""
+"""PSFs to files and back; every file holds a description of how its values were computed."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from contextlib import contextmanager
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.checksums import checksum
 from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_tiff, registry
-from lommel.io.registry import Format
+from lommel.io.registry import DAMAGED, Arrays, Description, Format, Values
 from lommel.measures.psf_like import PSFLike
 from lommel.methods import method_from_dict
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import FieldPupil, Pupil
@@ -27,19 +27,32 @@ from lommel.optics.pupil import FieldPupil, Pupil
 Made = TypeVar("Made", bound=PSFLike)
 NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
-_fits, _hdf5 = (partial(Format, "psf", library=of, extra=e) for of, e in (("astropy", "fits"), ("h5py", "hdf5")))
-registry.register(
-    Format("psf", (".tif", ".tiff"), psf_tiff.write, psf_tiff.read, library="tifffile", extra="images"),
-    Format("psf", (".npy",), psf_numpy.npy, psf_numpy.read_npy),
-    Format("psf", (".npz",), psf_numpy.npz, psf_numpy.read_npz, holds=("with derivatives",)),
-    Format("psf", (".png",), psf_png.write, psf_png.read, library="PIL.Image", extra="images"),
-    _fits(fits_images.SUFFIXES, psf_fits.write, psf_fits.read),
-    _fits(fits_images.PACKED, fits_images.packed(psf_fits.write), psf_fits.read),
-    _hdf5((".h5", ".hdf5"), psf_hdf5.write, psf_hdf5.read, holds=("with derivatives",)),
-    _hdf5((".mat",), psf_hdf5.write_mat, psf_hdf5.read_mat),
-    Format("psf", (".raw",), psf_numpy.write, psf_numpy.read, beside=".json"),
-    Format("psf", (".json",), psf_numpy.write_turned, psf_numpy.read_turned, beside=".raw"),
+_form = partial(Format, "psf")
+_tiff, _png, _fits, _hdf5 = (
+    partial(_form, library=library, extra=extra)
+    for library, extra in (("tifffile", "images"), ("PIL.Image", "images"), ("astropy", "fits"), ("h5py", "hdf5"))
 )
+_SLOPES = ("with derivatives",)
+registry.register(
+    _tiff((".tif", ".tiff"), psf_tiff.write, psf_tiff.read,
+          what="OME-TIFF", readers="Fiji, Bio-Formats, napari"),
+    _form((".npy",), psf_numpy.npy, psf_numpy.read_npy,
+          what="NumPy array", readers="NumPy, cnpy"),
+    _form((".npz",), psf_numpy.npz, psf_numpy.read_npz, holds=_SLOPES,
+          what="NumPy archive, with derivatives", readers="NumPy, cnpy"),
+    _png((".png",), psf_png.write, psf_png.read,
+         what="16-bit picture, square root of the values", readers="every picture viewer"),
+    _fits(fits_images.SUFFIXES, psf_fits.write, psf_fits.read,
+          what="FITS", readers="astropy, DS9, MATLAB, Fiji"),
+    _fits(fits_images.PACKED, fits_images.packed(psf_fits.write), psf_fits.read,
+          what="compressed FITS", readers="astropy, DS9"),
+    _hdf5((".h5", ".hdf5"), psf_hdf5.write, psf_hdf5.read, holds=_SLOPES,
+          what="HDF5, with derivatives", readers="h5py, MATLAB, Julia"),
+    _hdf5((".mat",), psf_hdf5.write_mat, psf_hdf5.read_mat,
+          what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
+    _form((".raw",), psf_numpy.raw, psf_numpy.read_raw, beside=".json",
+          what="bare little-endian numbers, described by a .json beside", readers="any program"),
+)  # fmt: skip
 find = partial(registry.find, "psf")
 
 
@@ -47,25 +60,18 @@ class FileError(ValueError):
     """A file that cannot be read as a PSF of this package."""
 
 
+@registry.documented("psf")
 def save(psf: PSFLike, path: str | PathLike[str]) -> None:
     """Write a PSF; the suffix chooses the format.
 
-    ``.tif``: OME-TIFF with the physical pixel size, all values; that of a microscope has the size in the sample (the
-    pixel over the magnification), the step of evenly spaced planes, where each is, the wavelength, and what its
-    objective and layers are. ``.npy``: the array, with the description behind it, where NumPy does not look.
-    ``.npz``: ``values`` and ``description``. ``.png``: a picture to look at, 16-bit grey, the square root of the
-    values over their peak, enlarged by the whole number that makes the longer side 512 pixels or more (a single PSF
-    only; :meth:`lommel.PSF.load` gives its values back to 1.6e-5 of the peak). ``.fits``, ``.fits.gz``: the values
-    with PIXELSCL (arcsec, of a lens with distances), XPIXSZ and YPIXSZ (um), CDELTn, WAVELEN, WAVEn and WGHTn; the
-    description is the bytes of the extension LOMMEL. ``.h5``: the dataset ``values`` with attributes, dimension
-    names and scales. ``.mat``: the same for MATLAB (version 7.3), of the size [height width ...]. ``.raw``: numbers,
-    little-endian, row by row, with a ``.json`` beside that says their shape, type, pixel and wavelength; both are
-    written or none, and either path loads them. See :doc:`/formats` for what reads each.
+    {formats}
 
-    Derivatives go into ``.npz`` and ``.h5`` only. The description is JSON: version, pupil (wavefront, obscuration,
-    wavelength, f-number, lens distances), method with all its options, normalisation, pixel, error bound, and a
-    checksum of all of this and of the values, without which nothing loads. The file is written under a temporary name
-    and moved into place, so that a failure leaves what was there before; links are followed and permissions kept.
+    The picture is of a single PSF, enlarged to 512 pixels or more, and :meth:`lommel.PSF.load` reads its values to
+    1.6e-5 of the peak. See :doc:`/formats` for what other programs find in each file.
+
+    Every file has a description in JSON: version, pupil, method with its options, normalization, pixel, error bound,
+    and a checksum of all of this and of the values, without which nothing loads. It is written under a temporary name
+    and moved into place, so that a failure leaves the previous file; links are followed and permissions kept.
 
     Parameters
     ----------
@@ -75,7 +81,7 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
     Raises
     ------
     ValueError
-        If the suffix is unknown, for a PNG of a stack, or for derivatives in anything but ``.npz`` and ``.h5``.
+        If the suffix is unknown, for a PNG of a stack, or for derivatives in a format without them.
     ImportError
         If tifffile, Pillow, astropy or h5py is not installed.
     OSError
@@ -89,20 +95,12 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
 
 def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
-    """Read a PSF that :func:`lommel.io.psf_files.save` wrote, as one of this kind.
-
-    Raises
-    ------
-    FileError
-        If the file is damaged or was not written by this package.
-    OSError
-        If it cannot be read.
-    """
+    """Read a PSF of this kind; FileError if the file is damaged or was not written by this package."""
     return load_described(path, kind)[0]
 
 
-def load_described(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Made, dict[str, Any]]:
-    """Read a PSF and the whole description in its file, which may say more than a PSF holds."""
+def load_described(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Made, Description]:
+    """Read a PSF and the whole description in its file, which may hold more than the PSF."""
     form, source = find(path, verb="read"), Path(path)
     data = [reading.contents(place) for place in form.places(source)]
     with told(source, "a PSF"):
@@ -113,7 +111,7 @@ def load_described(path: str | PathLike[str], kind: Callable[..., Made]) -> tupl
 
 @contextmanager
 def told(source: Path, what: str) -> Iterator[None]:
-    """Tell whatever goes wrong as a fault of the file, but for a library that is missing."""
+    """Turn every error into a FileError that names the file, but for a missing library."""
     try:
         yield
     except (ImportError, FileError):
@@ -123,20 +121,10 @@ def told(source: Path, what: str) -> Iterator[None]:
         raise FileError(f"{validation.line(source)} is not {what} written by lommel: {said}") from error
 
 
-def describe(psf: PSFLike) -> dict[str, Any]:
-    """Return how a PSF was made, in plain types.
-
-    Parameters
-    ----------
-    psf : PSF
-
-    Returns
-    -------
-    dict
-        All but the values; ``lommel.base.checksums.sealed`` adds the checksum of all.
-    """
-    # What few have is not stated of the others, whose files read as before.
-    beyond: dict[str, Any] = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
+def describe(psf: PSFLike) -> Description:
+    """Return how a PSF was computed; ``lommel.base.checksums.sealed`` adds the checksum."""
+    # Only where needed, so that most files stay as older versions wrote them.
+    beyond: Description = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
     if psf.blur:
         beyond["blur"] = [blur.to_dict() for blur in psf.blur]
     return {
@@ -158,8 +146,8 @@ def describe(psf: PSFLike) -> dict[str, Any]:
     }
 
 
-def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: Callable[..., Made]) -> Made:
-    """Return the PSF of the arrays of a file, by name, and of their sealed description."""
+def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made]) -> Made:
+    """Return the PSF of the arrays of a file and their sealed description."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
     pupil, method = _pupil(description["pupil"]), method_from_dict(description["method"])
@@ -200,22 +188,21 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
     if float(made.values.min()) < least:
         raise ValueError(f"its values must be >= 0, got {made.values.min():g}")
     if "checksum" not in description:
-        raise ValueError("it has no checksum, so nobody knows whether it is whole; save it anew")
+        raise ValueError("it has no checksum, so it may be incomplete; save it again")
     if description["checksum"] != checksum(description, arrays):
-        raise ValueError("its checksum is another: it is damaged, or was changed after it was written")
+        raise ValueError(DAMAGED)
     return made
 
 
-def _pupil(description: dict[str, Any]) -> Pupil | ObjectivePupil | FieldPupil:
-    """Return a pupil of the kind that it says; those of lenses did not always say it."""
+def _pupil(description: Description) -> BasePupil:
+    """Return the pupil of a description; without a kind it is that of a lens."""
     plain = dict(description)
-    kinds: dict[str, Any] = {kind.__name__: kind for kind in (Pupil, ObjectivePupil, FieldPupil)}
-    found: Pupil = kinds[validation.choice("kind", plain.pop("kind", "Pupil"), kinds)].from_dict(plain)
-    return found
+    kinds = {kind.__name__: kind for kind in (Pupil, ObjectivePupil, FieldPupil)}
+    return kinds[validation.choice("kind", plain.pop("kind", "Pupil"), kinds)].from_dict(plain)
 
 
-def _values(stored: NDArray[Any], kind: str, picture: Any = None) -> NDArray[Any]:
-    """Return what a file stores as values, which must be of the stated kind and finite."""
+def _values(stored: Values, kind: str, picture: Description | None = None) -> Values:
+    """Return the values that a file stores, which must be finite and of the stated type."""
     if picture:
         peak = validation.real("peak", picture["peak"], above=0.0)
         return np.asarray(peak * (stored.astype(np.float64) / psf_png.LEVELS) ** 2, dtype=kind)

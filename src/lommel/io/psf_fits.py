@@ -1,24 +1,24 @@
-"""PSFs as FITS: the values, what telescopes' programs look for in a header, and the description beside."""
+"""PSFs as FITS: the values, the header that programs of astronomers read, and the description beside."""
 
 from __future__ import annotations
 
 import json
-from typing import Any
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.checksums import sealed
-from lommel.io import fits_images, labels, ome_microscope
+from lommel.io import fits_images, metadata
+from lommel.io.registry import Arrays, Description
 from lommel.measures.psf_like import PSFLike
 
 _NAME = "LOMMEL"  # of the extension whose bytes are the description
-_MOST_WAVES = 1000  # WAVE1000 is no name of a card
+_MOST_WAVES = 1000  # the names of cards have 8 characters
 _COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
 
 
-def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
-    """Return a FITS file; in PIXELSCL, WAVELEN, WAVEn and WGHTn as POPPY and WebbPSF write them."""
+def write(psf: PSFLike, description: Description) -> bytes:
+    """Return a FITS file; PIXELSCL, WAVELEN, WAVEn and WGHTn are as POPPY and WebbPSF write them."""
     said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False).encode()
     return fits_images.write(
         [
@@ -28,8 +28,8 @@ def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
     )
 
 
-def read(data: bytes) -> tuple[dict[str, Any], str]:
-    """Return the values, and the description as it stands."""
+def read(data: bytes) -> tuple[Arrays, str]:
+    """Return the values and the description."""
     images = fits_images.read(data, validation.MAX_VALUES)
     described = [image for image in images if image.header.get("EXTNAME") == _NAME and image.values.dtype == np.uint8]
     if len(described) != 1:
@@ -37,9 +37,9 @@ def read(data: bytes) -> tuple[dict[str, Any], str]:
     return {"values": images[0].values}, described[0].values.tobytes().decode()
 
 
-def _header(psf: PSFLike, description: dict[str, Any]) -> dict[str, Any]:
-    metric, angle = psf.unit == "m", labels.arcseconds(psf)
-    cards: dict[str, Any] = {
+def _header(psf: PSFLike, description: Description) -> Description:
+    metric, angle = psf.unit == "m", metadata.arcseconds(psf)
+    cards: Description = {
         "CREATOR": "lommel",
         "BUNIT": (_COUNTS.get(psf.normalize, ""), "share of the light" if psf.normalize in _COUNTS else "of a peak"),
         "NORMALIZ": (psf.normalize, "what a value of 1 stands for"),
@@ -51,7 +51,7 @@ def _header(psf: PSFLike, description: dict[str, Any]) -> dict[str, Any]:
             cards[f"{side}PIXSZ"] = (1e6 * pitch, "[um] of a pixel on the sensor")
     elif isinstance(psf.pixel, float):
         cards["PIXELSZ"] = (psf.pixel, "[lambda*N] of a pixel on the sensor")
-    waves, shares = labels.light(psf)
+    waves, shares = metadata.light(psf)
     if waves.size:
         cards["WAVELEN"] = (float(waves @ shares), "[m] mean wavelength")
         cards["NWAVES"] = (waves.size, "number of wavelengths")
@@ -60,9 +60,9 @@ def _header(psf: PSFLike, description: dict[str, Any]) -> dict[str, Any]:
         cards[f"WGHT{k}"] = (float(shares[k]), "its share of the light")
     pitches = dict(zip("yx", psf.grid.pitch, strict=True))
     # FITS counts its axes from the last, and their entries from 1.
-    for k, (name, places, unit) in enumerate(reversed(labels.axes(psf, description)), 1):
+    for k, (name, places, unit) in enumerate(reversed(metadata.axes(psf, description)), 1):
         cards[f"CTYPE{k}"] = name.upper()
-        step = pitches[name] if name in pitches else places is not None and ome_microscope.step(places)
+        step = pitches[name] if name in pitches else places is not None and metadata.step(places)
         if places is None or not step:
             continue
         cards[f"CRPIX{k}"] = (1.0 - float(places[0]) / step, "where it is 0, on the axis")

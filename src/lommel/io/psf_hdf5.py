@@ -1,4 +1,4 @@
-"""PSFs as HDF5: for whatever reads it, and for MATLAB as a .mat of version 7.3."""
+"""PSFs as HDF5, and as .mat files of MATLAB, version 7.3."""
 
 from __future__ import annotations
 
@@ -6,28 +6,29 @@ import io
 import json
 import struct
 import zlib
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import reading, validation
 from lommel.base.checksums import sealed
-from lommel.io import labels
+from lommel.io import metadata
 from lommel.io.psf_numpy import SLOPE
+from lommel.io.registry import DAMAGED, Arrays, Description, Values
 from lommel.measures.psf_like import PSFLike
 
-_BLOCK = 512  # bytes before HDF5 begins, which are the writer's own
-_SEAL, _MARK = 128, b"lommel crc32 "  # where the head of MATLAB's files ends
+_BLOCK = 512  # bytes before HDF5 begins
+_SEAL, _MARK = 128, b"lommel crc32 "  # behind the head of MATLAB's files
 _MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
 
 
-def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
+def write(psf: PSFLike, description: Description) -> bytes:
     """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
     said = json.dumps(sealed(description, arrays), allow_nan=False)
-    waves, shares = labels.light(psf)
-    plain: dict[str, Any] = {
+    waves, shares = metadata.light(psf)
+    plain: Description = {
         "pixel": psf.pixel,
         "unit": psf.unit,
         "normalize": psf.normalize,
@@ -36,7 +37,7 @@ def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
     plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
     plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 
-    axes = labels.axes(psf, description)
+    axes = metadata.axes(psf, description)
 
     def fill(file: Any) -> None:
         file.create_dataset("description", data=np.bytes_(said.encode()), track_times=False)
@@ -57,8 +58,8 @@ def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
     return _sealed(_filled(fill), b"")
 
 
-def read(data: bytes) -> tuple[dict[str, Any], str]:
-    """Return the values and the derivatives, and the description as it stands."""
+def read(data: bytes) -> tuple[Arrays, str]:
+    """Return the values, the derivatives and the description."""
     with _opened(data) as file:
         text = bytes(_array(file, "description", data)).decode()
         names = ["values", *(name for name in file if name.startswith(SLOPE))]
@@ -67,13 +68,13 @@ def read(data: bytes) -> tuple[dict[str, Any], str]:
         return {name: _array(file, name, data) for name in names}, text
 
 
-def write_mat(psf: PSFLike, description: dict[str, Any]) -> bytes:
+def write_mat(psf: PSFLike, description: Description) -> bytes:
     """Return a .mat file: `values` of the size [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
     said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False)
-    waves, shares = labels.light(psf)
+    waves, shares = metadata.light(psf)
     texts = {"unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling, "description": said}
     arrays = {"values": _for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
-    places = ((axis.name, axis.places) for axis in labels.axes(psf, description))
+    places = ((axis.name, axis.places) for axis in metadata.axes(psf, description))
     arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
     arrays |= {"wavelength": waves[:, None], "weight": shares[:, None]} if waves.size else {}
 
@@ -87,35 +88,35 @@ def write_mat(psf: PSFLike, description: dict[str, Any]) -> bytes:
             stored.attrs["MATLAB_class"] = np.bytes_("char")
             stored.attrs["MATLAB_int_decode"] = np.int32(2)
 
-    # The text, no offset of a subsystem, version 2.0, and how this machine orders bytes.
+    # Text, no subsystem, version 2.0, byte order.
     return _sealed(_filled(fill), _MATLAB.ljust(116) + bytes(8) + struct.pack("<H", 0x0200) + b"IM")
 
 
-def read_mat(data: bytes) -> tuple[dict[str, Any], str]:
-    """Return the values, and the description as it stands."""
+def read_mat(data: bytes) -> tuple[Arrays, str]:
+    """Return the values and the description."""
     with _opened(data) as file:
         text = _array(file, "description", data).astype("<u2").tobytes().decode("utf-16-le")
         return {"values": np.ascontiguousarray(_for_matlab(_array(file, "values", data)))}, text
 
 
-def _for_matlab(values: NDArray[Any]) -> NDArray[Any]:
-    """Return the axes (..., y, x) as HDF5 is to have them, whose order MATLAB turns: (y, x, ...) there."""
+def _for_matlab(values: Values) -> Values:
+    """Return the axes (..., y, x) in the order of HDF5 that MATLAB reverses to (y, x, ...)."""
     stack = range(values.ndim - 2)
     return values.transpose(*reversed(stack), values.ndim - 1, values.ndim - 2)
 
 
-def _filled(fill: Any) -> bytearray:
+def _filled(fill: Callable[[Any], None]) -> bytearray:
     import h5py
 
     file = io.BytesIO()
-    # As old as can be, for readers that are.
+    # The oldest version, for old readers.
     with h5py.File(file, "w", libver="earliest", userblock_size=_BLOCK) as made:
         fill(made)
     return bytearray(file.getvalue())
 
 
 def _sealed(data: bytearray, head: bytes) -> bytes:
-    """Return a file with its head, and a checksum: the library of HDF5 is given no file that is damaged."""
+    """Return a file with its head and a checksum, since the HDF5 library may crash on damaged files."""
     data[: len(head)] = head
     mark = _MARK + _sum(data)
     data[_SEAL : _SEAL + len(mark)] = mark
@@ -130,7 +131,7 @@ def _opened(data: bytes) -> Any:
     if not data.startswith(_MARK, _SEAL):
         raise ValueError("no checksum of how it was written")
     if not data.startswith(_sum(data), _SEAL + len(_MARK)):
-        raise ValueError("its checksum is another: it is damaged, or was changed after it was written")
+        raise ValueError(DAMAGED)
     return reading.hdf5(data)
 
 
@@ -140,8 +141,8 @@ def _plain(file: Any, name: str) -> bool:
     return isinstance(file.get(name, getlink=True), h5py.HardLink) and isinstance(file[name], h5py.Dataset)
 
 
-def _array(file: Any, name: str, data: bytes) -> NDArray[Any]:
-    """Return an array that is plainly stored in the file itself."""
+def _array(file: Any, name: str, data: bytes) -> Values:
+    """Return an array that is stored contiguously in the file itself."""
     if not _plain(file, name):
         raise ValueError(f"no array {name!r}")
     found = file[name]

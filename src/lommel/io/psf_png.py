@@ -1,32 +1,31 @@
-"""PSFs as pictures to look at: 16-bit grey, the square root of the values over their peak, enlarged."""
+"""PSFs as pictures: 16-bit grey, the square root of the values over their peak, enlarged."""
 
 from __future__ import annotations
 
 import json
 import math
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.checksums import sealed
+from lommel.io.registry import Arrays, Description, Values
 from lommel.measures.psf_like import PSFLike
 
 LEVELS = 65535
 """The value of the peak."""
 
 _SIDE = 512
-"""What is smaller is enlarged to it or more, by a whole number."""
+"""Smaller PSFs are enlarged to this side or more, by an integer factor."""
 
 
 def scale(psf: PSFLike) -> int:
-    """Return how many pixels a side stand for one of a PSF in a picture."""
+    """Return the factor by which the picture of a PSF is enlarged."""
     return -(-_SIDE // max(psf.shape[-2:]))
 
 
-def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
-    """Return a picture, with the description and what the values were divided by as texts of it."""
+def write(psf: PSFLike, description: Description) -> bytes:
+    """Return a picture, with the description and the scale of the values as texts in it."""
     from PIL import Image, PngImagePlugin
 
     if psf.values.ndim != 2:
@@ -49,8 +48,8 @@ def write(psf: PSFLike, description: dict[str, Any]) -> bytes:
     return atomic.contents(image.save, format="png", pnginfo=info, compress_level=0)
 
 
-def read(data: bytes) -> tuple[dict[str, Any], str]:
-    """Return one grey value for each of the PSF, and the description as it stands."""
+def read(data: bytes) -> tuple[Arrays, str]:
+    """Return one grey value for each pixel of the PSF, and the description."""
     with reading.png(data) as file:
         text = str(file.info["lommel"])  # which stands before the picture
         description = reading.json(text)
@@ -65,5 +64,5 @@ def read(data: bytes) -> tuple[dict[str, Any], str]:
     return {"values": values}, text
 
 
-def _enlarged(grey: NDArray[Any], times: int) -> NDArray[Any]:
+def _enlarged(grey: Values, times: int) -> Values:
     return np.repeat(np.repeat(grey, times, axis=0), times, axis=1)

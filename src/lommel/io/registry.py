@@ -1,13 +1,16 @@
-"""The formats of files: each says what it holds, how its files are known, and what writes and reads them."""
+"""The file formats: what each holds, how its files are recognized, and what writes and reads them."""
 
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias, TypeVar
+
+from numpy.typing import NDArray
 
 from lommel.base import optional, reading, validation
 
@@ -20,40 +23,57 @@ KINDS = {
     "depth map": "depth",
     "images": "images",
     "zernike": "Zernike coefficients",
-    "opd": "a map of path differences",
+    "opd": "an OPD map",
 }
-"""What files hold, and what messages call it."""
+"""The kinds of contents, and their names in messages."""
+
+Values: TypeAlias = NDArray[Any]
+"""An array of the type that a file stores."""
+
+Arrays: TypeAlias = dict[str, Values]
+"""The arrays of a file, by name."""
+
+Description: TypeAlias = dict[str, Any]
+"""How a PSF was computed, in plain types, written as JSON."""
+
+DAMAGED = "its checksum does not match: it is damaged, or was changed after it was written"
 
 _FORMATS: list[Format] = []
+_Function = TypeVar("_Function", bound=Callable[..., object])
 
 
 @dataclass(frozen=True)
 class Format:
-    """One way to have one kind of thing in files.
+    """One file format of one kind of contents.
 
-    A package adds one by an entry point of the group ``lommel.formats`` that names it. It is loaded when a file is in
-    none of the formats known so far.
+    Other packages add formats by entry points of the group ``lommel.formats``, each naming a Format. They are loaded
+    when a file has none of the formats known so far.
 
     Parameters
     ----------
     kind : {"psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd"}
     suffixes : tuple of str
-        Of its files, in small letters, each with its dot.
+        Suffixes of its files, in lower case, each with its dot.
     write, read : callable, optional
-        See the notes; None where it does not.
+        See the notes; None where the format cannot be written or read.
     starts : tuple of bytes, default ()
-        What files begin with, where they are told by their content.
+        First bytes of its files, where the contents tell the format.
     holds : tuple of str, default ()
-        What not all of its kind hold, in words that follow those of the kind: "with derivatives", "of uint16".
+        Contents that not all formats of the kind hold, in words that follow those of the kind: "with derivatives",
+        "of uint16".
     library, extra : str, default ""
-        The library that it needs, as it is imported, and the extra of this package that brings it.
+        The library that it needs, as it is imported, and the extra of this package that installs it.
     beside : str, default ""
-        The suffix of a second file that belongs to the first; of these, ``write`` returns and ``read`` takes both.
+        Suffix of a second file that belongs to the first; ``write`` returns both and ``read`` takes both.
+    what : str, default ""
+        A few words about the contents, for help texts: "OME-TIFF".
+    readers : str, default ""
+        Other programs that read it, for the table of formats.
 
     Raises
     ------
     ValueError
-        If there is no such kind.
+        If the kind is unknown.
 
     Notes
     -----
@@ -65,13 +85,13 @@ class Format:
     - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes
-    - "depth map": values of float32 to bytes; (bytes, metres a level or None) to values
+    - "depth map": values of float32 to bytes; (bytes, metres per level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
     - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_files.Measured``
-    - "zernike": read only, bytes to (ZernikeTable or None, what is wrong with it)
+    - "zernike": (ZernikeTable, settings, terms) to text; bytes to (ZernikeTable or None, list of errors)
 
-    What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A
-    description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the
+    Bytes are moved into place as a whole. Contents that a format cannot hold, or that are damaged, are a ValueError.
+    A description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the
     checksum of the arrays.
     """
 
@@ -84,17 +104,19 @@ class Format:
     library: str = ""
     extra: str = ""
     beside: str = ""
+    what: str = ""
+    readers: str = ""
 
     def __post_init__(self) -> None:
         validation.choice("kind", self.kind, KINDS)
 
     @property
     def name(self) -> str:
-        """What messages call it: the longest of its suffixes, such as JPEG."""
+        """The name in messages: the longest of its suffixes, such as JPEG."""
         return max(self.suffixes, key=len).lstrip(".").upper()
 
     def places(self, path: Path) -> tuple[Path, ...]:
-        """Return a `path`, and that of the file beside it if there is one."""
+        """Return the files of a `path`: itself, and the one beside it if there is one."""
         return (path, path.with_suffix(self.beside)) if self.beside else (path,)
 
     def ready(self) -> Format:
@@ -104,21 +126,21 @@ class Format:
         return self
 
 
-def register(*formats: Format) -> None:
+def register(*new_formats: Format) -> None:
     """Add formats.
 
     Parameters
     ----------
-    *formats : Format
+    *new_formats : Format
 
     Raises
     ------
     TypeError, ValueError
-        If one is no Format, or has a suffix that another of its kind has.
+        If one is not a Format, or another format of its kind has one of its suffixes.
     """
-    for new in formats:
+    for new in new_formats:
         validation.instance("format", new, Format)
-        taken = {suffix for form in _FORMATS if form.kind == new.kind for suffix in form.suffixes}
+        taken = {suffix for form in formats(new.kind) for suffix in form.suffixes}
         if both := taken.intersection(new.suffixes):
             raise ValueError(f"suffixes must be new for {KINDS[new.kind]}, got {', '.join(sorted(both))}")
         _FORMATS.append(new)
@@ -127,18 +149,21 @@ def register(*formats: Format) -> None:
 def find(
     kind: str, path: str | PathLike[str], name: str = "path", *, verb: str = "write", holding: str = ""
 ) -> Format:
-    """Return the format of a path by its suffix, ready to write or read; ValueError with all suffixes if none is.
+    """Return the format of a path by its suffix, ready to write or read; ValueError with all suffixes if none fits.
 
-    `name` is what messages call the path, `holding` one of :attr:`Format.holds`.
+    `name` is the path's name in messages, `holding` one of :attr:`Format.holds`.
     """
     suffixes = validation.path(name, path).suffixes
-    suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # which .fits.gz is
+    suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # .fits.gz has two
     if not any(end.endswith(form.suffixes) for form in _able(kind, verb)):
         _load_others()
     fit = [form for form in _able(kind, verb) if not holding or holding in form.holds]
     for form in fit:
         if end.endswith(form.suffixes):
             return form.ready()
+        if suffix and suffix == form.beside:
+            first = form.suffixes[0]
+            raise ValueError(f"{name} must be the {first} file to which {validation.shown(str(path))} belongs")
     raise ValueError(
         f"{name} must end in {', '.join(suffix for form in fit for suffix in form.suffixes) or 'nothing known'} for "
         f"{f'{KINDS[kind]} {holding}'.rstrip()}, got {validation.shown(suffix)} in {validation.shown(str(path))}"
@@ -146,7 +171,7 @@ def find(
 
 
 def identify(kind: str, data: bytes) -> Format:
-    """Return the format of the contents of a file by how they start, ready to read; ValueError if there is none."""
+    """Return the format of the contents of a file by their first bytes, ready to read; ValueError if none fits."""
     for load in (None, _load_others) if data else ():
         if load:
             load()
@@ -157,13 +182,39 @@ def identify(kind: str, data: bytes) -> Format:
     raise ValueError(f"is not a {', '.join(most)} or {last} file" if data else "is empty")
 
 
+def suffixes(kind: str, *, described: bool = False) -> str:
+    """Return the suffixes that can be written in one line, perhaps with a few words about the contents of each."""
+    return ", ".join(
+        form.suffixes[0] + (f" ({form.what})" if described and form.what else "") for form in _able(kind, "write")
+    )
+
+
+def documented(kind: str) -> Callable[[_Function], _Function]:
+    """Return a decorator that puts the list of a kind's formats in place of ``{formats}`` in a docstring."""
+    lines = [
+        f"{', '.join(f'``{suffix}``' for suffix in form.suffixes)}: {form.what}." for form in _able(kind, "write")
+    ]
+
+    def made(function: _Function) -> _Function:
+        if function.__doc__:  # there is none with python -OO
+            function.__doc__ = function.__doc__.replace("{formats}", "\n    ".join(f"- {line}" for line in lines))
+        return function
+
+    return made
+
+
+def formats(kind: str) -> list[Format]:
+    """Return the formats of a kind."""
+    return [form for form in _FORMATS if form.kind == kind]
+
+
 def _able(kind: str, verb: str) -> list[Format]:
-    return [form for form in _FORMATS if form.kind == kind and getattr(form, verb)]
+    return [form for form in formats(kind) if getattr(form, verb)]
 
 
 @cache
 def _load_others() -> None:
-    """Register what other packages bring, once; a warning tells of what fails, for the file may be of another."""
+    """Register the formats of other packages, once; one that fails is left out with a warning."""
     from importlib.metadata import entry_points  # takes long
 
     for entry in entry_points(group="lommel.formats"):

@@ -1,7 +1,4 @@
-"""Zarr folders (version 3) written and read plainly: descriptions in JSON, uncompressed chunks, a file each.
-
-zarr writes by threads of its own, which go on after an error, and reads what it finds, of any kind and size. Here
-nothing is under way once a call has ended, and what is read is compared with the size of its file before.
+"""Zarr folders (version 3) with uncompressed chunks; no thread goes on after a call, and sizes are checked first.
 
 Zarr core specification, version 3.0, https://zarr-specs.readthedocs.io/en/latest/v3/core/
 """
@@ -17,16 +14,16 @@ from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import reading, validation
+from lommel.io.registry import Description, Values
 
 META = "zarr.json"
 _KINDS = ("float32", "float64", "uint8", "int64")
 
 
 def write_group(folder: Path, attributes: Mapping[str, Any]) -> None:
-    """Make a group, a folder that holds arrays."""
+    """Write a group, a folder that holds arrays."""
     folder.mkdir(parents=True, exist_ok=True)
     _write_meta(folder, {"zarr_format": 3, "node_type": "group", "attributes": attributes})
 
@@ -37,24 +34,13 @@ def _write_meta(folder: Path, said: Mapping[str, Any]) -> None:
 
 @dataclass(frozen=True)
 class ZarrArray:
-    """An array in a folder.
-
-    Parameters
-    ----------
-    folder : Path
-    shape, chunks : tuple of int
-        Of all of it, and of a chunk; those at the end of an axis are stored whole.
-    dtype : str
-        Such as "<f4".
-    separator : str
-        "." or "/", between the numbers of a chunk in the name of its file.
-    """
+    """An array in a folder, by chunks; those at the end of an axis are stored whole."""
 
     folder: Path
     shape: tuple[int, ...]
     chunks: tuple[int, ...]
-    dtype: str
-    separator: str = "."  # one folder, whose names one call settles
+    dtype: str  # such as "<f4"
+    separator: str = "."  # between the numbers of a chunk in its file name
 
     def create(
         self,
@@ -62,9 +48,9 @@ class ZarrArray:
         *,
         fill: float = 0,
         attributes: Mapping[str, Any] | None = None,
-        values: NDArray[Any] | None = None,
+        values: Values | None = None,
     ) -> None:
-        """Write the description, that of the group that holds it if there is none, and chunks of values if given."""
+        """Write the metadata of the array, of its group if that has none, and the chunks of the values, if given."""
         if not (self.folder.parent / META).exists():
             write_group(self.folder.parent, {})
         self.folder.mkdir()
@@ -90,7 +76,7 @@ class ZarrArray:
 
     @classmethod
     def open(cls, folder: Path) -> Self:
-        """Return what is in a folder; ValueError if it is no such array, OSError if it cannot be read."""
+        """Return the array in a folder; ValueError if it is stored in another way."""
         said = _meta(folder)
         kind, codecs = said["data_type"], said["codecs"]
         plain = len(codecs) == 1 and codecs[0]["name"] == "bytes" and not said.get("storage_transformers")
@@ -101,28 +87,28 @@ class ZarrArray:
         shape, chunks = said["shape"], said["chunk_grid"]["configuration"]["chunk_shape"]
         sides = all(type(n) is int and n > 0 for n in (*shape, *chunks)) and len(shape) == len(chunks)
         if not plain or separator not in (".", "/") or not sides:
-            raise ValueError(f"its array {folder.name} is stored another way; zarr reads it")
+            raise ValueError(f"its array {folder.name} is stored in another way; zarr reads it")
         return cls(folder, tuple(shape), tuple(chunks), np.dtype(kind).newbyteorder("<").str, separator)
 
     @property
     def grid(self) -> tuple[int, ...]:
-        """How many chunks there are along each axis."""
+        """Number of chunks along each axis."""
         return tuple(-(-n // c) for n, c in zip(self.shape, self.chunks, strict=True))
 
     def file(self, index: tuple[int, ...]) -> Path:
-        """Return where a chunk is; of axes that are not named the first is meant."""
+        """Return the file of a chunk, the first one along axes that are not given."""
         whole = (*index, *(0,) * (len(self.shape) - len(index)))
         return self.folder / self.separator.join(("c", *map(str, whole)))
 
-    def packed(self, part: NDArray[Any]) -> memoryview:
-        """Return what is stored of a chunk, filled up with zeros where it is smaller, at the end of an axis."""
+    def packed(self, part: Values) -> memoryview:
+        """Return the bytes of a chunk, padded with zeros at the end of an axis."""
         whole = np.zeros(self.chunks, self.dtype) if part.shape != self.chunks else part
         if whole is not part:
             whole[tuple(slice(0, n) for n in part.shape)] = part
         return np.ascontiguousarray(whole, self.dtype).reshape(-1).data.cast("B")
 
-    def get(self, index: tuple[int, ...]) -> NDArray[Any]:
-        """Return a chunk; FileNotFoundError where there is none, ValueError if its file has another size."""
+    def get(self, index: tuple[int, ...]) -> Values:
+        """Return a chunk; FileNotFoundError if it is missing, ValueError if its file has another size."""
         file, nbytes = self.file(index), math.prod(self.chunks) * np.dtype(self.dtype).itemsize
         if (size := _size(file)) != nbytes:
             raise ValueError(f"its chunk {file.name} takes {nbytes} bytes, got {size}")
@@ -131,8 +117,8 @@ class ZarrArray:
         sides = zip(whole, self.chunks, self.shape, strict=True)
         return part[tuple(slice(0, min(c, n - i * c)) for i, c, n in sides)]
 
-    def read(self, most: int = validation.MAX_VALUES) -> NDArray[Any]:
-        """Return all of it, at most so many values; ValueError or OSError where chunks are not there."""
+    def read(self, most: int = validation.MAX_VALUES) -> Values:
+        """Return the whole array of at most `most` values; ValueError or OSError if chunks are missing."""
         if math.prod(self.shape) > most:
             raise ValueError(f"it has {' x '.join(map(str, self.shape))} values; the limit is {most}")
         held = sum(_size(self.file(index)) for index in np.ndindex(*self.grid))
@@ -147,20 +133,20 @@ class ZarrArray:
         return tuple(slice(i * c, (i + 1) * c) for i, c in zip(index, self.chunks, strict=True))
 
 
-def attributes(folder: Path) -> dict[str, Any]:
-    """Return what a group says; OSError if it cannot be read, ValueError or KeyError if it is none."""
-    found: dict[str, Any] = _meta(folder)["attributes"]
+def attributes(folder: Path) -> Description:
+    """Return the attributes of a group."""
+    found: Description = _meta(folder)["attributes"]
     return found
 
 
-def _meta(folder: Path) -> dict[str, Any]:
+def _meta(folder: Path) -> Description:
     _size(folder / META)
-    found: dict[str, Any] = reading.json(reading.contents(folder / META, reading.MAX_PIXELS))
+    found: Description = reading.json(reading.contents(folder / META, reading.MAX_PIXELS))
     return found
 
 
 def _size(path: Path) -> int:
-    """Return the bytes of a file; OSError if it is none, or a link, which may lead anywhere."""
+    """Return the size of a file; ValueError for a link, which may lead anywhere."""
     status = path.lstat()
     if not stat.S_ISREG(status.st_mode):
         raise ValueError(f"{path.name} is no regular file")

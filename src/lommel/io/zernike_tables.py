@@ -1,21 +1,30 @@
-"""Zernike coefficients as they were written down, with what is needed to know what they mean."""
+"""Tables of Zernike coefficients in JSON, TOML, CSV and the listings of lens design programs; nothing is guessed."""
 
 from __future__ import annotations
 
+import codecs
+import io
 import json
-from collections.abc import Mapping
+import math
+import re
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from os import PathLike
-from typing import Any
+from pathlib import Path
+from typing import Any, TypeAlias
 
-from lommel.base import atomic, display, validation
-from lommel.base.units import LENGTHS
+from lommel.base import atomic, display, reading, validation
+from lommel.base.options import near
+from lommel.base.units import LENGTHS, parse_length
+from lommel.io import code_v, registry, text_files
+from lommel.io.registry import Format
 from lommel.optics.wavefront.coefficients import NORMALIZATIONS
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
-SUFFIXES = (".json", ".toml", ".csv")
-"""Of files of tables."""
+Index: TypeAlias = int | tuple[int, int]
 
 UNITS = ("radians", "waves", "metres", *LENGTHS)
 
@@ -42,7 +51,7 @@ class ZernikeTable:
         If there is no such term, order, unit, or normalization, or a number is not finite.
     """
 
-    terms: Mapping[Any, float]
+    terms: Mapping[int, float] | Mapping[Index, float] | Mapping[tuple[int, int], float]
     order: str
     unit: str
     normalization: str
@@ -70,7 +79,7 @@ class ZernikeTable:
         normalization: str = "rms",
         wavelength: float | None = None,
     ) -> ZernikeTable:
-        """Describe a single wavefront; units of length need `wavelength`, in metres.
+        """Return the table of a single wavefront; units of length need `wavelength`, in metres.
 
         Parameters
         ----------
@@ -132,10 +141,10 @@ class ZernikeTable:
 
 
 def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> None:
-    """Write a table; the suffix chooses the format, and :func:`lommel.load_zernike` reads the very same numbers.
+    """Write a table; the suffix chooses the format, and :func:`lommel.load_zernike` reads the same numbers.
 
     A single wavefront is written as a table of Noll's terms in waves rms; :meth:`ZernikeTable.from_wavefront` makes
-    those of other orders and units. The file is written under a temporary name and moved into place.
+    tables of other orders and units. The file is written under a temporary name and moved into place.
 
     Parameters
     ----------
@@ -154,23 +163,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
         table = ZernikeTable.from_wavefront(table)
     if not isinstance(table, ZernikeTable):
         raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
-    form = suffix(path)
-    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
-    if table.wavelength is not None:
-        settings["wavelength"] = f"{table.wavelength!r} m"
-    pair = table.order == "nm"
-    terms = {(f"{i[0]},{i[1]}" if pair else str(i)): c for i, c in table.terms.items()}
-    if form == ".json":
-        text = json.dumps(settings | {"terms": terms}, indent=2, allow_nan=False) + "\n"
-    elif form == ".toml":
-        head = [f'{key} = "{value}"' for key, value in settings.items()]
-        text = "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in terms.items()), ""])
-    else:
-        head = [f"# {key}: {value}" for key, value in settings.items()]
-        text = "\n".join(
-            [*head, "n,m,value" if pair else "index,value", *(f"{k},{c!r}" for k, c in terms.items()), ""]
-        )
-    atomic.write(validation.path("path", path), text.encode())
+    atomic.write(validation.path("path", path), find(path).write(table).encode())
 
 
 @display.save.register(Wavefront)
@@ -203,21 +196,410 @@ def save_wavefront(
     OSError
         If the file cannot be written.
     """
-    suffix(path)
+    find(path)  # before anything is computed
     table = ZernikeTable.from_wavefront(
         wavefront, order=order, unit=unit, normalization=normalization, wavelength=wavelength
     )
     save_zernike(path, table)
 
 
-def suffix(path: str | PathLike[str], name: str = "path") -> str:
-    """Return the suffix of a table, in small letters; ValueError with all of them, for `name`, if it is another."""
-    found = validation.path(name, path).suffix.lower()
-    if found not in SUFFIXES:
-        raise ValueError(f"{name} must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
-    return found
-
-
 def _unit(unit: str) -> tuple[str, float]:
     """Return a unit of :meth:`lommel.Wavefront.zernike`, and how many of it one `unit` is."""
     return ("metres", LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)
+
+
+SETTINGS = ("order", "unit", "normalization", "wavelength")
+_MOST_TERMS = 4096  # more than there are
+_PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
+
+
+def build(
+    settings: Mapping[str, Any], terms: Sequence[tuple[str, object, str]], where: Callable[[str], str]
+) -> tuple[ZernikeTable | None, list[str]]:
+    """Build a table from settings and terms (index, value, place in the file), or return all errors.
+
+    `where` maps the name of a setting to its place in the file.
+    """
+    stray = [key for key in settings if key not in SETTINGS]
+    found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.TOLD]]
+    found += ["unknown keys"] * len(stray[text_files.TOLD :])
+    allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
+    for key, options in allowed.items():
+        if key not in settings:
+            found.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
+        elif settings[key] not in options:
+            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
+    wavelength = None
+    if "wavelength" in settings:
+        try:
+            wavelength = validation.wavelength(parse_length(settings["wavelength"]))
+        except ValueError as error:
+            found.append(f"{where('wavelength')}: {error}")
+    order = settings.get("order")
+    known = order if isinstance(order, str) and order in zernike.ORDERS else None
+    if len(terms) > _MOST_TERMS:
+        found.append(f"{where('terms')}: must be at most {_MOST_TERMS} coefficients, got {len(terms)}")
+        terms = terms[:1]
+    values: dict[Index, float] = {}
+    places: dict[tuple[int, int], str] = {}
+    for text, value, at in terms:
+        try:
+            coefficient = validation.real("the coefficient", value)
+        except (ValueError, TypeError) as error:
+            found.append(f"{at}: {error}")
+            coefficient = 0.0
+        if known is None:
+            continue  # the meaning of an index is unknown
+        try:
+            index = _index(text, known)
+            term = zernike.term(index, known)
+            if term in places:
+                raise ValueError(f"the term {text} was given before, {places[term]}")
+            Wavefront.zernike({index: coefficient}, order=known)
+        except (ValueError, TypeError) as error:
+            found.append(f"{at}: {error}")
+            continue
+        values[index], places[term] = coefficient, at
+    if not terms:
+        found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
+    if found:
+        return None, found
+    return ZernikeTable(values, settings["order"], settings["unit"], settings["normalization"], wavelength), []
+
+
+def build_section(
+    raw: Mapping[str, object], where: Callable[[Sequence[str]], str]
+) -> tuple[ZernikeTable | None, list[str]]:
+    """Build a table from a section of a TOML or JSON file, or return all errors; `where` maps keys to places."""
+    settings = {key: value for key, value in raw.items() if key != "terms"}
+    terms = raw.get("terms", {})
+    entries = terms.items() if isinstance(terms, Mapping) else ()
+    table, found = build(settings, [(k, c, where(["terms", k])) for k, c in entries], lambda key: where([key]))
+    if not isinstance(terms, Mapping):
+        found[-1] = f"{where(['terms'])}: must map indices to coefficients, got {validation.shown(terms)}"
+    return table, found
+
+
+def _index(text: str, order: str) -> Index:
+    if order == "nm":
+        pair = _PAIR.fullmatch(text.strip())
+        if not pair:
+            raise ValueError(f'an index of the order "nm" is written "n,m", got {validation.shown(text)}')
+        return int(pair[1]), int(pair[2])
+    if not re.fullmatch(r"\s*[+-]?\d+\s*", text, re.ASCII):
+        raise ValueError(f"an index of the order {order!r} is an integer, got {validation.shown(text)}")
+    return int(text)
+
+
+_INDICES = ("index", "term", "j", "zernike")  # names of columns
+_VALUES = ("value", "coefficient", "coeff", "c")
+_NAMES = ("name", "aberration", "description")  # of columns that are ignored
+_COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
+_NUMBERED = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
+_ALSO = {"wave": "waves", "rad": "radians", "radian": "radians", "meters": "metres", "micron": "um", "microns": "um"}
+
+_Row: TypeAlias = tuple[int, list[str]]
+
+
+def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the table of a CSV text, or all errors in it."""
+    settings: dict[str, str] = {}
+    lines: dict[str, int] = {}
+    found: list[str] = []
+    for place, line in enumerate(io.StringIO(text), 1):
+        comment, colon, value = line.partition(":")
+        key = comment.strip().removeprefix("#").strip()
+        if colon and comment.lstrip().startswith("#"):
+            if key in settings:
+                found.append(f"{validation.key(key)} (line {place}): is given twice, first in line {lines[key]}")
+            else:
+                settings[key], lines[key] = value.strip(), place
+
+    def stated(key: str, value: str, place: int) -> None:
+        if settings.setdefault(key, value) != value:
+            found.append(
+                f"line {place}: the columns say the {key} {value}, line {lines[key]} {validation.key(settings[key])}"
+            )
+        lines.setdefault(key, place)
+
+    if "unit" in settings:
+        settings["unit"] = _ALSO.get(settings["unit"].lower(), settings["unit"])
+    (head, columns), *rows = [*text_files.rows(text, _between(text))] or [(0, [])]
+    plain = [cell.lower() for cell in columns]
+    if plain and all(map(_NUMBERED.fullmatch, plain)):
+        rows = _standing(rows, plain, found)
+        plain = ["index", "value"]
+    kept = [k for k, name in enumerate(plain) if name not in _NAMES]
+    index, value, unit = _told([plain[k] for k in kept], settings.get("order"))
+    if columns and not index:
+        wanted = "n,m,value" if settings.get("order") == "nm" else "index,value"
+        found.append(f"line {head}: the columns must be {wanted}, got {_brief(columns)}")
+        rows = []
+    if index == ["n", "m"]:
+        stated("order", "nm", head)
+    elif index and index[0] in zernike.ORDERS:
+        stated("order", index[0], head)
+    if unit:
+        stated("unit", unit, head)
+    terms = []
+    for place, row in rows:
+        if len(row) != len(plain):
+            found.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_brief(row)}")
+            continue
+        *at, number = (row[k] for k in kept)
+        numbered = _NUMBERED.fullmatch(at[0])
+        terms.append((numbered[1] if numbered else ",".join(at), text_files.number(number), f"line {place}"))
+
+    def where(key: str) -> str:
+        return f"{validation.key(key)} (line {lines[key]})" if key in lines else validation.key(key)
+
+    table, more = build(settings, terms, where)
+    return (None if found else table), [*found, *more]
+
+
+def _told(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
+    """Return the index columns, the value column and its unit, or nothing if the columns are others."""
+    *index, last = columns or [""]
+    value = _COLUMN.fullmatch(last)
+    pair = index == ["n", "m"] and order in (None, "nm")
+    single = len(index) == 1 and order != "nm" and index[0] in (*_INDICES, *zernike.ORDERS[1:])
+    if not value or value[1] not in _VALUES or not (pair or single):
+        return [], "", ""
+    unit = _ALSO.get(value[2] or "", value[2] or "")
+    return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
+
+
+def _brief(row: Sequence[str]) -> str:
+    return validation.brief(", ".join(row[:60]))
+
+
+def _between(text: str) -> str:
+    """Return the separator of cells: a semicolon or a tab where the first row has it and no comma."""
+    first = next((line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("#")), "")
+    return next((mark for mark in ";\t" if mark in first and "," not in first), ",")
+
+
+def _standing(rows: Sequence[_Row], names: Sequence[str], found: list[str]) -> list[_Row]:
+    """Return one row of values below Z1, Z2, ... as rows of an index and a value."""
+    for place, row in rows[1:]:
+        found.append(f"line {place}: one row of values is a table, got another: {validation.shown(', '.join(row))}")
+    for place, row in rows[:1]:
+        if len(row) != len(names):
+            found.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_brief(row)}")
+    return [(place, [name, cell]) for place, row in rows[:1] for name, cell in zip(names, row, strict=False)]
+
+
+_KIND = re.compile(r"^\s*(?:Listing of|Using)\b.*?\b(Standard|Fringe|Annular)\b", re.MULTILINE | re.IGNORECASE)
+_WAVES = re.compile(r"^\s*(?:Peak to Valley|RMS|Maximum fit)\b.*?:\s*[\d.,eE+-]+\s+waves\s*$", re.MULTILINE)
+_WAVELENGTH = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.MULTILINE)
+_RATIO = re.compile(r"^\s*(?:Obscuration|Epsilon|Annular ratio)[\w ]*:\s*([\d.,]+)\s*$", re.MULTILINE | re.IGNORECASE)
+_TERM = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
+_ENTRY = re.compile(r"^\s*Z\s*\d", re.ASCII)
+_BOMS = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16", codecs.BOM_UTF8: "utf-8-sig"}
+
+
+def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the coefficients of a listing of OpticStudio, or all errors in it."""
+    text, found = _text(data), []
+    kinds = {kind.lower() for kind in _KIND.findall(text)}
+    if len(kinds) != 1:
+        told = f"got {' and '.join(sorted(kinds))}" if kinds else "which the line 'Listing of Zernike ...' states"
+        found.append(f"the terms must be Standard, Fringe or Annular, {told}")
+    if not _WAVES.search(text):
+        found.append("the unit is not stated; listings have 'Peak to Valley ... waves'")
+    wavelength = None
+    if waves := _WAVELENGTH.search(text):
+        if waves[2] in LENGTHS:
+            wavelength = validation.wavelength(_number(waves[1]) * LENGTHS[waves[2]])
+        else:
+            found.append(f"the wavelength has the unknown unit {validation.shown(waves[2])}")
+    annulus, kind = _RATIO.search(text), "".join(kinds)
+    if kind == "annular" and not annulus:
+        found.append("the obscuration of the annulus is not stated")
+    terms: dict[int, float] = {}
+    for place, line in enumerate(text.splitlines(), 1):
+        entry = _TERM.match(line)
+        if not entry:
+            if _ENTRY.match(line):
+                found.append(f"line {place}: a term must have a number and a value, got {validation.shown(line)}")
+            continue
+        index, value = int(entry[1]), _number(entry[2])
+        if index in terms:
+            found.append(f"line {place}: the term {index} was given before")
+        elif not math.isfinite(value):
+            found.append(f"line {place}: the term {index} must be a finite number, got {validation.shown(entry[2])}")
+        terms[index] = value
+    if not terms:
+        found.append("it lists no term, such as 'Z   4     0.25'")
+    if found:
+        return None, found
+    if kind == "fringe":
+        return ZernikeTable(terms, "fringe", "waves", "edge", wavelength), []
+    if annulus and kind == "annular":
+        inner = validation.real("the obscuration", _number(annulus[1]), least=0.0, below=1.0)
+        disc = zernike.over_disc({zernike.term(j, "noll"): c for j, c in terms.items()}, inner)
+        terms = {zernike.index_of(n, m, "noll"): c for (n, m), c in disc.items()}
+    return ZernikeTable(dict(sorted(terms.items())), "noll", "waves", "rms", wavelength), []
+
+
+def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the coefficients in a file of Code V."""
+    held = code_v.parse(_text(data))
+    if held.kind == "GRD":
+        raise ValueError("it holds a grid; load_opd reads it")
+    if held.missing.any():
+        raise ValueError(f"the term {held.missing.argmax() + 1} has no value (NDA)")
+    indexed = dict(enumerate(held.values.tolist(), 1))
+    if held.kind == "ZFR":
+        return ZernikeTable(indexed, "fringe", "waves", "edge", held.wavelength), []
+    pairs = {code_v.term(j): c for j, c in indexed.items()}
+    return ZernikeTable(pairs, "nm", "waves", "edge", held.wavelength), []
+
+
+def _text(data: bytes) -> str:
+    """Return a text in UTF-16 or UTF-8, by its byte order mark, or else in UTF-8 or Latin-1."""
+    named = next((name for start, name in _BOMS.items() if data.startswith(start)), None)
+    if named is None:
+        try:
+            return reading.decoded(data)
+        except ValueError:
+            named = "latin-1"
+    try:
+        return "\n".join(data.decode(named).splitlines())
+    except UnicodeDecodeError as error:
+        raise ValueError(f"not {named} text: {error}") from None
+
+
+def _number(text: str) -> float:
+    """Return a number with a decimal point or comma; NaN if the text is not a number."""
+    try:
+        return float(text.replace(",", ".") if text.count(",") == 1 and "." not in text else text)
+    except ValueError:
+        return math.nan
+
+
+class ZernikeFileError(ValueError):
+    """A table that cannot be used; the message names every error with its key or line."""
+
+
+def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
+    """Read Zernike coefficients: ``.json``, ``.toml``, ``.csv``, OpticStudio's ``.txt``, Code V's ``.int``.
+
+    In the first three, ``order`` (nm, noll, ansi, fringe), ``unit`` (waves, radians, or a length: nm, um, m, ...) and
+    ``normalization`` (rms, edge) must be stated; ``wavelength``, a length with a unit, may be. TOML::
+
+        order = "noll"
+        unit = "nm"
+        normalization = "rms"
+        wavelength = "632.8 nm"
+
+        [terms]
+        4 = -12.5
+        7 = 31.0
+
+    JSON: ``{"order": "nm", "unit": "waves", "normalization": "edge", "terms": {"3,1": 0.25}}``. CSV, where other
+    lines that begin with ``#`` and hold no colon are comments::
+
+        # order: nm
+        # unit: waves
+        # normalization: rms
+        n, m, value
+        3, 1, 0.25
+
+    For the other orders, the columns are ``index,value``. An index may also be called term, j, or by its order, which
+    states it, and be written Z4; a value coefficient, coeff or c, with its unit behind it: ``coeff (waves)``. A
+    column of names is left out, and one row below Z1, Z2, ... does as well.
+
+    ``.txt``: a listing of Zernike Standard, Fringe or Annular coefficients as OpticStudio writes it, UTF-16 or not.
+    Annular ones become those over the disc, of the same function. ``.int``, ``.zfr``: a wavefront in Code V's ZRN or
+    ZFR, in waves by its SSZ and WVL. Order, normalisation, unit and wavelength are those that the file names; what it
+    does not is refused. Signs and directions are as they stand there.
+
+    Parameters
+    ----------
+    path : path
+
+    Returns
+    -------
+    ZernikeTable
+
+    Raises
+    ------
+    ZernikeFileError
+        For every missing, unknown, duplicate or invalid entry, with key or line; all errors are reported together.
+    ValueError
+        If the suffix is unknown.
+    OSError
+        If the file cannot be read.
+    """
+    form, source = find(path, verb="read"), Path(path)
+    table: ZernikeTable | None
+    try:
+        table, found = form.read(reading.contents(source, reading.MAX_LIST))
+    except ValueError as error:
+        raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
+    if table is None:
+        raise ZernikeFileError(text_files.together(source, found))
+    return table
+
+
+def _read_toml(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
+    text = reading.decoded(data)
+    try:
+        raw = reading.toml(text)
+    except ValueError as error:
+        return None, [f"not valid TOML: {reading.reason(error)}"]
+    return build_section(raw, lambda keys: text_files.place(text, keys))
+
+
+def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
+    twice: list[str] = []
+
+    def once(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        counts = Counter(key for key, _ in pairs)
+        twice.extend(f"{validation.key(key)}: is given twice" for key, count in counts.items() if count > 1)
+        return dict(pairs)
+
+    try:
+        raw = reading.json(reading.decoded(data), once)
+    except ValueError as error:
+        return None, [f"not valid JSON: {reading.reason(error)}"]
+    if not isinstance(raw, dict):
+        return None, [f"must hold an object, got {type(raw).__name__}"]
+    table, found = build_section(raw, lambda keys: ".".join(map(validation.key, keys)))
+    return (None if twice else table), [*twice, *found]
+
+
+def _settings(table: ZernikeTable) -> dict[str, str]:
+    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
+    return settings if table.wavelength is None else settings | {"wavelength": f"{table.wavelength!r} m"}
+
+
+def _terms(table: ZernikeTable) -> dict[str, float]:
+    return {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): c for i, c in table.terms.items()}
+
+
+def _write_json(table: ZernikeTable) -> str:
+    return json.dumps(_settings(table) | {"terms": _terms(table)}, indent=2, allow_nan=False) + "\n"
+
+
+def _write_toml(table: ZernikeTable) -> str:
+    head = [f'{key} = "{value}"' for key, value in _settings(table).items()]
+    return "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in _terms(table).items()), ""])
+
+
+def _write_csv(table: ZernikeTable) -> str:
+    head = [f"# {key}: {value}" for key, value in _settings(table).items()]
+    columns = "n,m,value" if table.order == "nm" else "index,value"
+    return "\n".join([*head, columns, *(f"{key},{c!r}" for key, c in _terms(table).items()), ""])
+
+
+_form = partial(Format, "zernike")
+registry.register(
+    _form((".json",), _write_json, _read_json),
+    _form((".toml",), _write_toml, _read_toml),
+    _form((".csv",), _write_csv, lambda data: read_csv(reading.decoded(data))),
+    _form((".txt",), read=read_listing, what="listing of OpticStudio"),
+    _form((".int", ".zfr"), read=read_code_v, what="Code V, ZRN or ZFR"),
+)
+find = partial(registry.find, "zernike")

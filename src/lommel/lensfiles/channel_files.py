@@ -1,32 +1,24 @@
-"""Spectra from tables in CSV: what the channels of a sensor count, behind a filter, in some light."""
+"""Spectral sensitivities of colour channels from CSV tables, with filters and an illuminant."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from functools import partial
 from os import PathLike
-from pathlib import Path
-from typing import Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Array
 from lommel.base.units import LENGTHS
-from lommel.io import cells
-from lommel.lensfiles.messages import TOLD
-from lommel.lensfiles.sections import Length, Number, Section, SignedLength, read_beside
-from lommel.optics.colour.dispersion import Colour
+from lommel.io import text_files
 from lommel.optics.colour.spectrum import Channels, checked_paths
 
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
-_MOST_FAULTS = 1000  # after which a file is no table
-_SHORTEST, _LONGEST = 1e-7, 2e-5  # metres; what sensors see, and what lies beyond is a slip of the pen
-_LEAST = -0.01  # of the largest value: what measurements of nothing may be, which counts as 0
+_SHORTEST, _LONGEST = 1e-7, 2e-5  # metres; other wavelengths are typing errors
+_LEAST = -0.01  # of the largest value: dark measurements, which count as 0
 
 
 def load_channels(
@@ -37,7 +29,7 @@ def load_channels(
     tol: float = 1e-3,
     paths: float = 5e-6,
 ) -> Channels:
-    """Read what the channels of a sensor count at each wavelength, times filters, times light, from CSV files.
+    """Read the spectral sensitivities of colour channels from CSV files, times filters and an illuminant.
 
     The first line names the columns: the wavelength with its unit, as ``wavelength (nm)``, ``lambda_um`` or ``nm``,
     then one for each channel, as ``red`` or ``red (%)``. The other lines hold numbers, in any order. Lines that are
@@ -47,26 +39,27 @@ def load_channels(
     Parameters
     ----------
     path : path
-        Quantum efficiency of each channel: how many electrons for each photon.
+        Quantum efficiency of each channel, electrons per photon.
     filters : path or sequence of paths, optional
         Transmissions, each with one column beside the wavelength.
     illuminant : path, optional
-        Photons at each wavelength, in any unit, likewise; by default as many at each.
+        Photons at each wavelength, in any unit; constant by default.
     tol : float, default 1e-3
     paths : float, default 5e-6
-        How exact few wavelengths must be, and for which paths: as of :meth:`lommel.Channels.from_curves`.
+        Tolerance of the spectral sampling, and the path differences it holds for; see
+        :meth:`lommel.Channels.from_curves`.
 
     Returns
     -------
     Channels
-        With ``error``, a bound on what they are off in place of the tables. Between the lines of a table values lie
-        on straight lines; light beyond any of the tables is left out.
+        With ``error``, a bound on the error of the spectral sampling. Tables are interpolated linearly, and light
+        beyond any of the tables is ignored.
 
     Raises
     ------
     TypeError, ValueError
-        If a file is none such, in one line with the numbers of its lines; if the tables have no wavelength in common
-        or leave a channel no light; or as :meth:`lommel.Channels.from_curves`.
+        If a file is not such a table, with the numbers of its lines; if the tables have no wavelengths in common or a
+        channel has no light; or as :meth:`lommel.Channels.from_curves`.
     OSError
         If a file cannot be read.
     """
@@ -86,7 +79,7 @@ def load_channels(
         raise ValueError(f"tables must have wavelengths in common, got {spans}")
     every = np.unique(np.concatenate([at for at, _ in tables]))
     every = every[(every >= low) & (every <= high)]
-    if len(tables) > 1:  # a product of lines is none: closer, it is one nearly
+    if len(tables) > 1:  # a product of straight lines is nearly one between closer points
         every = np.interp(np.linspace(0.0, 1.0, 4 * every.size - 3), np.linspace(0.0, 1.0, every.size), every)
     product = np.ones((len(names), every.size))
     for at, values in tables:
@@ -94,7 +87,7 @@ def load_channels(
     dark = [name for name, row in zip(names, product, strict=True) if not row.max() > 0.0]
     if dark:
         raise ValueError(f"{validation.line(path)}: channels must have light, got none for {', '.join(dark)}")
-    checked_paths(paths, tol)  # which are no fault of the file
+    checked_paths(paths, tol)  # before errors of the file
     try:
         return Channels.from_curves(every, product, names, tol=tol, paths=paths)
     except ValueError as error:
@@ -102,13 +95,13 @@ def load_channels(
 
 
 def _table(path: _PATH) -> tuple[list[str], Array, Array]:
-    """Return names of columns, wavelengths in metres, rising, and the values, shape (columns, wavelengths)."""
+    """Return names of columns, rising wavelengths in metres, and values, shape (columns, wavelengths)."""
     source = validation.path("path", path)
     try:
         text = reading.text(source, reading.MAX_LIST).removeprefix("\ufeff")
         if ";" in text:
             text = text.replace(",", ".").replace(";", ",")
-        lines = list(cells.rows(text.replace("\t", ",")))
+        lines = list(text_files.rows(text.replace("\t", ",")))
         return _columns(lines)
     except ValueError as error:
         told = reading.reason(error)
@@ -129,22 +122,19 @@ def _columns(lines: list[tuple[int, list[str]]]) -> tuple[list[str], Array, Arra
     names = [share[1] if share else name for share, name in zip(shares, head[1:], strict=True)]
     if not names or not all(names) or len(set(names)) != len(names):
         raise ValueError(f"line {place}: columns must have names that differ, got {validation.shown(head[1:])}")
-    found, faults = [], []
+    found, errors = [], text_files.TableErrors()
     for place, row in lines[1:]:
-        numbers = [cells.number(cell) for cell in row]
+        numbers = [text_files.number(cell) for cell in row]
         bad = [n for n in numbers if isinstance(n, str) or not np.isfinite(n)]
         if len(row) != len(head):
-            faults.append(f"line {place} must have {len(head)} cells, got {len(row)}")
+            errors.add(f"line {place} must have {len(head)} cells, got {len(row)}")
         elif bad:
-            faults.append(f"line {place} must hold numbers, got {validation.shown(bad[0])}")
+            errors.add(f"line {place} must hold numbers, got {validation.shown(bad[0])}")
         else:
             found.append(numbers)
-        if len(faults) > _MOST_FAULTS:
+        if errors.many:
             break
-    if faults:
-        several = "more" if len(faults) <= _MOST_FAULTS else "or more"
-        more = f"; and {len(faults) - TOLD} {several}" if len(faults) > TOLD else ""
-        raise ValueError("; ".join(faults[:TOLD]) + more)
+    errors.refuse()
     if len(found) < 2:
         raise ValueError(f"must have two wavelengths or more, got {len(found)}")
     table = np.array(sorted(found, key=lambda row: row[0]), dtype=np.float64)
@@ -160,78 +150,3 @@ def _columns(lines: list[tuple[int, list[str]]]) -> tuple[list[str], Array, Arra
             raise ValueError(f"{name} must be >= 0, got {row.min():g}")
     percent = np.array([0.01 if share else 1.0 for share in shares])[:, None]
     return names, waves, np.maximum(curves, 0.0) * percent
-
-
-_Wave = Annotated[Length, AfterValidator(validation.wavelength)]
-_CSV = "the name of a CSV file"
-
-
-class ColourSection(Section):
-    """What the section [colour] of a lens file may hold."""
-
-    wavelengths: Annotated[list[_Wave], Field(min_length=2)]
-    focus_shift: list[SignedLength] | None = None
-    lateral: list[SignedLength] | list[list[SignedLength]] | None = None
-    heights: Length | list[Length] | None = None
-
-    @model_validator(mode="after")
-    def _table(self) -> ColourSection:
-        self.colour()
-        return self
-
-    def colour(self) -> Colour:
-        """Return the table."""
-        return Colour(**dict(self))
-
-
-class ChannelsSection(Section):
-    """What the section [channels] of a lens file may hold."""
-
-    wavelengths: Annotated[list[_Wave], Field(min_length=1)] | None = None
-    weights: dict[str, list[Number]] | None = None
-    filters: list[str] = Field(default_factory=list)
-    illuminant: str | None = None
-    tol: Number = 1e-3
-    paths: Length = 5e-6
-    # Becomes the channels: read once all else is known.
-    file: Any = None
-
-    @field_validator("file")
-    @classmethod
-    def _file(cls, value: Any, info: ValidationInfo) -> Any:
-        given = info.data
-        if value is None or not {"filters", "illuminant", "tol", "paths"} <= given.keys():
-            return value  # their own faults are told
-
-        def beside(name: str) -> Path:
-            return read_beside(info.context, name, _CSV, lambda path: path)
-
-        light = given["illuminant"] and beside(given["illuminant"])
-        more = {"illuminant": light, "tol": given["tol"], "paths": given["paths"]}
-        read = partial(load_channels, filters=[beside(name) for name in given["filters"]], **more)
-        return read_beside(info.context, value, _CSV, read)
-
-    @model_validator(mode="after")
-    def _one_way(self) -> ChannelsSection:
-        if (self.file is None) == (self.wavelengths is None):
-            raise ValueError("needs file, a table of the sensor, or wavelengths: exactly one of the two")
-        stray = {"weights"} if self.file is not None else {"filters", "illuminant", "tol", "paths"}
-        if found := sorted(stray & self.model_fields_set):
-            raise ValueError(
-                f"{', '.join(found)} has no meaning with {'file' if self.file is not None else 'wavelengths'}"
-            )
-        self.channels()
-        return self
-
-    def channels(self) -> Channels:
-        """Return the channels."""
-        if self.file is not None:
-            made: Channels = self.file
-            return made
-        assert self.wavelengths is not None
-        if self.weights is None:
-            return Channels.of_wavelengths(self.wavelengths)
-        counts = {len(row) for row in self.weights.values()}
-        if counts != {len(self.wavelengths)}:
-            raise ValueError(f"weights must be one for each of {len(self.wavelengths)} wavelengths in every channel")
-        return Channels(self.wavelengths, list(self.weights.values()), list(self.weights))

@@ -16,14 +16,12 @@ import numpy as np
 from lommel.base import reading, validation
 from lommel.base.units import parse_length
 from lommel.field.maps import FieldMap
-from lommel.io import cells
-from lommel.lensfiles.messages import TOLD
+from lommel.io import text_files
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
 _MOST_COLUMNS = 1000  # more than there are terms
-_MOST_FAULTS = 1000  # after which a file is no table
 
 
 @dataclass(frozen=True)
@@ -42,7 +40,7 @@ class FieldTable:
     Raises
     ------
     TypeError, ValueError
-        If these are none such, or differ in length.
+        If they have other types or differ in length.
     """
 
     positions: dict[str, tuple[float, ...]]
@@ -74,8 +72,8 @@ class FieldTable:
         unit, normalization : str
             As of :meth:`lommel.Wavefront.zernike`.
         direction : {"x", "y"}
-            Along which heights are given: rising columns, or rising rows (downwards). Coefficients are in the axes
-            of the sensor all the same: the coma of heights along y is a sine.
+            Direction of the heights: along rising columns, or along rising rows (downwards). Coefficients are in the
+            axes of the sensor in either case: the coma of heights along y is a sine.
 
         Returns
         -------
@@ -118,14 +116,14 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     Raises
     ------
     ValueError
-        For every fault at once, each with its line.
+        For all errors together, each with its line.
     OSError
         If the file cannot be read.
     """
     source = validation.path("path", path)
     validation.choice("order", order, ("noll", "ansi", "fringe"))
     try:
-        numbered = cells.rows(reading.text(source))
+        numbered = text_files.rows(reading.text(source))
         _, columns = next(numbered, (0, None))
         if columns is None:
             raise ValueError(f"{source.name} is empty; its first line must name the columns")
@@ -134,7 +132,7 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
         raise error if source.name in str(error) else ValueError(f"{source.name}: {error}") from None
 
 
-def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str) -> FieldTable:
+def read_rows(columns: Sequence[str], rows: Sequence[Sequence[object]], order: str) -> FieldTable:
     """Return a table from names of columns and rows of cells.
 
     The first column is ``height``, or the first two are ``x`` and ``y``: lengths, texts with a unit, or 0. The
@@ -154,9 +152,9 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str)
     Raises
     ------
     TypeError
-        If these are no lists, or a name of a column is no text.
+        If these are not lists, or a column name is not a text.
     ValueError
-        For every fault at once, each with its row.
+        For all errors together, each with its row.
     """
     for name, value in (("columns", columns), ("rows", rows)):
         if not isinstance(value, list | tuple):
@@ -169,13 +167,15 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str)
     return _table(columns, enumerate(rows, 1), order, "row")
 
 
-def _table(columns: Sequence[str], rows: Iterable[tuple[int, Sequence[Any]]], order: str, called: str) -> FieldTable:
-    """Return a table of rows, each with its number, that faults are told with behind what it is `called`."""
+def _table(
+    columns: Sequence[str], rows: Iterable[tuple[int, Sequence[object]]], order: str, called: str
+) -> FieldTable:
+    """Return a table of numbered rows, which error messages name by their number behind `called`."""
     places = ("height",) if columns and columns[0] == "height" else ("x", "y")
     if tuple(columns[: len(places)]) != places:
         got = validation.brief(validation.line(", ".join(columns[:2]))) or "none"
         raise ValueError(f"the first columns must be height, or x and y, got {got}")
-    faults: list[str] = []
+    errors = text_files.TableErrors()
     indices: list[int] = []
     if len(columns) > _MOST_COLUMNS:
         raise ValueError(f"there must be at most {_MOST_COLUMNS} columns, got {len(columns)}")
@@ -188,30 +188,27 @@ def _table(columns: Sequence[str], rows: Iterable[tuple[int, Sequence[Any]]], or
                 raise ValueError(f"column {name} comes twice")
             indices.append(int(found[1]))
         except ValueError as error:
-            faults.append(str(error))
+            errors.add(str(error))
     if len(columns) == len(places):
-        faults.append("there must be a column for a Zernike coefficient, such as Z4")
+        errors.add("there must be a column for a Zernike coefficient, such as Z4")
     kinds = [*(_length for _ in places), *(_coefficient for _ in columns[len(places) :])]
-    # A byte of a file may be a cell: as numbers of Python they would take thirty times as much.
+    # Compact arrays: Python numbers would take thirty times the memory.
     read = [array("d") for _ in columns]
     number = 0
     for number, row in rows:
-        if len(faults) > _MOST_FAULTS:
+        if errors.many:
             break
         if len(row) != len(columns):
-            faults.append(f"{called} {number} must have {len(columns)} cells, as there are columns, got {len(row)}")
+            errors.add(f"{called} {number} must have {len(columns)} cells, as there are columns, got {len(row)}")
             continue
         for values, cell, convert, name in zip(read, row, kinds, columns, strict=True):
             try:
                 values.append(convert(cell))
             except ValueError as error:
-                faults.append(f"{called} {number}, {name}: {error}")
+                errors.add(f"{called} {number}, {name}: {error}")
     if not number:
-        faults.append("there must be a row for each position, got none")
-    if faults:
-        several = "more" if len(faults) <= _MOST_FAULTS else "or more"
-        more = f"; and {len(faults) - TOLD} {several}" if len(faults) > TOLD else ""
-        raise ValueError("; ".join(validation.brief(fault, 200) for fault in faults[:TOLD]) + more)
+        errors.add("there must be a row for each position, got none")
+    errors.refuse()
     whole = [tuple(values) for values in read]
     count = len(places)
     return FieldTable(
@@ -220,7 +217,7 @@ def _table(columns: Sequence[str], rows: Iterable[tuple[int, Sequence[Any]]], or
 
 
 def _length(cell: Any) -> float:
-    """Return a length in metres, given as such or as a text."""
+    """Return a length in metres from a number or a text."""
     return _known(cell) if isinstance(cell, str) else validation.real("a position", parse_length(cell), unit="metres")
 
 
@@ -229,9 +226,9 @@ def _known(cell: str) -> float:
     return validation.real("a position", parse_length(cell), unit="metres")
 
 
-def _coefficient(cell: Any) -> float:
-    """Return a number, given as such or as a text."""
-    value = cells.number(cell) if isinstance(cell, str) else cell
+def _coefficient(cell: object) -> float:
+    """Return a number from a number or a text."""
+    value = text_files.number(cell) if isinstance(cell, str) else cell
     if isinstance(value, float) and math.isfinite(value):
         return value
     if isinstance(value, bool) or not isinstance(value, int | float):

@@ -1,10 +1,10 @@
-"""A lens, the object it looks at, and its sensor: what a lens file describes."""
+"""A lens with its object and its sensor, as a lens file describes them."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TypedDict
 
 from lommel.base import validation
 from lommel.field.maps import FieldMap
@@ -14,33 +14,40 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
 
+class PixelOptions(TypedDict):
+    """Arguments of :func:`lommel.psf` about the pixels besides their pitch."""
+
+    integrate: bool | None
+    fill: tuple[float, float]
+
+
 @dataclass(frozen=True)
 class Instrument:
-    """What a lens file describes: a lens, the object it looks at, and its sensor.
+    """A lens with its object and its sensor, as a lens file describes them.
 
     Attributes
     ----------
     name, source : str
-        What it is, and where its figures come from.
+        Name, and source of the numbers.
     lens : Lens
     object_distance : float
         Metres.
     pixel : float or (float, float)
         Metres; height and width of pixels that are not square.
     shape : tuple of int, or None
-        Height and width of the window, in pixels, where the file names them; see :attr:`window`.
+        Height and width of the window in pixels, if the file states them; see :attr:`window`.
     radii : dict of str to float
-        Radii of interest on the sensor (metres) by the text that named them; for encircled energies.
+        Radii on the sensor (metres) for encircled energies, by their texts in the file.
     sensor : tuple of float, or None
-        Height and width of the whole sensor, metres, where the file says what changes over the field.
+        Height and width of the whole sensor, metres, if the file has a section [field].
     aberrations_of_field : FieldMap, or None
-        What the field adds to the wavefront of the lens.
+        Aberrations of the field, added to those of the lens.
     integrate : bool or None
-        Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
+        Pixel-integrated or point-sampled values, as of :func:`lommel.psf`; None if the file does not say.
     fill : (float, float)
-        The parts of height and width of a pixel that are active.
+        Active fractions of the height and the width of a pixel.
     channels : Channels or None
-        What the sensor records, where the file says it.
+        Colour channels of the sensor, if the file states them.
     """
 
     pupil_hint = "an Instrument; instrument.pupil() is its pupil"
@@ -56,29 +63,28 @@ class Instrument:
     aberrations_of_field: FieldMap | None = field(default=None, repr=False)
     integrate: bool | None = None
     fill: tuple[float, float] = (1.0, 1.0)
+    channels: Channels | None = None
 
     @property
     def pitch(self) -> tuple[float, float]:
-        """From row to row and from column to column, metres."""
+        """Pixel pitch from row to row and from column to column, metres."""
         return (self.pixel, self.pixel) if isinstance(self.pixel, float) else self.pixel
 
     @property
     def side(self) -> float:
-        """Pitch of square pixels all of which is active; ValueError for others, which few questions are about."""
+        """Pitch of square pixels with a fill factor of 1; ValueError for other pixels."""
         if not isinstance(self.pixel, float) or self.fill != (1.0, 1.0):
             raise ValueError(f"pixel must be square, and all of it active, got pixel={self.pixel}, fill={self.fill}")
         return self.pixel
 
     @property
-    def sensor_options(self) -> dict[str, Any]:
-        """What :func:`lommel.psf` is told of pixels beside their pitch."""
+    def sensor_options(self) -> PixelOptions:
+        """Arguments of :func:`lommel.psf` about the pixels besides their pitch."""
         return {"integrate": self.integrate, "fill": self.fill}
-
-    channels: Channels | None = None
 
     @property
     def window(self) -> tuple[int, int]:
-        """Height and width of the window: `shape`, or a square for about 98 % of the light, see `wide_enough`."""
+        """Height and width of the window: `shape`, or a square for about 98 % of the light."""
         return self.shape or (max(33, min(wide_enough(self.pupil(), min(self.pitch)), 1025)),) * 2
 
     def pupil(self) -> Pupil:
@@ -96,9 +102,7 @@ class Instrument:
         return self.lens.pupil(self.object_distance)
 
     def field(self) -> FieldMap:
-        """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
-
-        The aperture of the lens is that of all positions.
+        """Return the aberrations of the field and of the lens for the object of the file.
 
         Returns
         -------
@@ -117,10 +121,8 @@ class Instrument:
 
 
 def wide_enough(pupil: Pupil, pixel: float) -> int:
-    """Return the odd side, in pixels, of a square about the axis that holds some 98 % of the light.
-
-    Beyond the rays diffraction spreads ``2 / pi^2`` of the light per lambda*N of distance from the edge of their
-    blur, and more the longer the rim of the aperture is for its area.
-    """
+    """Return the odd side, in pixels, of a square around the axis that holds about 98 % of the light."""
+    # Diffraction spreads 2 / pi^2 of the light per lambda*N of distance from the edge of the geometric blur, and more
+    # for an annulus, whose edge is long for its area.
     tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
     return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1

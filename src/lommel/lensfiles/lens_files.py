@@ -1,4 +1,4 @@
-"""Lens descriptions in TOML, validated: every error at once, unknown keys refused."""
+"""Lens files in TOML; all errors in a file are reported together, and unknown keys are refused."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from os import PathLike
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import (
     AfterValidator,
     BeforeValidator,
@@ -18,24 +20,43 @@ from pydantic import (
     model_validator,
 )
 
-from lommel.base import validation
+from lommel.base import optional, reading, validation
+from lommel.base.encoding import to_light
 from lommel.base.units import parse_radius
 from lommel.field.maps import FieldMap
+from lommel.field.vignetting import Shading, Vignetting
+from lommel.io import fits_images, text_files, zernike_tables
+from lommel.io.photos import PhotoError, read_raster
+from lommel.io.registry import Values
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import field_tables, messages, toml_files, zernike_files
-from lommel.lensfiles.aperture_section import ApertureSection, ShadingSection, VignettingSection
-from lommel.lensfiles.channel_files import ChannelsSection, ColourSection
+from lommel.lensfiles import field_tables, toml_files
+from lommel.lensfiles.channel_files import load_channels
+from lommel.lensfiles.field_tables import FieldTable
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import Distance, Length, Number, PhotoSensor, Section, SignedLength, read_beside
-from lommel.lensfiles.toml_files import LensFileError
+from lommel.lensfiles.toml_files import (
+    Angle,
+    Context,
+    Distance,
+    Length,
+    LensFileError,
+    Number,
+    PhotoSensor,
+    Section,
+    SignedLength,
+    Toml,
+    read_beside,
+)
 from lommel.optics.aperture.apodization import Apodization
+from lommel.optics.aperture.obstructions import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
+from lommel.optics.colour.dispersion import Colour
+from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, aperture
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
 
 def _radius(value: Any) -> str | float:
-    """Return a length or an angle as it was written, if it is one."""
+    """Return a length or an angle as it was written, checked."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
         raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
     found: str | float = value
@@ -43,7 +64,7 @@ def _radius(value: Any) -> str | float:
 
 
 def _amplitude(value: Any) -> float | Apodization | str:
-    """Return a number, powers of rho^2, or the name of the only amplitude that has one."""
+    """Return the apodization: a number, coefficients of powers of rho^2, or "aplanatic"."""
     if value == "aplanatic":
         return "aplanatic"
     powers = value if isinstance(value, list) else [value]
@@ -84,7 +105,233 @@ class _Aberrations(_Seidel):
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: dict[str, Any] | None = None  # told by zernike_entries what it may hold
+    zernike: Toml | None = None  # checked by `_zernike`
+
+
+_FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
+_SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
+
+
+class _Spider(Section):
+    width: Length
+    vanes: Annotated[int, Field(strict=True, ge=1, le=MAX_VANES)] | None = None
+    first: Angle = 0.0
+    angles: Annotated[list[Angle], Field(min_length=1, max_length=MAX_VANES)] | None = None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> _Spider:
+        if (self.vanes is None) == (self.angles is None):
+            raise ValueError("needs vanes, a number of them at equal angles, or angles: exactly one of the two")
+        if self.angles is not None and "first" in self.model_fields_set:
+            raise ValueError("first has no meaning with angles")
+        return self
+
+    def spider(self, radius: float) -> Spider:
+        """Return the vanes of an aperture of this radius (metres)."""
+        if not self.width < 2.0 * radius:
+            raise ValueError(
+                f"aperture.spider.width: must be below the diameter of the aperture, {2.0 * radius:g} m, "
+                f"got {self.width:g} m"
+            )
+        width = self.width / radius
+        if self.angles is not None:
+            return Spider(width, tuple(self.angles))
+        assert self.vanes is not None
+        return Spider.equal(self.vanes, width, self.first)
+
+
+class _Ellipse(Section):
+    a: Annotated[Number, Field(gt=0, le=1)]
+    b: Annotated[Number, Field(gt=0, le=1)]
+    angle: Angle = 0.0
+
+
+class _CatEye(Section):
+    shift: tuple[Number, Number]
+    radius: Annotated[Number, Field(gt=0, le=1000)] = 1.0
+
+    @model_validator(mode="after")
+    def _overlap(self) -> _CatEye:
+        CatEye(self.shift, self.radius)
+        return self
+
+
+class _Mask(Section):
+    holds: Literal["amplitude", "intensity"] = "amplitude"
+    # Becomes the mask, read once `holds` is known.
+    file: Any
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        if "holds" not in info.data:
+            return value  # `holds` has an error of its own
+        wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
+        mask = Mask(read_beside(info.context, value, wanted, _read_transmission))
+        return mask if info.data["holds"] == "amplitude" else Mask(np.sqrt(mask.values))
+
+
+class ApertureSection(Section):
+    """The section [aperture] of a lens file."""
+
+    spider: _Spider | None = None
+    ellipse: _Ellipse | None = None
+    cat_eye: _CatEye | None = None
+    mask: _Mask | None = None
+
+    @model_validator(mode="after")
+    def _one_edge(self) -> ApertureSection:
+        if self.ellipse is not None and self.cat_eye is not None:
+            raise ValueError("takes one of ellipse and cat_eye, got both")
+        return self
+
+    def shapes(self, radius: float) -> Toml:
+        """Return the obstructions of an aperture of this radius (metres), by their names in :class:`lommel.Lens`."""
+        ellipse = self.ellipse and Ellipse(**dict(self.ellipse))
+        eye = self.cat_eye and CatEye(**dict(self.cat_eye))
+        spider = self.spider and self.spider.spider(radius)
+        found = {"spider": spider, "vignetting": ellipse or eye, "mask": self.mask and self.mask.file}
+        return {name: shape for name, shape in found.items() if shape is not None}
+
+
+class VignettingSection(Section):
+    """The section [field.vignetting]: a circle that moves across the aperture with the image height."""
+
+    height: Annotated[list[SignedLength], Field(min_length=2)]
+    shift: list[Number]
+    radius: Number | list[Number] = 1.0
+
+    @model_validator(mode="after")
+    def _possible(self) -> VignettingSection:
+        self.made()
+        return self
+
+    def made(self) -> Vignetting:
+        """Return the argument of a field map."""
+        return Vignetting(self.height, self.shift, self.radius)
+
+
+class ShadingSection(Section):
+    """The section [field.shading]: a table of the light, or the fourth power of a cosine."""
+
+    distance: Length | None = None
+    height: list[SignedLength] | None = None
+    light: list[Number] | None = None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> ShadingSection:
+        if (self.distance is None) == (self.height is None) or (self.height is None) != (self.light is None):
+            raise ValueError("needs distance, of the exit pupil from the sensor, or height and light: one of the two")
+        self.made()
+        return self
+
+    def made(self) -> Shading:
+        """Return the argument of a field map."""
+        if self.distance is not None:
+            return Shading.cos4(self.distance)
+        assert self.height is not None
+        assert self.light is not None
+        return Shading(self.height, self.light)
+
+
+def _read_transmission(path: Path) -> Values:
+    """Read a square of transmissions from 0 to 1: an array (.npy), a FITS image, or a grey picture with white = 1."""
+    suffix = path.suffix.lower()
+    if not path.name.lower().endswith(_SUFFIXES):
+        raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
+    if suffix == ".npy":
+        try:
+            return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
+        except ValueError as error:
+            raise ValueError(f"{path.name!r} is not an array: {reading.reason(error)}") from None
+    if path.name.lower().endswith(_FITS):
+        optional.library("astropy", "FITS files need", "fits")
+        data = reading.contents(path)
+        try:
+            return fits_images.read(data, MAX_SIDE**2)[0].values
+        except Exception as error:  # of astropy
+            raise ValueError(f"{path.name!r} is not a FITS image: {reading.reason(error)}") from None
+    try:
+        values = read_raster(path)[0]
+    except PhotoError as error:
+        raise ValueError(f"{path.name!r} is not a picture: {reading.reason(error)}") from None
+    if values.ndim != 2:
+        raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
+    return to_light(repr(path.name), values, "linear", np.float64)
+
+
+_Wave = Annotated[Length, AfterValidator(validation.wavelength)]
+_CSV = "the name of a CSV file"
+
+
+class ColourSection(Section):
+    """The section [colour] of a lens file."""
+
+    wavelengths: Annotated[list[_Wave], Field(min_length=2)]
+    focus_shift: list[SignedLength] | None = None
+    lateral: list[SignedLength] | list[list[SignedLength]] | None = None
+    heights: Length | list[Length] | None = None
+
+    @model_validator(mode="after")
+    def _table(self) -> ColourSection:
+        self.colour()
+        return self
+
+    def colour(self) -> Colour:
+        """Return the table."""
+        return Colour(**dict(self))
+
+
+class ChannelsSection(Section):
+    """The section [channels] of a lens file."""
+
+    wavelengths: Annotated[list[_Wave], Field(min_length=1)] | None = None
+    weights: dict[str, list[Number]] | None = None
+    filters: list[str] = Field(default_factory=list)
+    illuminant: str | None = None
+    tol: Number = 1e-3
+    paths: Length = 5e-6
+    # Becomes the channels, read once all other keys are known.
+    file: Any = None
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        given = info.data
+        if value is None or not {"filters", "illuminant", "tol", "paths"} <= given.keys():
+            return value  # the others have errors of their own
+
+        def beside(name: str) -> Path:
+            return read_beside(info.context, name, _CSV, lambda path: path)
+
+        light = given["illuminant"] and beside(given["illuminant"])
+        more = {"illuminant": light, "tol": given["tol"], "paths": given["paths"]}
+        read = partial(load_channels, filters=[beside(name) for name in given["filters"]], **more)
+        return read_beside(info.context, value, _CSV, read)
+
+    @model_validator(mode="after")
+    def _one_way(self) -> ChannelsSection:
+        if (self.file is None) == (self.wavelengths is None):
+            raise ValueError("needs file, a table of the sensor, or wavelengths: exactly one of the two")
+        stray = {"weights"} if self.file is not None else {"filters", "illuminant", "tol", "paths"}
+        if found := sorted(stray & self.model_fields_set):
+            raise ValueError(
+                f"{', '.join(found)} has no meaning with {'file' if self.file is not None else 'wavelengths'}"
+            )
+        self.channels()
+        return self
+
+    def channels(self) -> Channels:
+        """Return the channels."""
+        if isinstance(self.file, Channels):
+            return self.file
+        assert self.wavelengths is not None
+        if self.weights is None:
+            return Channels.of_wavelengths(self.wavelengths)
+        counts = {len(row) for row in self.weights.values()}
+        if counts != {len(self.wavelengths)}:
+            raise ValueError(f"weights must be one for each of {len(self.wavelengths)} wavelengths in every channel")
+        return Channels(self.wavelengths, list(self.weights.values()), list(self.weights))
 
 
 class _Object(Section):
@@ -114,7 +361,7 @@ class _Field(_Seidel):
         if not isinstance(value, list) or not all(isinstance(row, list) for row in value):
             raise ValueError(f"must be a list of lists, one for each position, got {validation.shown(value)}")
         if not {"order", "columns"} <= info.data.keys():
-            return value  # their own faults are told
+            return value  # these have errors of their own
         if info.data["columns"] is None:
             raise ValueError('needs columns, such as columns = ["height", "Z4"]')
         return field_tables.read_rows(info.data["columns"], value, info.data["order"])
@@ -131,7 +378,7 @@ class _Field(_Seidel):
     def _one_way(self) -> _Field:
         given = self.model_fields_set
         seidel, of_tables = ", ".join(_SEIDEL), {"order", "unit", "normalization", "direction"}
-        # What says what changes, and what has no meaning beside it.
+        # The ways to describe the field, and the keys that each excludes.
         ways = {"rows": {"edge"}, "file": {"edge", "columns"}, seidel: {"columns", *of_tables}}
         found = [way for way in ways if given & set(way.split(", "))]
         if len(found) != 1:
@@ -147,12 +394,9 @@ class _Field(_Seidel):
         return self._wavefronts(pupil).seen_through(edge, None if self.shading is None else self.shading.made())
 
     def _wavefronts(self, pupil: Pupil) -> FieldMap:
-        table = self.rows if self.rows is not None else self.file
+        table: FieldTable | None = self.rows if self.rows is not None else self.file
         if table is not None:
-            made: FieldMap = table.field_map(
-                pupil, unit=self.unit, normalization=self.normalization, direction=self.direction
-            )
-            return made
+            return table.field_map(pupil, unit=self.unit, normalization=self.normalization, direction=self.direction)
         corner = 0.5 * math.hypot(*self.sensor)
         return FieldMap.from_seidel(
             corner if self.edge is None else self.edge,
@@ -223,9 +467,8 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     ----------
     path : path
     folder_only : bool, default False
-        Refuse what lies outside of the folder of the lens file. A lens file may name tables and masks anywhere, and
-        what is wrong with these is told with some of their contents: a service that takes lens files from strangers
-        should refuse.
+        Refuse tables and masks outside the folder of the lens file. Error messages quote some of their contents, so a
+        service that takes lens files from strangers should set this.
 
     Returns
     -------
@@ -234,7 +477,8 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     Raises
     ------
     LensFileError
-        If the file is not valid TOML, or for every missing, unknown or impossible entry, with key and line.
+        If the file is not valid TOML, or for missing, unknown or invalid entries, all reported together with key and
+        line.
     OSError
         If it cannot be read.
     """
@@ -245,28 +489,28 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
             f"{validation.line(source)}: describes a microscope, [objective], not a lens: "
             "lommel.load_microscope reads it, and the commands info and psf take it"
         )
-    context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
+    context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
     table, found = _zernike(raw, text, context)
     make = partial(_instrument, table=table, stem=source.stem)
     return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
 
-def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the table of [aberrations.zernike], if there is one, and what is wrong with it."""
+def _zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the table of [aberrations.zernike], if there is one, and its errors."""
     above = raw.get("aberrations")
     section = above.get("zernike") if isinstance(above, dict) else None
     if not isinstance(section, dict):
-        return None, []  # absent, or told by pydantic
+        return None, []  # absent, or an error that pydantic reports
 
     def where(keys: Sequence[str]) -> str:
-        return messages.place(text, ["aberrations", "zernike", *keys])
+        return text_files.place(text, ["aberrations", "zernike", *keys])
 
     if "file" not in section:
-        return zernike_files.build_section(section, where)
+        return zernike_tables.build_section(section, where)
     try:
         if others := [key for key in section if key != "file"]:
             raise ValueError(f"the file states everything; leave out {', '.join(others)}")
-        table = read_beside(context, section["file"], "the path of a table", zernike_files.load_zernike)
+        table = read_beside(context, section["file"], "the path of a table", zernike_tables.load_zernike)
         if table.wavelength is None and table.unit in ("radians", "waves"):
             raise ValueError(f"{validation.line(section['file'])}: must state the wavelength of its {table.unit}")
         return table, []
@@ -288,8 +532,8 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
     if table is not None:
         own = wavelength if table.wavelength is None else table.wavelength
         aberrations += replace(table, wavelength=own).wavefront(wavelength)
-    given: dict[str, Any] = dict(file.lens) | {"colour": file.colour and file.colour.colour()}
-    # As a diameter: who states a unit is not asked whether it is the one that is meant.
+    given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.colour()}
+    # As a diameter, since a length with a unit is certainly meant.
     diameter = aperture(file.lens.focal_length, given.pop("f_number"), given.pop("aperture_diameter"))
     given["aperture_diameter"] = diameter
     radius = 0.5 * Lens(**given).aperture_diameter
@@ -306,7 +550,7 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
         )
     name, sensor = stem if file.name is None else file.name, file.sensor
     channels = None if file.channels is None else file.channels.channels()
-    pixels: dict[str, Any] = dict(sensor)
+    pixels: Toml = dict(sensor)
     found = Instrument(name, file.source, lens, distance, radii=radii, channels=channels, **pixels)
     if file.field is None:
         return found

@@ -1,4 +1,4 @@
-"""Descriptions of microscopes in TOML, as those of lenses: every error at once, unknown keys refused."""
+"""Microscope files in TOML; all errors in a file are reported together, and unknown keys are refused."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import partial
 from os import PathLike
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
@@ -15,8 +15,16 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import parse_length
 from lommel.lensfiles import toml_files
-from lommel.lensfiles.sections import Angle, Length, Number, Section, Sensor, SignedLength
-from lommel.lensfiles.toml_files import LensFileError
+from lommel.lensfiles.toml_files import (
+    Angle,
+    Length,
+    LensFileError,
+    Number,
+    Section,
+    Sensor,
+    SignedLength,
+    Toml,
+)
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -27,7 +35,7 @@ _LEAST_SIDE, _MOST_SIDE = 33, 513
 
 
 def stage_step(value: float) -> float:
-    """Return how far planes are apart, metres; ValueError where that is nothing, or no stage goes so far."""
+    """Return the step between planes in metres, checked."""
     if not 0.0 < abs(value) < DEPTH_MOST:
         raise ValueError(f"step must be of the stage, not 0 and below 10 mm, got {value:g} m")
     return value
@@ -35,33 +43,33 @@ def stage_step(value: float) -> float:
 
 @dataclass(frozen=True)
 class Microscope:
-    """What a file with a section [objective] describes: an objective, what emits light, and planes on a camera.
+    """An objective, an emitter and planes on a camera, as a file with a section [objective] describes them.
 
     Attributes
     ----------
     name, source : str
-        What it is, and where its figures come from.
+        Name, and source of the numbers.
     objective : Objective
     wavelength, depth : float
-        Metres: in vacuum, and of the emitter from the cover glass.
+        Metres: vacuum wavelength, and depth of the emitter below the cover glass.
     pixel : float
         Metres on the camera.
     emitter : Dipole, Beam or Scalar
     planes : int
-        How many there are; a single one is no stack.
+        Number of planes; a single one is not a stack.
     step : float
-        Metres of the stage between neighbours.
+        Stage step between planes, metres.
     origin : str
-        Where z is 0, which plane ``planes // 2`` is at; see :meth:`lommel.Objective.pupil`.
+        Origin of z, the position of plane ``planes // 2``; see :meth:`lommel.Objective.pupil`.
     shape : tuple of int, or None
-        Height and width of the window, in pixels, where the file names them; see :attr:`window`.
+        Height and width of the window in pixels, if the file states them; see :attr:`window`.
     integrate : bool or None
-        Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
+        Pixel-integrated or point-sampled values, as of :func:`lommel.psf`; None if the file does not say.
 
     Raises
     ------
     TypeError, ValueError
-        If planes are no number from 1 to 4096, or there are several without a step.
+        If planes is not from 1 to 4096, or there are several without a step.
     """
 
     pupil_hint = "a Microscope; microscope.pupil() is its pupil"
@@ -86,12 +94,12 @@ class Microscope:
 
     @property
     def z(self) -> Array:
-        """Where the stage is in each plane, metres from the origin."""
+        """Position of the stage in each plane, metres from the origin."""
         return np.asarray((np.arange(self.planes) - self.planes // 2) * self.step, np.float64)
 
     @property
     def window(self) -> tuple[int, int]:
-        """Height and width of the window: `shape`, or a square about the rays and ten lambda*N more, 33 to 513."""
+        """Height and width of the window: `shape`, or a square for the geometric blur and ten lambda*N, 33 to 513."""
         if self.shape is not None:
             return self.shape
         pupil = self.pupil()
@@ -99,7 +107,7 @@ class Microscope:
         return (max(_LEAST_SIDE, min(2 * half + 1, _MOST_SIDE)),) * 2
 
     def pupil(self) -> ObjectivePupil:
-        """Return the pupil of all planes, or of the only one.
+        """Return the pupil of all planes, or of the single one.
 
         Returns
         -------
@@ -135,7 +143,7 @@ class _Layer(Section):
     thickness: Length
 
     def layer(self) -> Layer:
-        """Return it as the library has it."""
+        """Return the layer."""
         return Layer(self.index, self.thickness)
 
 
@@ -183,7 +191,7 @@ class _Emission(Section):
         return self
 
     def made(self) -> Emitter:
-        """Return what emits, or is focused into the sample."""
+        """Return the emitter or the excitation beam."""
         if self.dipole is not None:
             return Dipole(**dict(self.dipole))
         return emitter_of(self.emitter) if self.beam is None else Beam(self.beam.polarization)
@@ -216,38 +224,22 @@ class _File(Section):
 
 
 def describes_microscope(path: str | PathLike[str]) -> bool:
-    """Return whether a file is about a microscope, and not about a lens.
-
-    Parameters
-    ----------
-    path : path
-
-    Returns
-    -------
-    bool
-
-    Raises
-    ------
-    LensFileError
-        If it is no TOML.
-    OSError
-        If it cannot be read.
-    """
+    """Return whether a file describes a microscope, not a lens."""
     _, raw = toml_files.parsed(validation.path("path", path))
     return "objective" in raw and "lens" not in raw
 
 
 def load_microscope(path: str | PathLike[str]) -> Microscope:
-    """Read the file of a microscope.
+    """Read a microscope file.
 
     Lengths are texts with a unit (``"170 um"``), angles also numbers of radians. Sections and keys: ``name`` (by
     default that of the file) and ``source``; ``[objective]`` NA, magnification, working_distance, immersion (a
     refractive index), and dipping, true for one without a cover glass; ``[coverslip]`` index and thickness;
     ``[[films]]``, one for each thin film from the glass to the sample, index and thickness; ``[design]`` immersion
-    and ``[design.coverslip]``, where what the objective was corrected for is not what it is used with; ``[sample]``
+    and ``[design.coverslip]``, if the objective was corrected for other media than it is used with; ``[sample]``
     index and depth, of the emitter from the glass; ``[emission]`` wavelength and emitter ("isotropic", which is the
     default, or "scalar"), or else a section ``[emission.dipole]`` with polar, azimuth and wobble, or
-    ``[emission.beam]`` with polarization, of light that is focused into the sample; ``[stack]`` planes, step and
+    ``[emission.beam]`` with polarization, for light focused into the sample; ``[stack]`` planes, step and
     origin ("brightest", the default, "paraxial" or "coverslip": where plane ``planes // 2`` is), without which there
     is one plane at the brightest focus; ``[sensor]`` pixel, on the camera, shape and integrate as of a lens.
 
@@ -262,7 +254,8 @@ def load_microscope(path: str | PathLike[str]) -> Microscope:
     Raises
     ------
     LensFileError
-        If the file is not valid TOML, or for every missing, unknown or impossible entry, with key and line.
+        If the file is not valid TOML, or for missing, unknown or invalid entries, all reported together with key and
+        line.
     OSError
         If it cannot be read.
 
@@ -287,7 +280,7 @@ def _microscope(file: _File, *, stem: str) -> Microscope:
         glass = file.design.coverslip
         meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
         design = Design(meant, used if glass is None else glass.layer())
-    given: dict[str, Any] = {key: value for key, value in file.objective if key != "dipping"}
+    given: Toml = {key: value for key, value in file.objective if key != "dipping"}
     objective = Objective(
         **given,
         coverslip=used,
@@ -306,5 +299,5 @@ def _microscope(file: _File, *, stem: str) -> Microscope:
         **stack,
         **dict(file.sensor),
     )
-    replace(found, origin="paraxial").pupil()  # whether the working distance reaches there; the brightest is not far
+    replace(found, origin="paraxial").pupil()  # checks that the working distance reaches the focus
     return found

@@ -1,31 +1,122 @@
-"""TOML files that describe optics: read, held against a model of sections, and told what is wrong with them."""
+"""TOML files that describe optics: their kinds of entries, and their checks, with all errors reported together."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from types import UnionType
-from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, TypeAlias, TypedDict, TypeVar, Union, get_args, get_origin
 
 import numpy as np
-from pydantic import ValidationError
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, PlainValidator, ValidationError
+from pydantic_core import ErrorDetails
 
 from lommel.base import reading, validation
 from lommel.base.options import near
-from lommel.base.units import with_units
-from lommel.lensfiles import messages
-from lommel.lensfiles.sections import Section
+from lommel.base.units import parse_angle, parse_length, with_units
+from lommel.base.validation import shown
+from lommel.io import text_files
 
-_Model = TypeVar("_Model", bound=Section)
+_Read = TypeVar("_Read")
+_Model = TypeVar("_Model", bound="Section")
 _Made = TypeVar("_Made")
+
+Toml: TypeAlias = dict[str, Any]
+"""The contents of a TOML file."""
+
+
+class Context(TypedDict, total=False):
+    """Where a lens file may name other files."""
+
+    folder: Path
+    folder_only: bool
+
+
+def _positive(value: float) -> float:
+    if not value > 0:
+        raise ValueError(f"must be positive, got {value:g} m")
+    return value
+
+
+def finite(value: float) -> float:
+    """Return a finite number."""
+    if not math.isfinite(value):
+        raise ValueError(f"must be finite, got {value}")
+    return value
+
+
+def _shape(value: Any) -> tuple[int, int]:
+    try:
+        return validation.image_shape(value)
+    except TypeError as error:
+        raise ValueError(str(error)) from None
+
+
+Distance = Annotated[float, BeforeValidator(parse_length), AfterValidator(_positive)]
+Length = Annotated[Distance, AfterValidator(finite)]
+SignedLength = Annotated[float, BeforeValidator(parse_length), AfterValidator(finite)]
+Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
+Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
+
+
+def read_beside(context: Context | None, name: object, what: str, read: Callable[[Path], _Read]) -> _Read:
+    """Return the contents of a file that a lens file names; ValueError if it cannot or must not be read."""
+    if not isinstance(name, str):
+        raise ValueError(f"must be {what}, got {shown(name)}")
+    given = context or {}
+    folder = given.get("folder", Path())
+    path = folder / name
+    if given.get("folder_only") and not path.resolve().is_relative_to(folder.resolve()):
+        raise ValueError(f"must lie in the folder of the lens file, got {shown(name)}")
+    try:
+        return read(path)
+    except OSError as error:
+        raise ValueError(f"{name!r} cannot be read: {error.strerror or error}") from None
+
+
+class Section(BaseModel):
+    """A section of a lens file, without unknown keys."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Sensor(Section):
+    """The section [sensor]: pixels and window."""
+
+    pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
+    shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
+    integrate: Annotated[bool, Field(strict=True)] | None = None
+
+
+def _pitch(value: Any) -> float | tuple[float, float]:
+    """Return the pixel pitch from a text, or height and width from a list of two."""
+    sides = value if isinstance(value, list) else [value]
+    lengths = [validation.pixel(finite(_positive(parse_length(side))), metric=True) for side in sides]
+    return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
+
+
+def _fill(value: Any) -> tuple[float, float]:
+    try:
+        return validation.fill("fill", value)
+    except TypeError as error:
+        raise ValueError(str(error)) from None
+
+
+class PhotoSensor(Sensor):
+    """The section [sensor] of a lens, whose pixels may be rectangular and have a fill factor."""
+
+    pixel: Annotated[float | tuple[float, float], PlainValidator(_pitch)]  # type: ignore[assignment]
+    fill: Annotated[tuple[float, float], PlainValidator(_fill)] = (1.0, 1.0)
 
 
 class LensFileError(ValueError):
-    """A lens file that cannot be used; the message names every fault with its key and line."""
+    """A lens file that cannot be used; the message names every error with its key and line."""
 
 
-def parsed(source: Path) -> tuple[str, dict[str, Any]]:
-    """Return the text of a TOML file, and what it holds; LensFileError if it is none."""
+def parsed(source: Path) -> tuple[str, Toml]:
+    """Return the text of a TOML file and its contents."""
     try:
         text = reading.text(source, reading.MAX_TOML)
         return text, reading.toml(text)
@@ -35,34 +126,34 @@ def parsed(source: Path) -> tuple[str, dict[str, Any]]:
 
 def built(
     source: Path,
-    raw: dict[str, Any],
+    raw: Toml,
     text: str,
     model: type[_Model],
     make: Callable[[_Model], _Made],
     *,
-    context: dict[str, Any] | None = None,
+    context: Context | None = None,
     found: tuple[str, ...] = (),
 ) -> _Made:
-    """Return what is made of a file that fits a model; LensFileError with every fault, those `found` before too."""
-    faults = list(found)
+    """Return the object that a file describes; LensFileError with all errors, those `found` before too."""
+    errors = list(found)
     try:
         file = model.model_validate(raw, context=context)
-        if not faults:
+        if not errors:
             with np.errstate(over="raise", divide="raise", invalid="raise"):
                 return make(file)
     except ValidationError as error:
         every = error.errors(include_url=False, include_context=False, include_input=False)
-        count = len(every) + len(faults)
-        faults = [_described(fault, text, model) for fault in every[: messages.TOLD]] + faults
-        raise LensFileError(messages.together(source, faults, count)) from None
+        count = len(every) + len(errors)
+        errors = [_described(fault, text, model) for fault in every[: text_files.TOLD]] + errors
+        raise LensFileError(text_files.together(source, errors, count)) from None
     except ArithmeticError as error:
-        faults.append(f"its numbers lead beyond the range of numbers: {error}")
+        errors.append(f"its numbers lead to an overflow: {error}")
     except ValueError as error:
-        faults.append(with_units(str(error)))
-    raise LensFileError(messages.together(source, faults))
+        errors.append(with_units(str(error)))
+    raise LensFileError(text_files.together(source, errors))
 
 
-def _described(fault: Any, text: str, model: type[Section]) -> str:
+def _described(fault: ErrorDetails, text: str, model: type[Section]) -> str:
     place = [str(part) for part in fault["loc"]]
     keys = [str(part) for part in fault["loc"] if not isinstance(part, int) or len(fault["loc"]) == 1]
     message = with_units(fault["msg"].removeprefix("Value error, "))
@@ -77,20 +168,20 @@ def _described(fault: Any, text: str, model: type[Section]) -> str:
         message = f"must be a section, [{'.'.join(keys)}]"
     if not keys:  # of the file as a whole
         return str(message)
-    # A table of several has lines of its own, and a number to be told by.
-    line = messages.line_of(text, place) or messages.line_of(text, keys)
+    # Each table of an array has its own lines.
+    line = text_files.line_of(text, place) or text_files.line_of(text, keys)
     return f"{'.'.join(map(validation.key, keys))}{f' (line {line})' if line else ''}: {message}"
 
 
 def _elsewhere(model: type[Section], keys: list[str]) -> str | None:
-    """Return which other sections of a file have a key of this name, if any has."""
+    """Return the other sections of a file that have a key of this name, if any."""
     sections = {name: _section(part.annotation) for name, part in model.model_fields.items() if name != keys[0]}
     homes = [f"[{name}]" for name, part in sections.items() if keys[-1] in getattr(part, "model_fields", ())]
     return f"it is in {' or '.join(homes)}" if homes else None
 
 
 def _section(annotation: Any) -> Any:
-    """Return the model in an annotation that may allow None, or a list of it."""
+    """Return the model in an annotation, which may be optional or a list."""
     if get_origin(annotation) in (Union, UnionType, Annotated, list):
         parts = (part for part in get_args(annotation) if part is not type(None))
         return _section(next(parts))

@@ -1,0 +1,163 @@
+"""The commands that describe a lens or compare methods: ``info``, ``compare``, ``methods`` and ``paper``."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+import click
+
+from lommel.cli import reports, tables
+from lommel.cli.options import (
+    DEPTH,
+    INTEGRATE,
+    JSON,
+    LENS,
+    OBJECT_DISTANCE,
+    PIXEL,
+    SHAPE,
+    Option,
+    command,
+    figure_format,
+    instrument_of,
+    microscope_of,
+    plot_option,
+    print_json,
+    save_figure,
+)
+from lommel.cli.progress import progress
+from lommel.methods import ERFS, METHODS, ClosedForm
+
+
+@command(LENS, OBJECT_DISTANCE, PIXEL, SHAPE, JSON, DEPTH)
+def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> None:
+    """Describe a lens or a microscope without computing a PSF.
+
+    Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,
+    full width at half maximum (FWHM), MTF at the Nyquist frequency and frequency of 50 % contrast (circular apertures
+    only), and encircled energy, also that of the unaberrated aperture.
+
+    Microscope (a file with a section [objective]): focus position, width and peak against the depth of the emitter,
+    collected light, critical angle, and Nyquist sampling.
+
+    Examples
+    --------
+      lommel info camera.toml --object-distance "3 m"
+      lommel info objective.toml --depth "10 um"
+    """
+    microscope = microscope_of(lens, depth=depth, **given)
+    if microscope is not None:
+        facts, show = reports.describe_microscope(microscope), tables.print_microscope
+    else:
+        facts, show = reports.describe_lens(instrument_of(lens, **given)), tables.print_lens
+    (print_json if as_json else show)(facts)
+
+
+@command(
+    LENS, OBJECT_DISTANCE, PIXEL, SHAPE, INTEGRATE,
+    plot_option("Figure of the PSFs, square root of the values, and of slices through them", "--figure"), JSON,
+)  # fmt: skip
+def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> None:
+    """Compare the accuracy and the speed of all methods for the PSF of a lens.
+
+    The reference is direct quadrature (Hankel) for radially symmetric wavefronts, the series with a proven error
+    bound at a tolerance of 1e-9 for other wavefronts, and the non-uniform FFT at 1e-11 for other apertures. Methods
+    that do not support the pupil are listed with the reason.
+
+    Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. For a
+    paraxial lens the error of HuygensFresnel is the Fresnel approximation that all other methods make; it is computed
+    at pixel centres. ClosedForm uses the tangent-line centre and the erf with the least MSE in this window. Times are
+    those of a second call, or of the first if that takes more than a second. The last line compares the paraxial and
+    the aplanatic model of the lens.
+
+    Example:
+      lommel compare camera.toml --figure methods.png
+    """
+    if figure is not None:
+        figure_format(figure)
+    instrument = instrument_of(lens, **given)
+    pupil = instrument.pupil()
+    with progress("", total=len(METHODS) + 1) as started:
+        methods = [
+            # The paper's form at its best, for a fair comparison.
+            ClosedForm.best(pupil, instrument.window, instrument.side)
+            if kind is ClosedForm and pupil.radial
+            else kind()
+            for kind in METHODS.values()
+        ]
+        rows, answers = reports.compare(instrument, methods, started)
+        reference = reports.reference_name(pupil)
+        sampling = answers[reference].sampling
+        if figure is not None:
+            from lommel.show import plot
+
+            save_figure(plot.compare(answers, reference), figure)
+    other = reports.other_model(instrument)
+    if as_json:
+        named = {"name": instrument.name, "reference": reference, "sampling": sampling}
+        print_json(named | {"rows": rows, "other_model": other})
+        return
+    tables.print_comparison(instrument, rows, reference, sampling, other)
+    if figure is not None:
+        click.echo(f"wrote {figure}: square root of the values, and slices")
+
+
+@command(JSON)
+def methods(as_json: bool) -> None:
+    """List the methods and their options, for --method and --set.
+
+    Example:
+      lommel methods
+    """
+    rows = [
+        {
+            "name": name,
+            "what": (kind.__doc__ or "").partition("\n")[0].replace("``", "").rstrip("."),
+            "options": {item.name: _default(item) for item in dataclasses.fields(kind)},  # type: ignore[arg-type]
+        }
+        for name, kind in METHODS.items()
+    ]
+    if as_json:
+        print_json({"methods": rows})
+    else:
+        tables.print_methods(rows)
+
+
+def _default(item: dataclasses.Field[Any]) -> str:
+    """Return the default of an option as --set takes it."""
+    factory = item.default_factory
+    default = item.default if factory is dataclasses.MISSING else factory()
+    return next((name for name, kind in ERFS.items() if isinstance(default, kind)), str(default).lower())
+
+
+@command(
+    click.Argument(["outdir"], type=click.Path(path_type=Path)),
+    Option("--figure", "figures", multiple=True, type=click.Choice([*"1234567", "17", "100"]),
+           help="Only this figure, without the table; may be repeated. 17: Eq. (17); 100: validity of the closed "
+           "forms."),
+    JSON,
+)  # fmt: skip
+def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
+    """Reproduce the figures and numbers of the paper in about half a minute.
+
+    Each figure is written to OUTDIR as figure-N.png, its data as figure-N.npz, its curves as figure-N.csv. table.md
+    and table.json compare each number of the paper with the computed one, for Eq. (12) as printed and as corrected.
+
+    Examples
+    --------
+      lommel paper out
+      lommel paper out --figure 3 --figure 5
+    """
+    from lommel.paper.write import FIGURES, reproduce
+
+    wanted = [int(number) for number in figures] or None
+    with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
+        made = reproduce(outdir, wanted, started)
+    if as_json:
+        print_json(made)
+        return
+    if made["table"] is not None:
+        tables.print_numbers(made["table"])
+    for name in made["files"]:
+        click.echo(f"wrote {name}")

@@ -1,0 +1,100 @@
+"""Text files: the cells of CSV tables, and errors named by key and line, all of a file at once."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from pathlib import Path
+
+from lommel.base.validation import brief, key, line
+
+TOLD = 12
+"""Maximum number of errors of a file in one message."""
+
+
+def rows(text: str, between: str = ",") -> Iterator[tuple[int, list[str]]]:
+    """Yield the number and the cells of each line that is neither empty nor a comment (``#``)."""
+    for place, text_line in enumerate(io.StringIO(text), 1):  # not all of them at once: the text may be long
+        try:
+            quoted = '"' in text_line or len(text_line) > csv.field_size_limit()
+            cells = next(csv.reader([text_line], delimiter=between), []) if quoted else text_line.split(between)
+        except csv.Error as error:  # a quote without an end
+            raise ValueError(f"{error} in line {place}") from None
+        cells = list(map(str.strip, cells))
+        if any(cells) and not text_line.lstrip().startswith("#"):
+            yield place, cells
+
+
+def number(text: str) -> float | str:
+    """Return the number in a cell, or its text, for the error message."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def line_of(text: str, keys: Sequence[str]) -> int | None:
+    """Return the number of the line of a TOML file that sets `keys`, if it is written in the usual way."""
+    return _lines(text).get(tuple(keys))
+
+
+@lru_cache(maxsize=2)
+def _lines(text: str) -> dict[tuple[str, ...], int]:
+    found: dict[tuple[str, ...], int] = {}
+    numbers: Counter[tuple[str, ...]] = Counter()
+    section: tuple[str, ...] = ()
+    for number, written in enumerate(text.splitlines(), 1):
+        if header := re.match(r"\s*\[(\[?)\s*([\w.\"-]+)\s*\]", written):
+            section = tuple(header[2].replace('"', "").split("."))
+            found.setdefault(section, number)
+            if header[1]:  # a table of an array, counted
+                numbers[section] += 1
+                section = (*section, str(numbers[section] - 1))
+                found.setdefault(section, number)
+        elif entry := re.match(r"\s*(\"[^\"]*\"|[\w-]+)\s*=", written):
+            found.setdefault((*section, entry[1].strip('"')), number)
+    return found
+
+
+def place(text: str, keys: Sequence[str]) -> str:
+    """Return ``"lens.wavelength (line 8)"``, with the line of the surrounding table where a key has none."""
+    lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
+    number = next((number for number in lines if number), None)
+    return f"{'.'.join(map(key, keys))}{f' (line {number})' if number else ''}"
+
+
+def together(path: Path, errors: Sequence[str], count: int | None = None) -> str:
+    """Return one message about the first errors of a file, on one line if there is one; `count` is the total."""
+    count, shown = len(errors) if count is None else count, [line(error) for error in errors[:TOLD]]
+    if count > TOLD:
+        shown.append(f"and {count - TOLD} more")
+    return f"{line(path)}: " + (shown[0] if count == 1 else "".join(f"\n  {error}" for error in shown))
+
+
+class TableErrors:
+    """Errors of a table, collected until there are too many for it to be one."""
+
+    _MOST = 1000
+
+    def __init__(self) -> None:
+        self._found: list[str] = []
+
+    @property
+    def many(self) -> bool:
+        """Whether there are so many that the rest need not be read."""
+        return len(self._found) > self._MOST
+
+    def add(self, error: str) -> None:
+        """Note an error."""
+        self._found.append(error)
+
+    def refuse(self) -> None:
+        """Raise ValueError with the first errors, if there are any."""
+        if self._found:
+            rest = len(self._found) - TOLD
+            more = f"; and {rest} {'or more' if self.many else 'more'}" if rest > 0 else ""
+            raise ValueError("; ".join(brief(error, 200) for error in self._found[:TOLD]) + more)

@@ -54,8 +54,8 @@ SECTIONS = [
     Section(
         "Measured wavefronts and Zernike tables",
         "See [](formats.md#measured-wavefronts).",
-        ("optics.wavefront", "io.opd_files", "io.zernike_tables", "lensfiles.zernike_files"),
-        more="io.opd_files.OPDFileError lensfiles.zernike_files.ZernikeFileError",
+        ("optics.wavefront", "io.opd_files", "io.zernike_tables"),
+        more="io.opd_files.OPDFileError io.zernike_tables.ZernikeFileError",
     ),
     Section(
         "Microscope objectives",

@@ -41,7 +41,7 @@ ARGUED = {
     ("page/module.py", "read_text"): "the package's own live page",
     ("page/server.py", "read_bytes"): "the package's own live page",
     ("cli/examples_command.py", "read_bytes"): "the package's own examples",
-    ("cli/parts.py", "open"): "the null device, to write to",
+    ("cli/options.py", "open"): "the null device, to write to",
     ("cli/live_command.py", "open"): "a browser",
     ("base/atomic.py", "open"): "to write, and a store to lock it",
     ("base/atomic.py", "fdopen"): "to write",

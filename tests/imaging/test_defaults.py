@@ -112,4 +112,4 @@ def test_exceptions_are_none_but_those_that_differ():
 
 def test_near_things_hide_far_ones_wherever_photographs_are_made():
     assert set(map(repr, DEFAULTS["occlusion"].values())) == {"True"}
-    assert len(DEFAULTS["occlusion"]) >= 7
+    assert len(DEFAULTS["occlusion"]) >= 6

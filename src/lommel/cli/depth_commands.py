@@ -171,10 +171,8 @@ def _write_sharp(path: Path, found: DefocusDepth) -> None:
     """Write the all-in-focus image, as floats where the format holds them, else with the bits of the photos."""
     light = to_light("sharp", found.sharp, found.encoding, np.float32)
     suffix, kind = path.suffix.lower(), found.sharp.dtype
-    if kind.kind == "u" and suffix != ".jpg":
-        dtype = kind
-    else:
-        dtype = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint8)
+    floats = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint8)
+    dtype = kind if kind.kind == "u" and suffix != ".jpg" else floats
     write_photo(path, light, encoding="linear" if dtype.kind == "f" else "srgb", dtype=dtype)
 
 

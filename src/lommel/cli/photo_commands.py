@@ -517,7 +517,7 @@ class Job:
             blur.watch = watch
         return plan()
 
-    def write(self, output: Path, light: NDArray[np.floating]) -> float:
+    def write(self, output: Path, light: NDArray[Any]) -> float:
         """Write the result and return the clipped fraction of its values."""
         # A profile of other values than these would be wrong.
         profile = self.picture.profile if self.encoding == self.picture.encoding else None

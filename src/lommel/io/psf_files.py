@@ -122,7 +122,17 @@ def told(source: Path, what: str) -> Iterator[None]:
 
 
 def describe(psf: PSFLike) -> Description:
-    """Return how a PSF was computed; ``lommel.base.checksums.sealed`` adds the checksum."""
+    """Return how a PSF was computed, in plain types.
+
+    Parameters
+    ----------
+    psf : PSF
+
+    Returns
+    -------
+    dict
+        Everything but the values; ``lommel.base.checksums.sealed`` adds the checksum.
+    """
     # Only where needed, so that most files stay as older versions wrote them.
     beyond: Description = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
     if psf.blur:

@@ -356,7 +356,7 @@ def _erf(text: str) -> object:
     return ERFS[name](*([_value(count)] if colon else []))
 
 
-def _value(text: str) -> object:
+def _value(text: str) -> Any:
     """Return the number, pair, truth value or word that a text stands for."""
     if "," in text:
         return tuple(_value(part) for part in text.split(","))

@@ -277,9 +277,9 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
 @each(
     ("call", "name"),
     [
-        (lambda: lm.measures.spot.axis_strehl(1), "answer must be a PSF, got 1"),
-        (lambda: lm.measures.spot.fwhm("psf"), "answer must be a PSF, got 'psf'"),
-        (lambda: lm.measures.transfer.sampled_otf(None, 0.1), "answer must be a PSF, got None"),
+        (lambda: lm.measures.spot.axis_strehl(1), "psf must be a PSF, got 1"),
+        (lambda: lm.measures.spot.fwhm("psf"), "psf must be a PSF, got 'psf'"),
+        (lambda: lm.measures.transfer.sampled_otf(None, 0.1), "psf must be a PSF, got None"),
         (lambda: lm.measures.energy.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
         (lambda: lm.measures.energy.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
         (lambda: lm.best_focus(SPHERICAL, 1.0, method="x"), "method must be a RadialMethod, got 'x'"),

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, largest
+from lommel.base.arrays import Array, Values, largest
 from lommel.base.options import near
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
@@ -29,6 +29,8 @@ from lommel.show import colours
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from lommel.methods.derivative_names import Name
 
 _AT_ONCE = 2**22  # values of a channel that are computed at once
 
@@ -50,7 +52,7 @@ class PSFKeywords(TypedDict, total=False):
 class Keywords(PSFKeywords, total=False):
     """What :func:`colour_psf` takes beside, as :func:`lommel.psf` does."""
 
-    derivatives: Sequence[Any]
+    derivatives: Sequence[Name]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -76,7 +78,7 @@ class ColourPSF(Measured):
 
     channels: Channels
     psfs: tuple[PSF, ...]
-    values: NDArray[Any] = field(init=False)
+    values: Values = field(init=False)
 
     def __post_init__(self) -> None:
         validation.instance("channels", self.channels, Channels)
@@ -176,7 +178,7 @@ class ColourPSF(Measured):
         """
         return type(self)(self.channels, tuple(psf[index] for psf in self.psfs))
 
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
         """Return `values`."""
         return np.array(self.values, dtype=dtype, copy=copy)
 
@@ -210,7 +212,7 @@ class ColourPSF(Measured):
         return cls(*colour_files.load(path, PSF))
 
 
-def _parts(whole: NDArray[Any], psfs: Sequence[PSF]) -> bool:
+def _parts(whole: Values, psfs: Sequence[PSF]) -> bool:
     """Return whether the values of each PSF are its part of an array of all."""
     return all(
         psf.values.base is whole and psf.values.ctypes.data == part.ctypes.data

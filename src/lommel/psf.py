@@ -47,7 +47,7 @@ def psf(
     fill: float | tuple[float, float] = 1.0,
     blur: Blur | Sequence[Blur] = (),
     derivatives: Sequence[Name] = (),
-    out: NDArray[Any] | None = None,
+    out: Values | None = None,
     threads: int | None = None,
 ) -> PSF:
     """Compute the point spread function of a pupil.
@@ -204,7 +204,7 @@ class Plan:
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self._asked: Asked | None = None
 
-    def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: NDArray[Any] | None = None) -> PSF:
+    def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: Values | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         pupil = imaged(pupil)
         if self._places:
@@ -250,7 +250,7 @@ class Plan:
         parts["derivatives"], parts["derivative_bounds"], parts["blur"] = slopes, slope_bounds, ()
         return psf
 
-    def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: NDArray[Any] | None) -> PSF:
+    def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: Values | None) -> PSF:
         from lommel.blur.recorded import recorded
 
         if question.names(derivatives):
@@ -258,7 +258,7 @@ class Plan:
         settings = self.method, self.tol, self.normalize, self.dtype, self.threads
         return PSF(**recorded(pupil, self.grid(pupil), self.blur, settings, out))
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         # Without what is remembered of the last pupil, which the compiled core has a part in.
         return vars(self) | {"_asked": None}
 
@@ -411,7 +411,7 @@ class Measured:
         """Return the modulation transfer function, the modulus of :meth:`otf`, at `fx`, `fy`, `of` the same."""
         return np.abs(self.otf(fx, fy, of=of))
 
-    def _numbers(self, measure: Callable[[Any], Any]) -> Numbers:
+    def _numbers(self, measure: Callable[[PSF], Numbers]) -> Numbers:
         found: Numbers = self.measured(measure)
         return found
 
@@ -448,15 +448,15 @@ class PSF(Measured):
     """
 
     pupil_hint = "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image"
-    values: NDArray[Any]
+    values: Values
     grid: Grid
     pupil: BasePupil
     method: Method
     normalize: str
     error_bound: float | None
     scale: Array = field(repr=False)
-    derivatives: dict[str | tuple[int, int], NDArray[Any]] = field(default_factory=dict, repr=False)
-    derivative_bounds: dict[str | tuple[int, int], float] = field(default_factory=dict, repr=False)
+    derivatives: dict[Name, Values] = field(default_factory=dict, repr=False)
+    derivative_bounds: dict[Name, float] = field(default_factory=dict, repr=False)
     blur: tuple[Blur, ...] = ()
 
     def __post_init__(self) -> None:
@@ -563,7 +563,7 @@ class PSF(Measured):
             derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
         )
 
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
         """Return `values`."""
         return np.array(self.values, dtype=dtype, copy=copy)
 
@@ -625,18 +625,18 @@ class PSF(Measured):
         validation.axes("ax", ax)
         return show.plot.plot(self, ax, stretch=stretch)
 
-    def plot_mtf(self, ax: Axes | None = None) -> Any:
+    def plot_mtf(self, ax: Axes | None = None) -> Axes:
         """Draw the modulation transfer function along x and y, beside that of the aperture without aberration.
 
         See :func:`lommel.show.curves.mtf`.
         """
         return show.curves.mtf(self, ax)
 
-    def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Any:
+    def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
         """Draw the light within circles up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
         return show.curves.encircled_energy(self, ax, radius=radius)
 
-    def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Any:
+    def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
         """Draw where rays meet the sensor over the values; see :func:`lommel.show.rays.spots`."""
         return show.rays.spots(self, ax, rings=rings, stretch=stretch)
 

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Values = NDArray[np.floating[Any]]
-"""Of float32 or float64."""
+Values = NDArray[Any]
+"""Of float32 or float64, for which NumPy has no common type to calculate with."""
 Numbers = np.float64 | NDArray[np.float64]
 _Index = SupportsIndex | slice | EllipsisType | Sequence[int] | NDArray[np.integer[Any]] | NDArray[np.bool_] | None
 Index = _Index | tuple[_Index, ...]

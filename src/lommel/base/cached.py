@@ -13,7 +13,7 @@ else:
     class cached_property(functools.cached_property):  # noqa: N801 (as that one is called)
         """A property computed once, by two threads at once if need be."""
 
-        def __get__(self, instance: Any, owner: Any = None) -> Any:
+        def __get__(self, instance: Any, owner: type | None = None) -> Any:
             """Return the value, computed at the first access."""
             if instance is None:
                 return self

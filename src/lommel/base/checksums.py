@@ -4,23 +4,24 @@ from __future__ import annotations
 
 import json
 import zlib
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 
-def sealed(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> dict[str, Any]:
+def sealed(description: dict[str, Any], arrays: Mapping[str, NDArray[np.generic]]) -> dict[str, Any]:
     """Return a description with the checksum of the arrays of a file and of all else that it says."""
     return description | {"checksum": checksum(description, arrays)}
 
 
-def checksum(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> str:
+def checksum(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> str:
     """Return the checksum of arrays by name, and of all that is said of them."""
     return f"crc32 {crc32(description, arrays):08x}"
 
 
-def crc32(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> int:
+def crc32(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> int:
     """Return the number of :func:`checksum`."""
     said = {key: value for key, value in description.items() if key != "checksum"}
     total = zlib.crc32(json.dumps(said, sort_keys=True, allow_nan=False).encode())

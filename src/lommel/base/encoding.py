@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Values
 
 ENCODINGS = ("linear", "srgb")
 
 _PART = 2**16  # values that are encoded at once, so that what is between stays in a cache
 
 
-def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
+def to_light(name: str, values: NDArray[np.number], encoding: str, dtype: DTypeLike) -> Values:
     """Return values in proportion to light, 1 being white, from integers (white is their maximum) or floats.
 
     "srgb" is the transfer function of IEC 61966-2-1.
@@ -41,7 +40,7 @@ def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -
     validation.choice("encoding", encoding, ENCODINGS)
     validation.kind("dtype", dtype, np.float32, np.float64)
     if values.dtype.kind == "u":
-        light = values.astype(dtype) / np.asarray(np.iinfo(values.dtype).max, dtype=dtype)
+        light = values.astype(dtype) / np.asarray(np.iinfo(str(values.dtype)).max, dtype=dtype)
     elif values.dtype.kind == "f":
         with np.errstate(over="ignore", invalid="ignore"):
             light = values.astype(dtype)
@@ -58,7 +57,7 @@ def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -
     return np.asarray(decoded, dtype=dtype)
 
 
-def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
+def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:
     """Return stored values of `dtype` from light; the inverse of :func:`lommel.base.encoding.to_light`.
 
     In an integer type what is brighter than white is white, as on a sensor that is full, and what is below 0 is 0;
@@ -90,7 +89,7 @@ def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[
     return stored.reshape(light.shape)
 
 
-def clipped_share(light: NDArray[Any], dtype: DTypeLike) -> float:
+def clipped_share(light: Values, dtype: DTypeLike) -> float:
     """Return the share of values that an integer type clips by more than its rounding; 0 for floats.
 
     Parameters

@@ -5,13 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any
 
 
-def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], object], Callable[[], list[str]]]:
     """Return ``__getattr__`` and ``__dir__`` of a package: its modules, and the names that one `exports`."""
 
-    def attribute(name: str) -> Any:
+    def attribute(name: str) -> object:
         if not name.startswith("_"):
             try:
                 return import_module(f"{package}.{name}")

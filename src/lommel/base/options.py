@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 from lommel.base.validation import shown
 
-_Door = TypeVar("_Door", bound=Callable[..., Any])
+_Door = TypeVar("_Door", bound=Callable[..., object])
 
 
 def shares(keywords: type, source: type, **defaults: object) -> Callable[[_Door], _Door]:
@@ -52,7 +52,7 @@ def _texts(source: type) -> list[tuple[str, str]]:
     return re.findall(r"^([\w, ]+) : (.*(?:\n(?!\w).*)*)", section.rstrip(), re.MULTILINE)
 
 
-def require_known(door: Callable[..., Any], given: Mapping[str, Any], keywords: type) -> None:
+def require_known(door: Callable[..., object], given: Mapping[str, object], keywords: type) -> None:
     """Raise TypeError if an option is none of these keywords; it names all that `door` takes by keyword."""
     if stray := [name for name in given if name not in keywords.__annotations__]:
         known = [p.name for p in inspect.signature(door).parameters.values() if p.kind is p.KEYWORD_ONLY]

@@ -29,6 +29,8 @@ from lommel.base import validation
 if TYPE_CHECKING:
     import zipfile
 
+Tags = dict[int, NDArray[np.generic]]
+
 MAX_PIXELS = validation.MAX_SIDE**2
 """Most pixels of a picture, and most characters of a description."""
 
@@ -127,7 +129,7 @@ def toml(text: str) -> dict[str, Any]:
         raise ValueError(f"its tables are too many or too deep ({type(error).__name__})") from None
 
 
-def json(data: bytes | str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = None) -> Any:
+def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] | None = None) -> Any:
     """Return what a text in JSON holds; ValueError if it is none, or would take too much memory."""
     from json import loads
 
@@ -153,7 +155,7 @@ def pixels(width: int, height: int) -> None:
         raise ValueError(f"it has {width} x {height} pixels; the limit of a side is {MAX_PICTURE_SIDE}")
 
 
-def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[Any], bytes]:
+def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.generic], bytes]:
     """Return the array of a .npy file, and what stands behind it."""
     start, shape, fortran, kind = _npy_header(data[:_HEADER], most)
     count = math.prod(shape)
@@ -163,7 +165,7 @@ def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[Any], b
     return values, data[start + count * kind.itemsize :]
 
 
-def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.dtype[Any]]:
+def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.dtype[np.generic]]:
     file = io.BytesIO(data)
     try:
         with warnings.catch_warnings():
@@ -180,11 +182,11 @@ def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.
     return file.tell(), shape, fortran, kind
 
 
-def npz(data: bytes) -> dict[str, Callable[[int], NDArray[Any]]]:
+def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
     """Return what reads the arrays of a .npz file, by name, each with a limit on its values."""
     import zipfile
 
-    def read(member: zipfile.ZipInfo, most: int) -> NDArray[Any]:
+    def read(member: zipfile.ZipInfo, most: int) -> NDArray[np.generic]:
         with archive.open(member) as file:
             head = file.read(_HEADER)
             start, shape, _, kind = _npy_header(head, most)
@@ -262,7 +264,7 @@ def is_raw(data: bytes) -> bool:
     return bool(preview or 50706 in first or _one(first, 262, 1) in (32803, 34892) or _larger_below(data, first))
 
 
-def _larger_below(data: bytes, first: dict[int, NDArray[Any]]) -> bool:
+def _larger_below(data: bytes, first: Tags) -> bool:
     """Return whether a page below the first is larger."""
     order = "<" if data[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
@@ -282,7 +284,7 @@ def check_tiff(data: bytes) -> None:
         raise ValueError("it has no page")
 
 
-def _tiff_pages(data: bytes) -> Iterator[dict[int, NDArray[Any]]]:
+def _tiff_pages(data: bytes) -> Iterator[Tags]:
     """Yield of each page the integers that its tags hold."""
     order = {b"II": "<", b"MM": ">"}.get(data[:2])
     if order is None or len(data) < 16:
@@ -298,9 +300,9 @@ def _tiff_pages(data: bytes) -> Iterator[dict[int, NDArray[Any]]]:
         yield tags
 
 
-def _tiff_tags(data: bytes, at: int, order: str, big: bool) -> tuple[dict[int, NDArray[Any]], int]:
+def _tiff_tags(data: bytes, at: int, order: str, big: bool) -> tuple[Tags, int]:
     """Return the integers that the tags of a page hold, and where the next page is."""
-    tags: dict[int, NDArray[Any]] = {}
+    tags: Tags = {}
     head, entry, word = ("Q", "HHQ", "Q") if big else ("H", "HHI", "I")
     try:
         (count,) = struct.unpack_from(order + head, data, at)
@@ -322,11 +324,11 @@ def _tiff_tags(data: bytes, at: int, order: str, big: bool) -> tuple[dict[int, N
         raise ValueError("its pages go beyond its end") from None
 
 
-def _one(tags: dict[int, NDArray[Any]], tag: int, default: int) -> int:
+def _one(tags: Tags, tag: int, default: int) -> int:
     return int(tags[tag][0]) if tag in tags and tags[tag].size else default
 
 
-def _tiff_page(data: bytes, tags: dict[int, NDArray[Any]]) -> int:
+def _tiff_page(data: bytes, tags: Tags) -> int:
     """Refuse a page that claims more than there is; return how much memory it takes to decode if it is compressed."""
     one, nothing = partial(_one, tags), np.zeros(0, np.uint8)
     width, height, samples = one(256, 0), one(257, 0), one(277, 1)
@@ -369,7 +371,7 @@ def hdf5(data: bytes) -> Any:
     return h5py.File(io.BytesIO(data), "r")
 
 
-def hdf5_values(found: Any, size: int) -> NDArray[Any]:
+def hdf5_values(found: Any, size: int) -> NDArray[np.generic]:
     """Return an array of an HDF5 file; ValueError if it is outside the file, or larger than `size` bytes can hold."""
     import h5py
 

@@ -9,10 +9,10 @@ import os
 import reprlib
 import sys
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base.arrays import Array
 
@@ -37,7 +37,7 @@ _brief.maxlevel = 3
 _Value = TypeVar("_Value")
 
 
-def shown(value: Any) -> str:
+def shown(value: object) -> str:
     """Return a value as a message shows it: on one line, and no more than its beginning and its end."""
     try:
         text = " ".join(_brief.repr(value).split())
@@ -61,7 +61,7 @@ def line(text: object) -> str:
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text))
 
 
-def instance(name: str, value: _Value, kind: type[Any]) -> _Value:
+def instance(name: str, value: _Value, kind: type[object]) -> _Value:
     """Return `value` if it is of this type; TypeError otherwise."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
@@ -69,14 +69,14 @@ def instance(name: str, value: _Value, kind: type[Any]) -> _Value:
     return value
 
 
-def optional(name: str, value: Any, *kinds: type[Any]) -> None:
+def optional(name: str, value: object, *kinds: type[object]) -> None:
     """Refuse what is neither None nor of one of these types, with a TypeError."""
     if value is not None and not isinstance(value, kinds):
         allowed = " or ".join(kind.__name__ for kind in kinds)
         raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}")
 
 
-def path(name: str, value: Any) -> Path:
+def path(name: str, value: object) -> Path:
     """Return `value` as a path; TypeError or ValueError if it is none."""
     from pathlib import Path  # with all that it needs, for files only
 
@@ -89,7 +89,7 @@ def path(name: str, value: Any) -> Path:
 
 def real(
     name: str,
-    value: Any,
+    value: object,
     *,
     above: float = -math.inf,
     least: float = -math.inf,
@@ -119,18 +119,18 @@ def real(
     return number
 
 
-def _is_real_scalar(value: Any) -> bool:
+def _is_real_scalar(value: object) -> bool:
     if isinstance(value, np.ndarray | np.generic):
         return value.ndim == 0 and value.dtype.kind in "iuf" and not _masked(value)
     return not isinstance(value, bool)
 
 
-def integer(name: str, value: Any, *, least: int, most: int) -> int:
+def integer(name: str, value: object, *, least: int, most: int) -> int:
     """Return `value` as an int in ``[least, most]``; TypeError or ValueError otherwise."""
     if isinstance(value, bool | np.bool_):
         raise TypeError(f"{name} must be an integer, got {shown(value)}")
     try:
-        number = operator.index(value)
+        number = operator.index(cast(SupportsIndex, value))
     except TypeError:
         raise TypeError(f"{name} must be an integer, got {shown(value)}") from None
     if not least <= number <= most:
@@ -138,14 +138,14 @@ def integer(name: str, value: Any, *, least: int, most: int) -> int:
     return number
 
 
-def truth(name: str, value: Any) -> bool:
+def truth(name: str, value: object) -> bool:
     """Return `value` if it is True or False; TypeError otherwise."""
     if not isinstance(value, bool):
         raise TypeError(f"{name} must be True or False, got {shown(value)}")
     return value
 
 
-def choice(name: str, value: Any, allowed: Iterable[str]) -> str:
+def choice(name: str, value: object, allowed: Iterable[str]) -> str:
     """Return `value` if it is one of `allowed`; ValueError otherwise."""
     options = list(allowed)
     if not isinstance(value, str) or value not in options:
@@ -163,7 +163,7 @@ def array(name: str, value: ArrayLike) -> NDArray[Any]:
         return np.asarray(None)
 
 
-def _masked(value: Any) -> bool:
+def _masked(value: object) -> bool:
     # NumPy imports what masked arrays are when somebody asks for them, without which there are none.
     known = sys.modules.get("numpy.ma")
     kind = getattr(known, "MaskedArray", ())
@@ -204,17 +204,17 @@ def broadcast(names: str, *arrays: NDArray[Any]) -> tuple[Array, ...]:
         raise ValueError(f"{names} must broadcast, got shapes {shapes}") from None
 
 
-def axes(name: str, value: Any) -> None:
+def axes(name: str, value: object) -> None:
     """Refuse what is neither None nor axes of matplotlib, which may not be there, with a TypeError."""
     if value is not None and not callable(getattr(value, "imshow", None)):
         raise TypeError(f"{name} must be axes of matplotlib or None, got {shown(value)}")
 
 
-def kind(name: str, value: Any, *allowed: Any) -> np.dtype[Any]:
+def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
     """Return the type of values that `value` names, one of those allowed; TypeError otherwise."""
     options = [np.dtype(one) for one in allowed]
     try:
-        found: np.dtype[Any] = np.dtype(value)
+        found: np.dtype[Any] = np.dtype(cast(DTypeLike, value))
     except Exception:  # NumPy has many for what is none
         found = np.dtype(object)
     if value is None or isinstance(value, np.generic) or found not in options:  # a number has a type, and is none
@@ -223,17 +223,19 @@ def kind(name: str, value: Any, *allowed: Any) -> np.dtype[Any]:
     return found
 
 
-def image_shape(shape: Any) -> tuple[int, int]:
+def image_shape(shape: object) -> tuple[int, int]:
     """Return ``(height, width)`` from an int (a square) or a pair of ints, each 1 to `MAX_SIDE`."""
-    pair = isinstance(shape, tuple | list) or (isinstance(shape, np.ndarray) and shape.ndim > 0)
-    sides = tuple(shape) if pair else (shape, shape)
+    if isinstance(shape, tuple | list) or (isinstance(shape, np.ndarray) and shape.ndim > 0):
+        sides = tuple(shape)
+    else:
+        sides = shape, shape
     if len(sides) != 2:
         raise ValueError(f"shape must be an integer or (height, width), got {shown(shape)}")
     height, width = (integer("shape", side, least=1, most=MAX_SIDE) for side in sides)
     return height, width
 
 
-def stack_shape(shape: Any, own: tuple[int, ...]) -> tuple[int, ...]:
+def stack_shape(shape: object, own: tuple[int, ...]) -> tuple[int, ...]:
     """Return the shape that a stack of shape `own` is to be broadcast to; TypeError or ValueError if it is none."""
     if not isinstance(shape, tuple | list):
         raise TypeError(f"shape must be a tuple of integers, got {shown(shape)}")
@@ -249,7 +251,7 @@ def stack_shape(shape: Any, own: tuple[int, ...]) -> tuple[int, ...]:
     return sides
 
 
-def position(name: str, value: Any) -> tuple[float, float]:
+def position(name: str, value: object) -> tuple[float, float]:
     """Return ``(row, column)`` from a pair of finite numbers within 1e6 pixels."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         raise ValueError(f"{name} must be (row, column), got {shown(value)}")
@@ -257,10 +259,9 @@ def position(name: str, value: Any) -> tuple[float, float]:
     return row, column
 
 
-def positions(name: str, value: Any) -> tuple[float, float] | tuple[Array, Array]:
+def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
     """Return :func:`position`, or ``(rows, columns)``, read-only arrays of one shape where either is an array."""
-    pair = isinstance(value, tuple | list | np.ndarray) and getattr(value, "ndim", 1) != 0 and len(value) == 2
-    if not pair:
+    if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}")
     if all(np.isscalar(part) or getattr(part, "shape", None) == () for part in value):
         return position(name, value)
@@ -275,7 +276,7 @@ def positions(name: str, value: Any) -> tuple[float, float] | tuple[Array, Array
     return rows, columns
 
 
-def wavelength(value: Any, name: str = "wavelength") -> float:
+def wavelength(value: object, name: str = "wavelength") -> float:
     """Return a wavelength in metres; a number that was meant in nm or um is refused with a hint."""
     metres = real(name, value, above=0.0, unit="metres")
     if not 1e-12 <= metres <= 1e-2:
@@ -288,7 +289,7 @@ def wavelength(value: Any, name: str = "wavelength") -> float:
     return metres
 
 
-def pixel(value: Any, *, metric: bool) -> float:
+def pixel(value: object, *, metric: bool) -> float:
     """Return a pixel pitch, in metres (at most 0.1) if `metric`, else in units of lambda*N."""
     pitch = real("pixel", value, above=0.0, unit="metres" if metric else "lambda*N")
     if metric and pitch > 0.1:
@@ -299,7 +300,7 @@ def pixel(value: Any, *, metric: bool) -> float:
     return pitch
 
 
-def pitch(name: str, value: Any) -> float | tuple[float, float]:
+def pitch(name: str, value: object) -> float | tuple[float, float]:
     """Return the side of a square pixel, or its height and width where these differ; all above 0."""
     if not isinstance(value, tuple | list):
         return real(name, value, above=0.0)
@@ -309,7 +310,7 @@ def pitch(name: str, value: Any) -> float | tuple[float, float]:
     return down if down == across else (down, across)
 
 
-def fill(name: str, value: Any) -> tuple[float, float]:
+def fill(name: str, value: object) -> tuple[float, float]:
     """Return the parts of height and width of a pixel that are active, from a pair or from a part of its area."""
     if not isinstance(value, tuple | list):
         side = math.sqrt(_part(name, value))
@@ -319,7 +320,7 @@ def fill(name: str, value: Any) -> tuple[float, float]:
     return _part(f"{name}[0]", value[0]), _part(f"{name}[1]", value[1])
 
 
-def _part(name: str, value: Any) -> float:
+def _part(name: str, value: object) -> float:
     part = real(name, value, above=0.0)
     if part > 1.0:
         raise ValueError(f"{name} must be at most 1, got {part:g}")

@@ -344,7 +344,7 @@ class Motion(Blur):
 KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter, ChargeDiffusion, Motion)}
 
 
-def blurs(value: Any) -> tuple[Blur, ...]:
+def blurs(value: object) -> tuple[Blur, ...]:
     """Return what `blur` names, one or several; TypeError if it is none."""
     if value is None:
         return ()

@@ -7,16 +7,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from lommel.base.arrays import Array, largest
+from lommel.base.arrays import Array, Values, largest
 from lommel.blur.blurs import Blur, require_unit
 from lommel.blur.convolution import Short, Spread, halo_of, spread
 from lommel.blur.readout import Readout, ends, readout
-from lommel.blur.turbulence import Gate
+from lommel.blur.turbulence import Gate, Halo
 from lommel.core.answers import Images, ToleranceError, Wanted, not_met
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, normalized_error, stored, storing, widened
 from lommel.methods.polychromatic import Polychromatic
 from lommel.methods.question import place, wanted_on
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 
@@ -50,7 +51,7 @@ class Made(NamedTuple):
     method: Method
 
 
-def summed(asked: Asked, pupil: Any, grid: Grid, several: tuple[Blur, ...]) -> Made:
+def summed(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> Made:
     """Return the sum over the wavelengths of a spectrum: turbulence spreads each by another width."""
     method = asked.method
     if not isinstance(method, Polychromatic):
@@ -59,13 +60,14 @@ def summed(asked: Asked, pupil: Any, grid: Grid, several: tuple[Blur, ...]) -> M
     made = [_of_stack(asked._replace(method=method.method), part, grid, several) for part in parts]
     weights = [part.weight for part in parts]
 
-    def total(name: str) -> Any:
-        found = [getattr(one, name) for one in made]
-        if any(one is None for one in found):
-            return None
-        return np.sum([weight * one for weight, one in zip(weights, found, strict=True)], axis=0)
+    def total(found: list[Array]) -> Array:
+        return np.asarray(np.sum([weight * one for weight, one in zip(weights, found, strict=True)], axis=0))
 
-    return Made(total("values"), total("given"), total("response"), total("missing"), method)
+    values, response, missing = (
+        total([getattr(one, name) for one in made]) for name in ("values", "response", "missing")
+    )
+    given = [one.given for one in made if one.given is not None]
+    return Made(values, total(given) if len(given) == len(made) else None, response, missing, method)
 
 
 def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ...]) -> Made:
@@ -104,7 +106,7 @@ Box = tuple[tuple[int, int], tuple[int, int]]
 """Where a lattice begins, in steps from the axis, and how many samples it has: rows and columns."""
 
 
-def _lattice(asked: Asked, short: Short, halo: Any, rows: Readout, columns: Readout) -> tuple[Box, Spread | None]:
+def _lattice(asked: Asked, short: Short, halo: Halo, rows: Readout, columns: Readout) -> tuple[Box, Spread | None]:
     """Return the samples that are needed, and what spreads them."""
     gate, plain = halo.gate, short.nothing and not halo.several
     begins, counts, least = [], [], []
@@ -132,7 +134,7 @@ def _lattice(asked: Asked, short: Short, halo: Any, rows: Readout, columns: Read
     return box, None if plain else spread(short, halo, (least[0], least[1]), asked.margin)
 
 
-def _blocks(pupil: Any, samples: int) -> list[Any]:
+def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
     """Return parts of a flattened stack that are sampled at once."""
     count, size = math.prod(pupil.shape), max(1, _AT_ONCE // samples)
     if count <= size:
@@ -142,7 +144,7 @@ def _blocks(pupil: Any, samples: int) -> list[Any]:
 
 
 def _of_block(
-    asked: Asked, pupil: Any, gate: Gate, box: Box, kernel: Spread | None, pixels: tuple[Readout, Readout]
+    asked: Asked, pupil: BasePupil, gate: Gate, box: Box, kernel: Spread | None, pixels: tuple[Readout, Readout]
 ) -> Made:
     """Return images of a few pupils, from one lattice."""
     (rows, columns), ceiling, (first, counts) = pixels, pupil.amplitude**2, box
@@ -165,7 +167,7 @@ def _of_block(
     return Made(values, None if off is None else gain * off, response, missing, method)
 
 
-def _sampled(asked: Asked, pupil: Any, fine: Grid) -> tuple[Method, Array, Array | None]:
+def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array | None]:
     """Return the method, samples of a stack on a lattice, and bounds on what each is off by."""
     if asked.method is not None:
         ways: tuple[Method, ...] = (asked.method.tightened(max(asked.tol, asked.method.least_tol)),)
@@ -194,7 +196,7 @@ _TRIES = 7
 
 
 def recorded_images(
-    method: Method | None, tol: float, pupil: Any, grid: Grid, several: tuple[Blur, ...], wanted: Wanted
+    method: Method | None, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...], wanted: Wanted
 ) -> tuple[Method, Images]:
     """Return the method that sampled, and the blurred images of a stack, to `tol` over the largest value."""
     if method is not None and method.sampling == "pixel":
@@ -224,7 +226,7 @@ def recorded_images(
     raise not_met(tol, float(bounds.max()), "the largest value in the window")
 
 
-def _on_axis(asked: Asked, pupil: Any, grid: Grid, several: tuple[Blur, ...]) -> Any:
+def _on_axis(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float | Array:
     """Return what pixels around the axis record at least, for windows beside it: errors are over that too."""
     rows, columns = np.broadcast_arrays(*grid.center)
     if np.all((rows > -0.5) & (rows < grid.height - 0.5) & (columns > -0.5) & (columns < grid.width - 0.5)):
@@ -232,11 +234,11 @@ def _on_axis(asked: Asked, pupil: Any, grid: Grid, several: tuple[Blur, ...]) ->
     there = Grid(3, grid.pixel, integrate=grid.integrate, fill=grid.fill)
     made = summed(asked._replace(tol=max(asked.tol, 1e-6), error=max(asked.error, 1e-9)), pupil, there, several)
     off = made.response + made.missing + (0.0 if made.given is None else made.given)
-    return np.maximum(made.values.max(axis=(1, 2)) - off, 0.0)
+    return np.asarray(np.maximum(made.values.max(axis=(1, 2)) - off, 0.0))
 
 
 def _first(
-    method: Method | None, pupil: Any, grid: Grid, several: tuple[Blur, ...], aim: float, threads: int
+    method: Method | None, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...], aim: float, threads: int
 ) -> Asked:
     """Return what is likely to be enough, from how wide things are."""
     to_v = math.pi / pupil.scale
@@ -288,11 +290,11 @@ def _finished(made: Made, bounds: Array | None, wanted: Wanted) -> tuple[Method,
 
 
 def recorded(
-    pupil: Any,
+    pupil: BasePupil,
     grid: Grid,
     several: tuple[Blur, ...],
-    asked: tuple[Method | None, float, str, Any, int],
-    out: Any = None,
+    asked: tuple[Method | None, float, str, np.dtype[np.floating[Any]], int],
+    out: Values | None = None,
 ) -> dict[str, Any]:
     """Return the attributes of the PSF of `pupil` on `grid`, for :class:`lommel.Plan`."""
     method, tol, normalize, dtype, threads = asked

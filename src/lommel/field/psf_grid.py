@@ -208,7 +208,7 @@ class PSFGrid(Measured):
         return cls(psf if isinstance(psf, PSF) else ColourPSF(*psf), x, y, sensor, depths)
 
 
-def sides(sensor: Any, unit: str) -> tuple[float, float]:
+def sides(sensor: object, unit: str) -> tuple[float, float]:
     """Return the height and width of a sensor; TypeError or ValueError if it has none."""
     if not isinstance(sensor, tuple | list) or len(sensor) != 2:
         raise TypeError(f"sensor must be (height, width), got {validation.shown(sensor)}")

@@ -15,12 +15,12 @@ from lommel.measures.spot import brightest_place
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
-def stage(answer: PSFLike) -> Array:
+def stage(psf: PSFLike) -> Array:
     """Return z of a stack over it, rising along its last axis, metres of the stage.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
         Of an :class:`lommel.Objective`.
 
     Returns
@@ -32,7 +32,7 @@ def stage(answer: PSFLike) -> Array:
     ValueError
         If it is none such: of a lens, a single plane, of several depths along that axis, or in no order.
     """
-    pupil: Any = checked(answer).pupil
+    pupil: Any = checked(psf).pupil
     if not isinstance(pupil, ObjectivePupil):
         raise ValueError("z is what an Objective's stage does; this is the PSF of a lens")
     if not pupil.shape or pupil.shape[-1] < 2:
@@ -44,12 +44,12 @@ def stage(answer: PSFLike) -> Array:
     return pupil.z
 
 
-def axial_fwhm(answer: PSFLike, *, of: str = "image") -> Numbers:
+def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
     """Return the full width at half of the largest value along z, between the crossings beside it.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
         A stack over z along its last axis, of 4 planes or more.
     of : {"image", "optics"}, default "image"
         The image that the values are samples of, with pixels that average, or without them.
@@ -70,10 +70,10 @@ def axial_fwhm(answer: PSFLike, *, of: str = "image") -> Numbers:
     from scipy.interpolate import CubicSpline
 
     validation.choice("of", of, ("image", "optics"))
-    z = stage(answer)
+    z = stage(psf)
     if z.shape[-1] < 4:
         raise ValueError(f"the width along z takes at least 4 planes, got {z.shape[-1]}")
-    lines = _lines(answer, of).reshape(-1, z.shape[-1])
+    lines = _lines(psf, of).reshape(-1, z.shape[-1])
     out = []
     for places, line in zip(z.reshape(lines.shape), lines, strict=True):
         spline = CubicSpline(places, line)
@@ -88,21 +88,21 @@ def axial_fwhm(answer: PSFLike, *, of: str = "image") -> Numbers:
     return numbers(out, z.shape[:-1])
 
 
-def _lines(answer: PSFLike, of: str) -> Array:
+def _lines(psf: PSFLike, of: str) -> Array:
     """Return the light along z, of the shape of the stack."""
-    pupil, model = answer.pupil, ImageModel.of(answer, of)
-    if answer.radial_method is not None and model.plain:
-        found = answer.radial_method.profile(pupil, np.zeros(1)).values
-        return np.asarray(answer.scale * found.reshape(pupil.shape))
+    pupil, model = psf.pupil, ImageModel.of(psf, of)
+    if psf.radial_method is not None and model.plain:
+        found = psf.radial_method.profile(pupil, np.zeros(1)).values
+        return np.asarray(psf.scale * found.reshape(pupil.shape))
     planes = pupil.shape[-1]
-    brightest = answer.values.reshape(-1, planes, math.prod(answer.grid.shape)).max(axis=2).argmax(axis=1)
+    brightest = psf.values.reshape(-1, planes, math.prod(psf.grid.shape)).max(axis=2).argmax(axis=1)
     lines = []
     for k, stack in enumerate(np.ndindex(pupil.shape[:-1])):
         here = model._replace(pupil=pupil[stack]) if stack else model
         place = (0.0, 0.0)
-        if answer.radial_method is None:
+        if psf.radial_method is None:
             place = brightest_place(here._replace(pupil=here.pupil[brightest[k]]))
         images = cartesian_images(here, float(np.abs(place).max()))
         lines.append([float(image.derivatives(*place)[0, 0]) for image in images])
     # A sheet of light, among others, is in what values are multiplied by.
-    return np.asarray(answer.scale * np.array(lines).reshape(pupil.shape))
+    return np.asarray(psf.scale * np.array(lines).reshape(pupil.shape))

@@ -73,9 +73,9 @@ class ImageModel(NamedTuple):
     active: tuple[float, float] = (0.0, 0.0)
 
     @classmethod
-    def of(cls, answer: PSFLike, what: str = "image") -> ImageModel:
+    def of(cls, psf: PSFLike, what: str = "image") -> ImageModel:
         """Return the model of a PSF, with its pixels or, where `what` is "optics", without."""
-        return cls(answer.pupil, answer.method, answer.blur, answer.grid.active if what == "image" else (0.0, 0.0))
+        return cls(psf.pupil, psf.method, psf.blur, psf.grid.active if what == "image" else (0.0, 0.0))
 
     @property
     def singles(self) -> list[ImageModel]:
@@ -292,7 +292,7 @@ def _cut_off(f: Array, band: float) -> Array:
     return np.asarray(0.5 * erfc((f / band - _MIDDLE) / _WIDTH))
 
 
-def _sampled(pupil: Any, method: Method, grid: Grid, *, whole: bool) -> Images:
+def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
     """Return samples of the intensity, of all light or, unless `whole`, of a pupil at one wavelength."""
     one = method.method if isinstance(method, Polychromatic) and not whole else method
     ways: tuple[Method, ...] = () if one is None else (one,)

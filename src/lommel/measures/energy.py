@@ -26,12 +26,12 @@ WHAT = ("image", "optics")
 """What is measured: the image that values are samples of, with the pixels that average, or without these."""
 
 
-def encircled_energy(answer: PSFLike, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
+def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the fraction of all light within `radius` of the axis or of the centroid.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
     radius : array_like
         Metres if the pupil has a wavelength, else units of lambda*N; >= 0. It may exceed the window.
     about : {"axis", "centroid"}, default "axis"
@@ -56,27 +56,27 @@ def encircled_energy(answer: PSFLike, radius: ArrayLike, *, about: str = "axis",
         than some 700 lambda*N, less by how far blur carries light, with vanes and seeing some 500; or `about` or `of`
         is none of these.
     """
-    checked(answer)
+    checked(psf)
     at = validation.real_array("radius", radius, least=0.0)
     validation.choice("of", of, WHAT)
-    center = energy_centers(answer, about)
-    pupil = answer.pupil
-    if answer.radial_method is not None and _plain(answer, of):
-        return radial_energy(answer.radial_method, pupil, at)
+    center = energy_centers(psf, about)
+    pupil = psf.pupil
+    if psf.radial_method is not None and _plain(psf, of):
+        return radial_energy(psf.radial_method, pupil, at)
     flat = at.ravel() / pupil.scale
     away = center / pupil.scale
     reach = float(flat.max(initial=0.0)) + float(np.hypot(*away.T).max(initial=0.0))
     validation.reach(f"radius={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
-    places = zip(_images(answer, of, reach), away, strict=True)
+    places = zip(_images(psf, of, reach), away, strict=True)
     return numbers([image.circles(flat, tuple(c)) for image, c in places], pupil.shape + at.shape)
 
 
-def ensquared_energy(answer: PSFLike, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
+def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the fraction of all light within a square of sides ``2 half_width`` along rows and columns.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
     half_width : array_like
         Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
     about : {"axis", "centroid"}, default "axis"
@@ -92,13 +92,13 @@ def ensquared_energy(answer: PSFLike, half_width: ArrayLike, *, about: str = "ax
     TypeError, ValueError
         If a width is no number, negative or not finite, or `about` or `of` is none of these.
     """
-    checked(answer)
+    checked(psf)
     at = validation.real_array("half_width", half_width, least=0.0)
     validation.choice("of", of, WHAT)
-    center = energy_centers(answer, about)
-    pupil = answer.pupil
-    if answer.radial_method is not None and _plain(answer, of):
-        radial_method = answer.radial_method
+    center = energy_centers(psf, about)
+    pupil = psf.pupil
+    if psf.radial_method is not None and _plain(psf, of):
+        radial_method = psf.radial_method
         sides = [float(a) for a in _within_reach(pupil, "half_width", at, radial_method.stretch(pupil))]
         energies = [_rectangles(radial_method, pupil, [(4.0, a, a)]) for a in sides]
         exact = np.stack(energies, axis=-1) if sides else np.zeros((math.prod(pupil.shape), 0))
@@ -109,24 +109,24 @@ def ensquared_energy(answer: PSFLike, half_width: ArrayLike, *, about: str = "ax
     validation.reach(f"half_width={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
     inside = [
         [image.rectangle((x - a, y - a), (x + a, y + a)) for a in flat]
-        for image, (x, y) in zip(_images(answer, of, reach), away, strict=True)
+        for image, (x, y) in zip(_images(psf, of, reach), away, strict=True)
     ]
     return numbers(inside, pupil.shape + at.shape)
 
 
-def _plain(answer: PSFLike, of: str) -> bool:
+def _plain(psf: PSFLike, of: str) -> bool:
     """Return whether what is measured is the intensity of the optics alone."""
-    return not answer.blur and (of == "optics" or not answer.grid.integrate)
+    return not psf.blur and (of == "optics" or not psf.grid.integrate)
 
 
-def _images(answer: PSFLike, of: str, reach: float) -> Iterator[Any]:
+def _images(psf: PSFLike, of: str, reach: float) -> Iterator[Any]:
     """Return the images of the flattened stack, good up to `reach` lambda*N from the axis."""
     from lommel.measures.continuous_image import ImageModel, images
 
-    return images(ImageModel.of(answer, of), reach)
+    return images(ImageModel.of(psf, of), reach)
 
 
-def image_centroid(answer: PSFLike) -> Array:
+def image_centroid(psf: PSFLike) -> Array:
     """Return the centroid of all light, (x, y) from the axis.
 
     Of lenses that of the wavefront, :func:`lommel.centroid`, in all light of the PSF: it is the first moment of the
@@ -135,7 +135,7 @@ def image_centroid(answer: PSFLike) -> Array:
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
 
     Returns
     -------
@@ -147,15 +147,15 @@ def image_centroid(answer: PSFLike) -> Array:
     ValueError
         If no light of an Objective falls into the window.
     """
-    checked(answer)
-    if not isinstance(answer.pupil, Pupil):
-        return window_centroid(answer)
-    parts = answer.method.components(answer.pupil)
+    checked(psf)
+    if not isinstance(psf.pupil, Pupil):
+        return window_centroid(psf)
+    parts = psf.method.components(psf.pupil)
     total = sum(part.share * aperture_means.centroid(part.pupil) for part in parts)
     return np.asarray(total / sum(part.share for part in parts))
 
 
-def window_centroid(answer: PSFLike) -> Array:
+def window_centroid(psf: PSFLike) -> Array:
     """Return the centroid of the values in the window, (x, y) from the axis: a sum over pixels.
 
     :func:`image_centroid` is that of all light; the two differ by what lies outside the window, which falls with its
@@ -163,7 +163,7 @@ def window_centroid(answer: PSFLike) -> Array:
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
 
     Returns
     -------
@@ -175,21 +175,21 @@ def window_centroid(answer: PSFLike) -> Array:
     ValueError
         If no light falls into the window.
     """
-    checked(answer)
-    share = energy_per_pixel(answer)
+    checked(psf)
+    share = energy_per_pixel(psf)
     total = share.sum(axis=(-2, -1))
     if not np.all(total > 0):
         raise ValueError("the centroid of no light is unknown: none falls into the window")
-    x, y = (share.sum(axis=-2) * answer.grid.x).sum(axis=-1), (share.sum(axis=-1) * answer.grid.y).sum(axis=-1)
+    x, y = (share.sum(axis=-2) * psf.grid.x).sum(axis=-1), (share.sum(axis=-1) * psf.grid.y).sum(axis=-1)
     return np.stack([x / total, y / total], axis=-1)
 
 
-def energy_centers(answer: PSFLike, about: str) -> Array:
+def energy_centers(psf: PSFLike, about: str) -> Array:
     """Return the points (x, y) that `about` names, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
-    if about == "axis" or all(part.pupil.radial for part in answer.method.components(answer.pupil)):
-        return np.zeros((math.prod(answer.pupil.shape), 2))
-    return image_centroid(answer).reshape(-1, 2)
+    if about == "axis" or all(part.pupil.radial for part in psf.method.components(psf.pupil)):
+        return np.zeros((math.prod(psf.pupil.shape), 2))
+    return image_centroid(psf).reshape(-1, 2)
 
 
 def require_radial(method: RadialMethod, pupil: BasePupil) -> None:
@@ -246,32 +246,32 @@ def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Arr
     return pupil.v(at).ravel()
 
 
-def window_energy(answer: PSFLike) -> Numbers:
+def window_energy(psf: PSFLike) -> Numbers:
     """Return the fraction of all light inside the window, to the edges of its outer pixels, before pixels average.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
         With the error of :func:`lommel.measures.energy.encircled_energy`. Averages over whole pixels sum to it.
     """
-    checked(answer)
-    pupil, grid = answer.pupil, answer.grid
-    radial = answer.radial_method
+    checked(psf)
+    pupil, grid = psf.pupil, psf.grid
+    radial = psf.radial_method
     if radial is None and grid.integrate and not grid.partly:
-        return numbers(energy_per_pixel(answer).sum(axis=(-2, -1)), pupil.shape)
+        return numbers(energy_per_pixel(psf).sum(axis=(-2, -1)), pupil.shape)
     if grid.stack:
-        return numbers([window_energy(answer[index]) for index in np.ndindex(pupil.shape)], pupil.shape)
+        return numbers([window_energy(psf[index]) for index in np.ndindex(pupil.shape)], pupil.shape)
     high, wide = (0.5 * side for side in grid.pitch)
     left, right, top, bottom = (
         float(end) for end in (grid.x[0] - wide, grid.x[-1] + wide, grid.y[0] - high, grid.y[-1] + high)
     )
     if radial is None:
         low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
-        images = _images(answer, "optics", float(np.abs([low, far]).max()))
+        images = _images(psf, "optics", float(np.abs([low, far]).max()))
         return numbers([image.rectangle(tuple(low), tuple(far)) for image in images], pupil.shape)
     step = math.pi / pupil.scale
     # Inclusion and exclusion of rectangles with one corner on the axis.
@@ -310,10 +310,10 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
     return np.concatenate(nodes), np.concatenate(weights)
 
 
-def energy_per_pixel(answer: PSFLike) -> Array:
+def energy_per_pixel(psf: PSFLike) -> Array:
     """Return the values as fractions of all light per pixel, whatever their normalisation."""
-    factor = answer.grid.cell(answer.pupil) / (4.0 * math.pi * answer.pupil.transmission)
-    return np.asarray(answer.values * (factor / answer.scale)[..., None, None], dtype=np.float64)
+    factor = psf.grid.cell(psf.pupil) / (4.0 * math.pi * psf.pupil.transmission)
+    return np.asarray(psf.values * (factor / psf.scale)[..., None, None], dtype=np.float64)
 
 
 MAX_RADIUS = 250.0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -54,7 +53,7 @@ def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
     return _finite(lambda a, b: np.abs(a - b).max() / b.max(), values, reference)
 
 
-def _finite(error: Callable[[Array, Array], Any], values: ArrayLike, reference: ArrayLike) -> float:
+def _finite(error: Callable[[Array, Array], float], values: ArrayLike, reference: ArrayLike) -> float:
     a, b = _pair(values, reference)
     with np.errstate(over="ignore"):
         found = float(error(a, b))

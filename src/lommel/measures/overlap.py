@@ -20,12 +20,11 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.core.answers import ToleranceError
 from lommel.optics.aperture.obstructions import CatEye, Ellipse
 from lommel.optics.pupil import Pupil
@@ -103,7 +102,7 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
     return out / (math.pi * pupil.transmission)
 
 
-def _radial_product(pupil: Pupil, s: Array, t: Array) -> NDArray[Any]:
+def _radial_product(pupil: Pupil, s: Array, t: Array) -> Values:
     """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary one is odd in u."""
     terms = pupil.radial_terms()
     product = np.cos(zernike.legendre_sum(terms, 2.0 * s - 1.0) - zernike.legendre_sum(terms, 2.0 * t - 1.0))
@@ -112,7 +111,7 @@ def _radial_product(pupil: Pupil, s: Array, t: Array) -> NDArray[Any]:
     return np.asarray(product)
 
 
-def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[NDArray[Any], ...]:
+def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:
     """Return lines of constant y > 0 that cover the overlaps: frequency, y, start in u, length, weight in y."""
     # Overlaps are symmetric in y, so the upper half counts twice. Within a panel the ends are analytic in the angle.
     end = 2.0 * np.arcsin(np.sqrt(0.5 * (1.0 - shift)))  # arccos(shift), exact near 1
@@ -140,7 +139,7 @@ def _panel(
     eps: float,
     x: Array,
     w: Array,
-) -> tuple[NDArray[Any], ...]:
+) -> tuple[Values, ...]:
     """Return the lines with ``y = radius sin(theta)``, theta from `first` to `last`, one of each a frequency."""
     theta = first[:, None] + (last - first)[:, None] * x
     y = radius * np.sin(theta)
@@ -298,7 +297,7 @@ class _Overlap:
         phase = self.pupil.wavefront.phase(np.minimum(rho, 1.0), np.arctan2(y, x)).reshape(-1, *rho.shape)
         return np.asarray(self.pupil.illumination.at(rho**2) * np.exp(1j * phase))
 
-    def _crossings(self, y: Array) -> list[NDArray[Any]]:
+    def _crossings(self, y: Array) -> list[Array]:
         """Return where lines meet each edge of an aperture around the origin; NaN, or far away, where they do not."""
         pupil, found = self.pupil, []
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):

@@ -33,12 +33,12 @@ _MAX_DIAMETER = 6000.0
 _MAX_SAMPLED = 1400.0
 
 
-def peak_position(answer: PSFLike) -> Array:
+def peak_position(psf: PSFLike) -> Array:
     """Return where the largest value is, (x, y) from the axis.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
 
     Returns
     -------
@@ -47,19 +47,19 @@ def peak_position(answer: PSFLike) -> Array:
         unless it is at the edge of the window: well below a tenth of a pixel where a pixel is at most half a
         lambda*N. Of several pixels that are equally bright, as on a ring, it is the first in reading order.
     """
-    checked(answer)
-    height, width = answer.grid.pitch
+    checked(psf)
+    height, width = psf.grid.pitch
     out = [
         (x[column] + width * _vertex(across, column), y[row] + height * _vertex(down, row))
-        for x, y, (row, column, across, down) in zip(*answer.positions(), _brightest(answer), strict=True)
+        for x, y, (row, column, across, down) in zip(*psf.positions(), _brightest(psf), strict=True)
     ]
-    return np.array(out).reshape(*answer.pupil.shape, 2)
+    return np.array(out).reshape(*psf.pupil.shape, 2)
 
 
-def _brightest(answer: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
+def _brightest(psf: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
     """Yield row and column of the brightest pixel of each image, and the values along both."""
-    for image in np.asarray(answer.values, dtype=np.float64).reshape(-1, *answer.grid.shape):
-        row, column = divmod(int(image.argmax()), answer.grid.width)
+    for image in np.asarray(psf.values, dtype=np.float64).reshape(-1, *psf.grid.shape):
+        row, column = divmod(int(image.argmax()), psf.grid.width)
         yield row, column, image[row], image[:, column]
 
 
@@ -72,7 +72,7 @@ def _vertex(line: Array, at: int) -> float:
     return 0.0 if curvature <= 0.0 else float(np.clip(0.5 * (after - before) / curvature, -0.5, 0.5))
 
 
-def axis_strehl(answer: PSFLike) -> Numbers:
+def axis_strehl(psf: PSFLike) -> Numbers:
     """Return the intensity on the axis over that of the same aperture without aberration.
 
     For defocus alone this is ``(sin(C_d) / C_d)^2``. By the method where it and the pupil are radial; from the
@@ -83,7 +83,7 @@ def axis_strehl(answer: PSFLike) -> Numbers:
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
 
     Returns
     -------
@@ -94,15 +94,15 @@ def axis_strehl(answer: PSFLike) -> Numbers:
     ValueError
         If the axis is outside of the window of a method that has values on the grid only.
     """
-    checked(answer)
-    method, pupil = answer.method, answer.pupil
-    radial = answer.radial_method
-    if answer.blur:
+    checked(psf)
+    method, pupil = psf.method, psf.pupil
+    radial = psf.radial_method
+    if psf.blur:
         from lommel.blur.recorded import recorded_images
 
         # The one that sampled may have been asked for much more.
         named, tol = (method, method.tol) if isinstance(method, Polychromatic) else (None, Method.tol)
-        made = recorded_images(named, tol, pupil, Grid(1, pupil.scale), answer.blur, Wanted(1.0))[1]
+        made = recorded_images(named, tol, pupil, Grid(1, pupil.scale), psf.blur, Wanted(1.0))[1]
         center = made.values[:, 0, 0].reshape(pupil.shape)
     elif radial is not None:
         # At the axis alone the peak, to which errors relate, would be missing.
@@ -113,14 +113,14 @@ def axis_strehl(answer: PSFLike) -> Numbers:
         total = sum(part.weight * np.asarray(aperture_means.strehl(part.pupil)) for part in parts)
         return numbers(total / sum(part.weight for part in parts), pupil.shape)
     else:
-        row, column = (round(c) for c in answer.grid.axis)
-        if not (0 <= row < answer.grid.height and 0 <= column < answer.grid.width):
-            raise ValueError(f"the axis at {answer.grid.center} is outside the window of {type(method).__name__}")
-        center = answer.values[..., row, column] / answer.scale
+        row, column = (round(c) for c in psf.grid.axis)
+        if not (0 <= row < psf.grid.height and 0 <= column < psf.grid.width):
+            raise ValueError(f"the axis at {psf.grid.center} is outside the window of {type(method).__name__}")
+        center = psf.values[..., row, column] / psf.scale
     return numbers(center / method.unaberrated_peak(pupil), pupil.shape)
 
 
-def peak_strehl(answer: PSFLike) -> Numbers:
+def peak_strehl(psf: PSFLike) -> Numbers:
     """Return the largest value in the window over the peak of the same aperture without aberration.
 
     The Strehl ratio by its other definition: that of the brightest pixel wherever it is, not of the axis
@@ -129,23 +129,23 @@ def peak_strehl(answer: PSFLike) -> Numbers:
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
     """
-    checked(answer)
-    top = answer.values.max(axis=(-2, -1)) / answer.scale
-    return numbers(top / answer.method.unaberrated_peak(answer.pupil), answer.pupil.shape)
+    checked(psf)
+    top = psf.values.max(axis=(-2, -1)) / psf.scale
+    return numbers(top / psf.method.unaberrated_peak(psf.pupil), psf.pupil.shape)
 
 
-def fwhm(answer: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
+def fwhm(psf: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
     """Return the full width at half of the maximum.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
     along : {"mean", "x", "y"}, default "mean"
         Along columns, rows, or the mean of both.
     of : {"image", "optics"}, default "image"
@@ -166,15 +166,15 @@ def fwhm(answer: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
     ValueError
         If `along` or `of` is none of these, or the image does not fall to half within 500 lambda*N.
     """
-    checked(answer)
+    checked(psf)
     validation.choice("along", along, ("mean", "x", "y"))
     validation.choice("of", of, ("image", "optics"))
     from lommel.measures.continuous_image import ImageModel
 
-    model = ImageModel.of(answer, of)
-    if answer.radial_method is not None and model.plain:
-        return radial_fwhm(answer.radial_method, answer.pupil)
-    return numbers([width(model, along) for model in model.singles], answer.pupil.shape)
+    model = ImageModel.of(psf, of)
+    if psf.radial_method is not None and model.plain:
+        return radial_fwhm(psf.radial_method, psf.pupil)
+    return numbers([width(model, along) for model in model.singles], psf.pupil.shape)
 
 
 def width(model: ImageModel, along: str = "mean") -> float:
@@ -285,12 +285,12 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     return numbers(out * (pupil.scale / math.pi), pupil.shape)
 
 
-def energy_diameter(answer: PSFLike, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
+def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
     fraction : float
         Above 0 and below 1.
     about : {"axis", "centroid"}, default "axis"
@@ -308,7 +308,7 @@ def energy_diameter(answer: PSFLike, fraction: float, *, about: str = "axis", of
         If `fraction`, `about` or `of` is out of range, or the circle would be wider than about 6000 lambda*N, for a
         pupil that is not radially symmetric than some 1400 lambda*N.
     """
-    checked(answer)
+    checked(psf)
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     validation.choice("about", about, ("axis", "centroid"))
     validation.choice("of", of, ("image", "optics"))
@@ -316,10 +316,10 @@ def energy_diameter(answer: PSFLike, fraction: float, *, about: str = "axis", of
 
     from lommel.measures.continuous_image import ImageModel, images, polar
 
-    model, pupil = ImageModel.of(answer, of), answer.pupil
-    if answer.radial_method is not None and model.plain:
-        return radial_diameter(answer.radial_method, pupil, wanted)
-    centers = energy_centers(answer, about) / pupil.scale
+    model, pupil = ImageModel.of(psf, of), psf.pupil
+    if psf.radial_method is not None and model.plain:
+        return radial_diameter(psf.radial_method, pupil, wanted)
+    centers = energy_centers(psf, about) / pupil.scale
     out = []
     for one, (x, y) in zip(model.singles, centers, strict=True):
         reach = one.extent

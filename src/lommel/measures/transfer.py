@@ -114,13 +114,13 @@ def otf(
 
 
 def image_otf(
-    answer: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image", tol: float = 1e-10
+    psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image", tol: float = 1e-10
 ) -> Complexes:
     """Return the optical transfer function of the image that the values of a PSF are samples of.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
     fx, fy : array_like
         As of :func:`lommel.otf`, beyond the Nyquist frequency of the pixels, too.
     of : {"image", "optics"}, default "image"
@@ -130,7 +130,7 @@ def image_otf(
 
     Returns
     -------
-    complex or complex ndarray, shape ``answer.pupil.shape + s``
+    complex or complex ndarray, shape ``psf.pupil.shape + s``
         See :func:`lommel.otf`.
 
     Raises
@@ -140,21 +140,21 @@ def image_otf(
     ToleranceError
         As :func:`lommel.otf`.
     """
-    pupil, grid, method = answer.pupil, answer.grid, answer.method
+    pupil, grid, method = psf.pupil, psf.grid, psf.method
     averaged = validation.choice("of", of, ("image", "optics")) == "image" and grid.integrate
     if isinstance(pupil, Pupil) and pupil.mask is None and method.sampling == "center":
         pixels = {"pixel": grid.pixel, "fill": grid.fill} if averaged else {}
         spectrum = method if isinstance(method, Polychromatic) else None
-        return otf(pupil, fx, fy, **pixels, blur=answer.blur, spectrum=spectrum, tol=tol)
+        return otf(pupil, fx, fy, **pixels, blur=psf.blur, spectrum=spectrum, tol=tol)
     from lommel.measures.continuous_image import ImageModel, sampled_transfer
 
     across, down = frequencies(fx, fy)
     scaled = across.ravel() * pupil.scale, down.ravel() * pupil.scale
-    result: Complexes = sampled_transfer(ImageModel.of(answer, of), *scaled).reshape(pupil.shape + across.shape)[()]
+    result: Complexes = sampled_transfer(ImageModel.of(psf, of), *scaled).reshape(pupil.shape + across.shape)[()]
     return result
 
 
-def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: Any, fill: Any) -> Array:
+def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: object, fill: object) -> Array:
     """Return the transfer function of pixels that average; 1 where there are none."""
     if pixel is None:
         if validation.fill("fill", fill) != (1.0, 1.0):
@@ -340,7 +340,7 @@ def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
     return across, down
 
 
-def sampled_otf(answer: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
+def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     """Return the discrete Fourier transform of the values in the window, by direct summation.
 
     :func:`lommel.otf` is the transfer function of the image. That of its samples repeats with the sampling frequency
@@ -348,13 +348,13 @@ def sampled_otf(answer: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexe
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
     fx, fy : array_like
         As of :func:`lommel.otf`, at most the Nyquist frequency ``1 / (2 pixel)``.
 
     Returns
     -------
-    complex or complex ndarray, shape ``answer.pupil.shape + s``
+    complex or complex ndarray, shape ``psf.pupil.shape + s``
         ``sum values exp(-2 pi i (fx x + fy y))`` as a fraction of all light, x and y from the axis: the sum of the
         image's transfer function at f and at its aliases, f plus multiples of 1 / pixel, but for the light outside
         of the window and the error of the values. At frequency 0 it is the light in the window.
@@ -364,9 +364,9 @@ def sampled_otf(answer: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexe
     TypeError, ValueError
         If the frequencies are not finite, do not broadcast, or exceed that of Nyquist.
     """
-    checked_answer(answer)
+    checked_answer(psf)
     across, down = frequencies(fx, fy)
-    height, width = answer.grid.pitch
+    height, width = psf.grid.pitch
     for name, part, pitch in (("fx", across, width), ("fy", down, height)):
         limit = 0.5 / pitch
         if part.size and np.abs(part).max() > limit * (1.0 + 1e-12):
@@ -374,36 +374,36 @@ def sampled_otf(answer: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexe
                 f"{name} must be at most the Nyquist frequency 1 / (2 pixel) = {limit:.6g} of the samples, "
                 f"got {np.abs(part).max():.6g}"
             )
-    x, y = answer.grid.x, answer.grid.y
+    x, y = psf.grid.x, psf.grid.y
     columns = np.exp(-2j * math.pi * x[..., None] * across.ravel())
     rows = np.exp(-2j * math.pi * y[..., None] * down.ravel())
-    found = np.einsum("...yf,...yf->...f", energy_per_pixel(answer) @ columns, rows)
-    result: Complexes = found.reshape(answer.pupil.shape + across.shape)[()]
+    found = np.einsum("...yf,...yf->...f", energy_per_pixel(psf) @ columns, rows)
+    result: Complexes = found.reshape(psf.pupil.shape + across.shape)[()]
     return result
 
 
-def sampled_spectrum(answer: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]]:
+def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]]:
     """Return the frequencies of the window and its transfer function there, by FFT.
 
     See :func:`lommel.measures.transfer.sampled_otf`.
 
     Parameters
     ----------
-    answer : PSF
+    psf : PSF
 
     Returns
     -------
     fx, fy : ndarray, shapes (width,) and (height,)
         Rising, in steps of 1 / (width pixel) and 1 / (height pixel); 0 at ``width // 2`` and ``height // 2``.
-    values : complex ndarray, shape ``answer.values.shape``
+    values : complex ndarray, shape ``psf.values.shape``
     """
-    checked_answer(answer)
+    checked_answer(psf)
     from scipy import fft
 
-    grid = answer.grid
+    grid = psf.grid
     fx = fft.fftshift(fft.fftfreq(grid.width, grid.pitch[1]))
     fy = fft.fftshift(fft.fftfreq(grid.height, grid.pitch[0]))
-    plain = fft.fftshift(fft.fft2(energy_per_pixel(answer)), axes=(-2, -1))
+    plain = fft.fftshift(fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
     # The transform counts from the first pixel, positions from the axis.
     shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
     return fx, fy, np.asarray(plain * shift)

@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 _MOST = 64  # PSFs of a stack in one figure
 
 
-def plot(answer: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+def plot(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     """Draw PSFs of three channels in colour, each over its largest value, or those of other channels side by side.
 
     Parameters
     ----------
-    answer : ColourPSF
+    psf : ColourPSF
         Of a stack at most 64 are drawn, in rows of eight.
     ax : matplotlib Axes, optional
         Of a single PSF in three channels. By default those of a new figure.
@@ -42,19 +42,19 @@ def plot(answer: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt"
         If matplotlib is not installed.
     """
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
-    stack = answer.shape[:-3]
-    if len(answer.psfs) == 3:
-        pictures = stretched(colours(answer), stretch).reshape(-1, *answer.shape[-2:], 3)
+    stack = psf.shape[:-3]
+    if len(psf.psfs) == 3:
+        pictures = stretched(colours(psf), stretch).reshape(-1, *psf.shape[-2:], 3)
         titles = [", ".join(map(str, index)) for index in np.ndindex(stack)]
     elif not stack:
-        top = float(answer.values.max()) or 1.0
-        pictures, titles = stretched(np.maximum(answer.values, 0.0) / top, stretch), list(answer.channels.names)
+        top = float(psf.values.max()) or 1.0
+        pictures, titles = stretched(np.maximum(psf.values, 0.0) / top, stretch), list(psf.channels.names)
     else:
-        raise ValueError(f"a stack takes three channels, got {len(answer.psfs)}; plot a channel, as answer[0].plot()")
+        raise ValueError(f"a stack takes three channels, got {len(psf.psfs)}; plot a channel, as psf[0].plot()")
     if len(pictures) > _MOST or (ax is not None and len(pictures) > 1):
         most = 1 if ax is not None else _MOST
         raise ValueError(f"at most {most} can be drawn here, got {len(pictures)}; take part(index) of a stack")
-    psf = answer.psfs[0] if not stack else answer.psfs[0][(0,) * len(stack)]
+    first = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
     columns = min(len(pictures), 8)
     rows = -(-len(pictures) // columns)
     drawn = np.array([ax], dtype=object)
@@ -62,7 +62,7 @@ def plot(answer: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt"
         size = (2.4 * columns + 1.0, 2.3 * rows + 0.7)
         drawn = pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)[1].ravel()
     for k, (picture, title) in enumerate(zip(pictures, titles, strict=True)):
-        _draw(drawn[k], picture, psf)
+        _draw(drawn[k], picture, first)
         if k % columns:
             drawn[k].set_ylabel("")
             drawn[k].set_yticklabels([])

@@ -28,7 +28,7 @@ _MOST = 8  # pupils of a stack
 _TOL = 1e-6
 
 
-def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Any:
+def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Axes:
     """Draw the modulation transfer function along x and along y, beside that without aberration, and the pixel's.
 
     Parameters
@@ -143,7 +143,7 @@ _RADII = 129
 _SHARES = (0.5, 0.8)
 
 
-def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Any:
+def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
     """Draw the fraction of all light within circles about the axis, beside that of the aperture without aberration.
 
     Parameters

@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 
 if TYPE_CHECKING:
@@ -19,7 +18,7 @@ if TYPE_CHECKING:
 _UNKNOWN = "0.55"  # the colour of what is not known
 
 
-def maps(depth: Array, deviation: Array, light: NDArray[Any] | None) -> Figure:
+def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
     """Draw depth and its standard deviation (metres, NaN grey), and the light of the sharp image, side by side."""
     pyplot: Any = library("matplotlib.pyplot", "plots need", "plot")
     height, width = depth.shape

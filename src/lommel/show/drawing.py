@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Values
 from lommel.base.optional import library
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.colors import Normalize
+    from matplotlib.image import AxesImage
 
 MEANING = {
     "energy": "fraction of all light per pixel",
@@ -40,20 +43,25 @@ MOST = 64
 _FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
 
 
-def norm_of(stretch: str, peak: float) -> Any:
+def norm_of(stretch: str, peak: float) -> Normalize:
     """Return the scale of brightness of values up to `peak`."""
-    colors = library("matplotlib.colors", *USER)
+    library("matplotlib", *USER)
+    from matplotlib import colors
+
     if stretch == "log":
         return colors.LogNorm(_FLOOR * peak, peak, clip=True)
     return colors.PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else colors.Normalize(0.0, peak)
 
 
-def even_norm(largest: float) -> Any:
+def even_norm(largest: float) -> Normalize:
     """Return the scale of what is positive or negative, the same both ways; of nothing but 0 from -1 to 1."""
-    return library("matplotlib.colors", *USER).Normalize(-(largest or 1.0), largest or 1.0)
+    library("matplotlib", *USER)
+    from matplotlib.colors import Normalize
+
+    return Normalize(-(largest or 1.0), largest or 1.0)
 
 
-def stretched(light: NDArray[Any], stretch: str) -> NDArray[np.float64]:
+def stretched(light: Values, stretch: str) -> NDArray[np.float64]:
     """Return levels from 0 to 1 of light from 0 to 1."""
     if stretch == "log":
         return np.asarray(1.0 - np.log10(np.maximum(light, _FLOOR)) / np.log10(_FLOOR))
@@ -65,9 +73,11 @@ def pyplot() -> Any:
     return library("matplotlib.pyplot", *USER)
 
 
-def new_axes(ax: Axes | None, **options: Any) -> Any:
+def new_axes(ax: Axes | None, **options: object) -> Axes:
     """Return the axes that were given, or those of a new figure with these options."""
-    return pyplot().subplots(layout="constrained", **options)[1] if ax is None else ax
+    if ax is None:
+        ax = pyplot().subplots(layout="constrained", **options)[1]
+    return ax
 
 
 def lengths(unit: str) -> tuple[float, str]:
@@ -93,8 +103,12 @@ def at_most(shape: tuple[int, ...]) -> None:
 
 
 def tiles(
-    shape: tuple[int, ...], draw: Callable[[Any, Axes], Any], titles: list[str], title: str, label: str
-) -> NDArray[Any]:
+    shape: tuple[int, ...],
+    draw: Callable[[tuple[int, ...], Axes], AxesImage],
+    titles: list[str],
+    title: str,
+    label: str,
+) -> NDArray[np.object_]:
     """Draw a stack side by side in a new figure with one colour bar; `draw` takes an index and axes."""
     at_most(shape)
     count = int(np.prod(shape))
@@ -104,7 +118,7 @@ def tiles(
         figsize=(max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8), layout="constrained"
     )
     drawn = np.empty(shape, dtype=object)
-    shown: Any = None
+    shown: AxesImage | None = None
     for k, index in enumerate(np.ndindex(shape)):
         axes = drawn[index] = figure.add_subplot(rows, columns, k + 1)
         shown = draw(index, axes)

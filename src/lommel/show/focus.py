@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -173,7 +173,7 @@ def through_focus(
     half_width: float | None = None,
     planes: int = 161,
     stretch: str = "sqrt",
-) -> Any:
+) -> Axes:
     """Draw the light behind a lens: x across, and to the right how far the sensor is moved away from the lens.
 
     Parameters
@@ -248,7 +248,7 @@ def focus_curves(
     reach: float | None = None,
     frequency: float | Sequence[float] | None = None,
     planes: int = 61,
-) -> Any:
+) -> Axes:
     """Draw the Strehl ratio and the MTF at some frequencies while the sensor moves.
 
     Parameters

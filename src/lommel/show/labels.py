@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
+
+_Item = TypeVar("_Item")
 
 
 def of_pupils(pupil: BasePupil) -> list[str]:
@@ -67,7 +69,7 @@ def _indices(shape: tuple[int, ...]) -> list[str]:
     return [", ".join(map(str, index)) for index in np.ndindex(shape)]
 
 
-def few(items: Sequence[Any], most: int) -> list[Any]:
+def few(items: Sequence[_Item], most: int) -> list[_Item]:
     """Return at most so many of some items, evenly spread, the first and the last among them."""
     if len(items) <= most:
         return list(items)

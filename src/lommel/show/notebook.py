@@ -11,12 +11,11 @@ import math
 from collections.abc import Callable, Sequence
 from html import escape
 from importlib.util import find_spec
-from typing import Any
 
 import numpy as np
 
 from lommel.base import display
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Numbers
 from lommel.base.units import format_length
 from lommel.base.validation import brief
 from lommel.measures.aperture_means import rms
@@ -43,27 +42,27 @@ _SUMS = 100 * _RASTER**2  # values of terms that are added up
 Row = tuple[str, str | Callable[[], str]]
 
 
-def psf(answer: PSFLike) -> str:
+def psf(psf: PSFLike) -> str:
     """Return the values of a PSF, or of some of a stack, and how they were made."""
-    stack, all_of = answer.pupil.shape, math.prod(answer.pupil.shape)
-    seen = [_window(answer, index) for index in few_of(stack, _TILES).values()]
-    whole = answer.values.size <= _MANY
-    values = answer.values if whole else np.stack(seen)
+    stack, all_of = psf.pupil.shape, math.prod(psf.pupil.shape)
+    seen = [_window(psf, index) for index in few_of(stack, _TILES).values()]
+    whole = psf.values.size <= _MANY
+    values = psf.values if whole else np.stack(seen)
     of = "" if whole else ", where looked at"
-    told = of_pupils(answer.pupil) if 1 < all_of <= 64 else []
+    told = of_pupils(psf.pupil) if 1 < all_of <= 64 else []
     rows: list[Row] = [
-        ("pixels", _pixels(answer)),
-        ("values", f"{answer.values.dtype}, {MEANING[answer.normalize]}"),
+        ("pixels", _pixels(psf)),
+        ("values", f"{psf.values.dtype}, {MEANING[psf.normalize]}"),
         (f"largest value{of}", lambda: f"{float(values.max()):.4g}"),
-        ("method", type(answer.method).__name__),
-        ("error bound", "none" if answer.error_bound is None else f"{answer.error_bound:.2g} of the peak"),
-        ("pupil", _light(answer.pupil)),
+        ("method", type(psf.method).__name__),
+        ("error bound", "none" if psf.error_bound is None else f"{psf.error_bound:.2g} of the peak"),
+        ("pupil", _light(psf.pupil)),
     ]
     if whole:
-        rows.insert(3, ("light in the window", lambda: _span(energy_per_pixel(answer).sum(axis=(-2, -1)), ".4g")))
+        rows.insert(3, ("light in the window", lambda: _span(energy_per_pixel(psf).sum(axis=(-2, -1)), ".4g")))
     if told:
         rows.insert(0, ("stack", f"{told[0]} to {told[-1]}"))
-    if answer.undersampled:
+    if psf.undersampled:
         rows.append(("note", "pixels are wider than λN/2: samples do not sum to the light"))
 
     def picture() -> str:
@@ -110,7 +109,7 @@ def wavefront(thing: Wavefront) -> str:
 
 
 @display.html.register(BasePupil)
-def pupil(thing: Any) -> str:
+def pupil(thing: Pupil | ObjectivePupil) -> str:
     """Return the phase across a pupil, and what there is to say about its light."""
     rows: list[Row] = [("light", _light(thing))]
     if isinstance(thing, ObjectivePupil):
@@ -155,7 +154,7 @@ def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
 _PHASE = "phase, blue to red"
 
 
-def _phase(pupil: Any) -> str:
+def _phase(pupil: BasePupil) -> str:
     chosen = list(few_of(pupil.shape, _TILES).values())
     # A wavefront of very many terms takes as long for each point as one of few for all.
     terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
@@ -189,10 +188,10 @@ def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
     return text if markup else escape(brief(text, 160))
 
 
-def _window(answer: PSFLike, index: tuple[int, ...]) -> Array:
+def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
     """Return the values of one of a stack, of large windows those about the axis."""
-    values = answer.values[index]
-    center = answer.grid[index].axis if answer.grid.stack else answer.grid.axis
+    values = psf.values[index]
+    center = psf.grid[index].axis if psf.grid.stack else psf.grid.axis
     parts = []
     for side, middle in zip(values.shape, center, strict=True):
         first = min(max(round(middle) - _WINDOW // 2, 0), max(side - _WINDOW, 0))
@@ -266,11 +265,11 @@ def _rms(thing: Pupil) -> list[Row]:
     return []
 
 
-def _pixels(answer: PSFLike) -> str:
-    height, width = answer.shape[-2:]
-    size = " × ".join(dict.fromkeys(_length(side, answer.unit) for side in answer.grid.pitch))
-    spread = "".join(f", {type(blur).__name__}" for blur in answer.blur)
-    return f"{height} × {width} of {size}, {HOW[answer.sampling]}{spread}"
+def _pixels(psf: PSFLike) -> str:
+    height, width = psf.shape[-2:]
+    size = " × ".join(dict.fromkeys(_length(side, psf.unit) for side in psf.grid.pitch))
+    spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
+    return f"{height} × {width} of {size}, {HOW[psf.sampling]}{spread}"
 
 
 def _aperture(pupil: Pupil) -> str:
@@ -280,10 +279,10 @@ def _aperture(pupil: Pupil) -> str:
     return ", ".join([eps, *parts])
 
 
-def _light(pupil: Any) -> str:
+def _light(pupil: BasePupil) -> str:
     if pupil.wavelength is None:
         return "lengths in λN"
-    sharp = f"NA {pupil.layers.NA:.4g}" if pupil.layered else f"f/{pupil.f_number:.4g}"
+    sharp = f"NA {pupil.layers.NA:.4g}" if isinstance(pupil, ObjectivePupil) else f"f/{pupil.f_number:.4g}"
     return f"{_length(pupil.wavelength, 'm')}, {sharp}"
 
 
@@ -298,7 +297,7 @@ def _places(at: Array) -> str:
     return _length(low, "m") if low == high else f"{_length(low, 'm')} to {_length(high, 'm')}"
 
 
-def _span(values: Any, form: str) -> str:
+def _span(values: Numbers, form: str) -> str:
     low, high = float(np.min(values)), float(np.max(values))
     return format(low, form) if low == high else f"{low:{form}} to {high:{form}}"
 

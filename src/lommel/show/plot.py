@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
 from lommel.measures.errors import mse, peak_error
 from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, checked, colours, is_psf
@@ -34,7 +34,9 @@ from lommel.show.labels import of_pupils
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
+    from matplotlib.image import AxesImage
 
 
 _LONGEST = 3.0  # how much longer one axis may be than another, at the same scale
@@ -47,7 +49,7 @@ class Voxels(NamedTuple):
     x: Array
     y: Array
     z: Array
-    values: NDArray[Any]
+    values: Values
 
 
 def is_z_stack(psf: PSFLike) -> bool:
@@ -67,7 +69,7 @@ def voxels(psf: PSFLike) -> Voxels:
     return Voxels(psf.grid.x * size, psf.grid.y * size, 1e6 * pupil.z[order], np.maximum(psf.values[order], 0.0))
 
 
-def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[Any]:
+def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     """Draw the planes through the brightest voxel of a z stack: xy, and beside and below it yz and xz.
 
     Parameters
@@ -178,7 +180,7 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     return axes
 
 
-def _stack(psf: PSFLike, ax: Axes | None, stretch: str) -> NDArray[Any]:
+def _stack(psf: PSFLike, ax: Axes | None, stretch: str) -> NDArray[np.object_]:
     """Draw each PSF of a stack on one scale, titled by what tells it from the others."""
     only_single(ax, psf.pupil.shape)
     if is_z_stack(psf):
@@ -186,7 +188,7 @@ def _stack(psf: PSFLike, ax: Axes | None, stretch: str) -> NDArray[Any]:
     at_most(psf.pupil.shape)
     norm = norm_of(stretch, float(psf.values.max()) or 1.0)
 
-    def one(index: tuple[int, ...], axes: Axes) -> Any:
+    def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
         return _draw(psf[index], axes, norm).images[0]
 
     return tiles(psf.pupil.shape, one, of_pupils(psf.pupil), _title(psf), MEANING[psf.normalize])
@@ -201,7 +203,7 @@ def _title(psf: PSFLike) -> str:
     return f"{height} × {width} pixels of {size} {unit}, {HOW[psf.sampling]}{spread}"
 
 
-def _draw(psf: PSFLike, axes: Axes, norm: Any) -> Axes:
+def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
     """Draw the values of a single PSF on axes with its lengths."""
     factor, unit = lengths(psf.unit)
     height, width = psf.shape
@@ -360,14 +362,14 @@ def _scale_bar(axes: Axes, length: float, label: str) -> None:
     axes.text(0.99 - length, 1.0, label, transform=place, ha="right", va="center", fontsize=8)
 
 
-def _field_axes(grid: PSFGridLike) -> Any:
+def _field_axes(grid: PSFGridLike) -> Axes:
     """Return axes of a new figure of the shape of the sensor."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return pyplot().subplots(figsize=(width + 1.1, width * ratio + 0.7), layout="constrained")[1]
+    return new_axes(None, figsize=(width + 1.1, width * ratio + 0.7))
 
 
-def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Any:
+def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Axes:
     """Draw ``a - b`` over the peak of `b`, red where `a` is larger and blue where it is smaller.
 
     Parameters

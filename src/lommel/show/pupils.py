@@ -19,6 +19,7 @@ from lommel.show.labels import of_pupils, of_wavefronts
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.image import AxesImage
 
 UNITS = ("waves", "radians", "nm")
 _SIDE = 256
@@ -117,7 +118,7 @@ def across(pupil: BasePupil, side: int = _SIDE) -> Across:
         clear = strength > 0.0
         amplitude[:] = strength
         phase[:, clear] = pupil.wavefront.phase(rho[clear], theta[clear]).reshape(count, -1)
-    else:
+    elif isinstance(pupil, ObjectivePupil):
         clear = rho <= 1.0
         phase[:, clear], amplitude[:, clear] = _through_layers(pupil, rho[clear], theta[clear])
     if clear.any():
@@ -125,7 +126,7 @@ def across(pupil: BasePupil, side: int = _SIDE) -> Across:
     return Across(phase, amplitude)
 
 
-def _through_layers(pupil: Any, rho: Array, theta: Array) -> tuple[Array, Array]:
+def _through_layers(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Array, Array]:
     """Return the phase of each plane at points of an objective's pupil, and the amplitude, shape (n, points)."""
     layers = pupil.layers
     fixed, by_depth, by_focus = layers.rates(layers.cosine(rho))
@@ -173,7 +174,7 @@ def _draw(
 ) -> Any:
     """Draw what is known across a pupil, with a title and what the bar says."""
 
-    def one(index: tuple[int, ...], axes: Axes) -> Any:
+    def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
         image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **options)
         axes.set_facecolor(_BLOCKED)
         axes.set_xlabel("x (pupil radii)")
@@ -188,7 +189,7 @@ def _draw(
 
     if pupil.shape:
         return tiles(pupil.shape, one, titles, words[0], words[1])
-    axes: Any = new_axes(ax)
+    axes = new_axes(ax)
     image = one((), axes)
     if ax is None:
         axes.set_title(words[0], fontsize=9)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -58,7 +58,7 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
     return np.asarray(gradient(pupil.wavefront, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))
 
 
-def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Any:
+def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
     """Draw where rays meet the sensor over a PSF, and the Airy circle of the aperture about the axis.
 
     Parameters
@@ -92,7 +92,7 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     validation.axes("ax", ax)
     factor, unit = lengths(psf.unit)
     x, y = ray_positions(pupil, rings).T * factor
-    axes = plot(psf, ax, stretch=stretch)
+    axes: Axes = plot(psf, ax, stretch=stretch)
     limits = axes.get_xlim(), axes.get_ylim()
     axes.scatter(x, y, s=4.0, color="deepskyblue", linewidths=0.0, label=f"{x.size} rays")
     angle = np.linspace(0.0, 2.0 * np.pi, 181)

@@ -13,7 +13,7 @@ ENCODINGS = ("linear", "srgb")
 _PART = 2**16  # values that are encoded at once, so that what is between stays in a cache
 
 
-def to_light(name: str, values: NDArray[np.number], encoding: str, dtype: DTypeLike) -> Values:
+def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DTypeLike) -> Values:
     """Return values in proportion to light, 1 being white, from integers (white is their maximum) or floats.
 
     "srgb" is the transfer function of IEC 61966-2-1.

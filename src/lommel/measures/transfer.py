@@ -154,7 +154,7 @@ def image_otf(
     return result
 
 
-def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: object, fill: object) -> Array:
+def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: Any, fill: Any) -> Array:
     """Return the transfer function of pixels that average; 1 where there are none."""
     if pixel is None:
         if validation.fill("fill", fill) != (1.0, 1.0):

@@ -27,6 +27,9 @@ mpl.use("Agg")
 # garbage among it takes as long as to collect it.
 gc.disable()
 
+# Files that tests write need not outlive a power failure, and disks that are busy take long to make sure of that.
+os.fsync = lambda descriptor: None
+
 # A shell starts what it runs in the background deaf to Ctrl-C, and so would be what the tests start and interrupt.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)

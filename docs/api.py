@@ -27,7 +27,7 @@ SECTIONS = [
         "PSFs",
         "",
         ("psf", "optics.grid", "core.caches"),
-        more="traced.plan_function.Twin traced.module.module",
+        more="traced.traced_psf.TracedPSF",
     ),
     Section("Blur of sensors and the atmosphere", "See [](sensor.md).", ("blur",)),
     Section(

@@ -405,7 +405,7 @@ class FieldMap:
         lens: Lens | None = None,
         **options: Any,
     ) -> PSFGrid:
-        """Compute the PSF at the centre of each of rows times columns equal cells of the sensor.
+        """Return the PSF at the centre of each of rows times columns equal cells of the sensor.
 
         Optionally at several object distances and in several channels.
 

@@ -138,8 +138,7 @@ KILLED = """
     sys.path.insert(0, sys.argv[2])
     import zarr, h5py
     import test_psf_to as test
-    from lommel.stacks import layout
-    from lommel.stacks import stack
+    from lommel.stacks import stack, store
 
     def die(*_):
         os.kill(os.getpid(), signal.SIGKILL)
@@ -148,7 +147,7 @@ KILLED = """
         put, count = stack.kind(path).put, [0]
 
         def dying(self, parts, index):
-            mark = layout.MARKS in parts
+            mark = store.MARKS in parts
             count[0] += mark == (when == "before the mark")
             if when != "after a chunk" and count[0] == 3:
                 if when == "within the values" and self.one_file:

@@ -358,7 +358,7 @@ def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[in
     return Information.of_root(every, units, root, np.sqrt(np.einsum("...ik,ikj->...j", errors**2, which)))
 
 
-def _names(of: Any) -> tuple[Name, ...]:
+def _names(of: Sequence[Name]) -> tuple[Name, ...]:
     if isinstance(of, str) or not isinstance(of, Sequence):
         raise TypeError(f"of must be a sequence of names such as ('defocus', 'row'), got {validation.shown(of)}")
     if not of:
@@ -367,7 +367,7 @@ def _names(of: Any) -> tuple[Name, ...]:
     return tuple(dict.fromkeys(name if name in _OWN else checked_names((name,), others)[0] for name in of))
 
 
-def _several(pupils: Any) -> Sequence[BasePupil]:
+def _several(pupils: object) -> Sequence[BasePupil]:
     if not isinstance(pupils, Sequence) or not pupils or isinstance(pupils, str):
         raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(pupils)}")
     return [imaged(pupil) for pupil in pupils]

@@ -116,11 +116,11 @@ class Noise:
         """Return a hash that equals share."""
         return hash(self._content())
 
-    def _content(self) -> tuple[Any, ...]:
+    def _content(self) -> tuple[object, ...]:
         return tuple(v if v is None else (np.shape(v), np.asarray(v).tobytes()) for v in vars(self).values())
 
 
-def _number(name: str, value: Any, least: float = -np.inf) -> float | Array:
+def _number(name: str, value: ArrayLike, least: float = -np.inf) -> float | Array:
     """Return a finite number, or an array (height, width) of them."""
     found = validation.real_array(name, value, least=least) + 0.0  # no -0
     if found.ndim not in (0, 2) or found.size == 0:

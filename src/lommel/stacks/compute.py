@@ -1,35 +1,312 @@
-"""The front door of stacks: :func:`psf_to`, which computes what a store lacks."""
+"""Computation of stacks of PSFs, chunk by chunk into a store: :func:`psf_to`."""
 
 from __future__ import annotations
 
 import errno
+import json
+import math
 import os
 import secrets
 import shutil
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent import futures
 from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, DTypeLike
 
 from lommel.base import options as shared
 from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
+from lommel.base.checksums import crc32
+from lommel.base.optional import version
 from lommel.base.options import shares
+from lommel.blur.blurs import Blur
 from lommel.channel_psf import PSFKeywords
 from lommel.io.psf_files import FileError
+from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method
-from lommel.optics.base_pupil import BasePupil
-from lommel.stacks.layout import Index
-from lommel.stacks.request import Options, Question, Request, requested
+from lommel.methods.question import for_axes
+from lommel.optics.base_pupil import BasePupil, imaged
+from lommel.optics.grid import Grid
+from lommel.optics.stacked import apart, together
+from lommel.psf import PSF, Plan
 from lommel.stacks.stack import PSFStack, kind
-from lommel.stacks.store import IDENTITY, Store, replaced
+from lommel.stacks.store import (
+    DEFAULT,
+    FORMAT,
+    IDENTITY,
+    Arrays,
+    Center,
+    Description,
+    Index,
+    Layout,
+    Store,
+    cut,
+    layouts,
+    replaced,
+)
 
-# Of file systems, such as some of networks, that do not know which files are in use.
+# Errors of file systems without locks, such as some network drives.
 _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
+_METRES = ("object_distance", "depth", "z", "wavelength")
+_TAKEN = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")
+_MOST_AXES = 8
+
+
+@dataclass(frozen=True)
+class Options:
+    """Options of :func:`psf_to` with their defaults.
+
+    Parameters
+    ----------
+    method, tol, normalize, dtype, integrate, fill, blur : optional
+        As of :func:`lommel.psf`.
+    center : (float, float) or (array_like, array_like), optional
+        As of :func:`lommel.psf`; arrays broadcast with the stack.
+    threads : int, optional
+        Maximum number of threads, by default one for each processor; each computes a chunk. Not with a client.
+    """
+
+    method: Method | None = None
+    tol: float | None = None
+    normalize: str = "energy"
+    dtype: DTypeLike | None = None
+    center: tuple[ArrayLike, ArrayLike] | None = None
+    integrate: bool | None = None
+    fill: float | tuple[float, float] = 1.0
+    blur: Blur | Sequence[Blur] = ()
+    threads: int | None = None
+
+
+@dataclass(frozen=True)
+class Question:
+    """All of a request but the pupils, as it is sent to workers."""
+
+    window: tuple[int, int]
+    pixel: float | tuple[float, float]
+    integrate: bool
+    fill: tuple[float, float]
+    blur: tuple[Blur, ...]
+    normalize: str
+    dtype: str
+
+    def answer(self, pupil: BasePupil, center: Center, ways: tuple[Method, ...]) -> PSF:
+        """Return the PSFs of a stack around `center`, by the first of the methods that proves its tolerance."""
+
+        def ask(way: Method) -> PSF:
+            plan = Plan(
+                self.window,
+                self.pixel,
+                method=way,
+                normalize=self.normalize,
+                dtype=self.dtype,
+                center=center,
+                integrate=self.integrate,
+                fill=self.fill,
+                blur=self.blur,
+                threads=1,  # sums of transforms by several threads differ in their last bits
+            )
+            return plan(pupil)
+
+        return first_proven(ways, ask)[1]
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """A checked request for a stack: its pupils, their methods, and its description.
+
+    Attributes
+    ----------
+    pupils : tuple of Pupil or ObjectivePupil
+        One stack, or, where more than the phase differs and `listed`, one for each of the first axis.
+    ways : tuple
+        The methods for each of the pupils, in order: chosen for all of a stack, whatever the chunks.
+    said : dict
+        The description, in plain types.
+    arrays : dict of str to ndarray
+        Arrays that differ between the pupils.
+    """
+
+    pupils: tuple[BasePupil, ...]
+    listed: bool
+    question: Question
+    ways: tuple[tuple[Method, ...], ...]
+    grid: Grid
+    axes: dict[str, Array]
+    said: Description
+    arrays: dict[str, Array] = field(repr=False)
+
+    def part(self, index: Index) -> tuple[BasePupil, Center, tuple[Method, ...]]:
+        """Return the pupils of a chunk, the center of their windows, and their methods."""
+        members = self.layouts["scale"]
+        within = members.within(index)
+        if not self.listed:
+            center = self.grid[within].center if self.grid.stack else self.grid.center
+            return self.pupils[0][within], center, self.ways[0]
+        k = within[0].start
+        one = self.pupils[k][within[1:]] if self.pupils[k].shape else self.pupils[k]
+        return one.broadcast(members.part(index)), self.grid.center, self.ways[k]
+
+    def seal(self, index: Index) -> int:
+        """Return the checksum of the pupils of a chunk, as in a store."""
+        found = {f"pupil/{name}": at for name, at in self.arrays.items()}
+        parts = {name: np.asarray(at[self.layouts[name].within(index)], "<f8") for name, at in found.items()}
+        return crc32({}, parts)
+
+    @cached_property
+    def methods(self) -> list[Method]:
+        """All methods of the stack, each once."""
+        return _different(self.ways)
+
+    @cached_property
+    def layouts(self) -> dict[str, Layout]:
+        """The arrays of its store."""
+        return layouts(self.said)
+
+
+def requested(
+    pupils: BasePupil | Sequence[BasePupil],
+    shape: int | tuple[int, int],
+    pixel: float | tuple[float, float],
+    axes: Mapping[str, Any] | None,
+    chunk: int | None,
+    options: Options,
+) -> Request:
+    """Return a checked request; see :func:`lommel.psf_to`."""
+    plan = Plan(shape, pixel, **{name: value for name, value in vars(options).items() if name != "threads"})
+    stacks, listed, grid = _stacks(pupils, plan)
+    stack = (len(stacks), *stacks[0].shape) if listed else stacks[0].shape
+    if not 1 <= len(stack) <= _MOST_AXES:
+        raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}; psf computes one")
+    ways = tuple(candidates(one, grid, plan.tol) if plan.method is None else (plan.method,) for one in stacks)
+    dtype = np.dtype(plan.dtype)
+    question = Question(grid.shape, grid.pixel, grid.integrate, grid.fill, plan.blur, plan.normalize, dtype.name)
+    shared, arrays = _differences(stacks, listed)
+    if grid.stack:
+        arrays |= {"row": np.asarray(grid.center[0]), "column": np.asarray(grid.center[1])}
+    places, units = _axes(axes, stack, arrays, stacks[0].unit)
+    said = {
+        "software": f"lommel {version()}",
+        "format": FORMAT,
+        "stack": list(stack),
+        "axes": units,
+        "coordinates": crc32({}, dict(places)),
+        "window": list(grid.shape),
+        "pixel": grid.pixel,
+        "unit": stacks[0].unit,
+        "integrate": grid.integrate,
+        "fill": list(grid.fill),
+        "blur": [one.to_dict() for one in plan.blur],
+        "center": None if grid.stack else list(grid.axis),
+        "methods": [way.to_dict() for way in _different(ways)],
+        "normalize": plan.normalize,
+        "dtype": dtype.name,
+        "chunks": _chunks(chunk, stack, listed, dtype.itemsize * math.prod(grid.shape)),
+        "pupils": shared,
+        "arrays": {name: [list(at.shape[len(stack) :]), crc32({}, {name: at})] for name, at in arrays.items()},
+    }
+    plain = json.loads(json.dumps(said, allow_nan=False))
+    return Request(stacks, listed, question, ways, grid, places, plain, arrays)
+
+
+def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[BasePupil, ...], bool, Grid]:
+    """Return the pupils as one stack, or as one for each of the first axis, whether they are that, and the grid."""
+    listed = isinstance(pupils, Sequence)
+    stacks: tuple[BasePupil, ...] = tuple(
+        imaged(one) for one in (pupils if isinstance(pupils, Sequence) else [pupils])
+    )
+    if not stacks:
+        raise ValueError("pupils must not be an empty list")
+    grid = plan.grid(stacks[0])
+    for k, one in enumerate(stacks[1:], 1):
+        for name, mine, first in (("shape", one.shape, stacks[0].shape), ("unit", one.unit, stacks[0].unit)):
+            if mine != first:
+                raise ValueError(f"pupils must all have the {name} of the first, {first}, got {mine} of pupils[{k}]")
+    if listed:
+        shared, arrays = _differences(stacks, listed)
+        if len(shared) == 1:  # only their phases differ
+            stacks, listed = (together(shared[0], arrays),), False
+    if grid.stack:
+        if listed:
+            raise ValueError("center must be one (row, column) for listed pupils of several wavelengths or apertures")
+        stacks = (for_axes(stacks[0], grid.stack),)
+        grid = grid.broadcast(stacks[0].shape)
+    return stacks, listed, grid
+
+
+def _chunks(chunk: int | None, stack: tuple[int, ...], listed: bool, nbytes: int) -> list[int]:
+    """Return the shape of chunks of at most so many PSFs, or of 16 MiB; listed pupils are in chunks of their own."""
+    fit = max(1, DEFAULT // nbytes)
+    most = fit if chunk is None else validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
+    return [1, *cut(stack[1:], most)] if listed else [*cut(stack, most)]
+
+
+def _different(ways: tuple[tuple[Method, ...], ...]) -> list[Method]:
+    found: list[Method] = []
+    for way in (way for each in ways for way in each):
+        if way not in found:
+            found.append(way)
+    return found
+
+
+def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
+    """Return what pupils share, once if it is the same for all, and the arrays that differ."""
+    parts = [apart(one) for one in stacks]
+    shared = [said for said, _ in parts]
+    if not listed:
+        return shared, parts[0][1]
+    first = parts[0][1]
+    for k, (_, other) in enumerate(parts):
+        if {name: at.shape for name, at in other.items()} != {name: at.shape for name, at in first.items()}:
+            raise ValueError(
+                f"pupils must all be held in the same terms, got others of pupils[{k}] than of the first"
+            )
+    arrays = {name: np.stack([other[name] for _, other in parts]) for name in first}
+    return (shared[:1] if all(said == shared[0] for said in shared) else shared), arrays
+
+
+def _axes(
+    given: Mapping[str, Any] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
+) -> tuple[dict[str, Array], dict[str, str]]:
+    """Return the coordinates of each axis of the stack, by name, and their units."""
+    if given is None:
+        given = _found(stack, arrays)
+    if not isinstance(given, Mapping) or not all(isinstance(name, str) and name.isidentifier() for name in given):
+        raise TypeError(f"axes must map names to coordinates, got {validation.shown(given)}")
+    if len(given) != len(stack):
+        raise ValueError(f"axes must name the {len(stack)} axes of a stack of shape {stack}, got {list(given)}")
+    places, units = {}, {}
+    for (name, value), count in zip(given.items(), stack, strict=True):
+        if name in _TAKEN or name.endswith("_chunk"):
+            raise ValueError(f"axes must not be called {', '.join(_TAKEN)} or ..._chunk, got {name}")
+        known = "m" if name in _METRES else unit if name.startswith("field") else "1"
+        if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str):
+            value, known = value
+        # An object may be at infinity.
+        at = np.array(validation.number_array(f"axes[{name!r}]", value), dtype=np.float64)
+        if at.shape != (count,) or np.isnan(at).any():
+            raise ValueError(f"axes[{name!r}] must be {count} numbers, got {validation.shown(value)}")
+        places[name], units[name] = at, known
+    return places, units
+
+
+def _found(stack: tuple[int, ...], arrays: Mapping[str, Array]) -> Arrays:
+    """Return the default axes: distances, depths and z that change along one axis only, else indices."""
+    names: dict[int, tuple[str, Array]] = {}
+    for name in ("object_distance", "depth", "z"):
+        if name in arrays:
+            for axis, count in enumerate(stack):
+                along = np.moveaxis(arrays[name], axis, 0).reshape(count, -1)
+                if axis not in names and count > 1 and np.all(along == along[:, :1]):
+                    names[axis] = name, along[:, 0]
+                    break
+    left = {axis: (f"axis_{axis}", np.arange(count)) for axis, count in enumerate(stack)}
+    return dict((left | names)[axis] for axis in range(len(stack)))
 
 
 @shares(PSFKeywords, Options)
@@ -45,34 +322,34 @@ def psf_to(
     client: Any = None,
     **options: Unpack[PSFKeywords],
 ) -> PSFStack:
-    """Compute the PSFs of a stack that need not fit into memory, chunk by chunk into a store.
+    """Compute a stack of PSFs larger than memory, chunk by chunk, into a Zarr or HDF5 store.
 
-    Called again with the same arguments, after an error, Ctrl-C or the end of the process, it computes the chunks
-    that are not there yet. The values of a chunk are those of ``lommel.psf(pupils[chunk], ..., threads=1)``, bit
-    by bit, wherever and in whatever order it is computed.
+    Called again with the same arguments, after an error, Ctrl-C or the end of the process, it computes the missing
+    chunks. The values of a chunk are those of ``lommel.psf(pupils[chunk], ..., threads=1)``, bit by bit, wherever and
+    in whatever order it is computed.
 
     Parameters
     ----------
     store : path
         ``.zarr``, a folder (Zarr version 3), or ``.h5``, ``.hdf5``, a file.
     pupils : Pupil or ObjectivePupil, or sequence of these
-        A stack. Listed ones, of one shape, are the first axis, such as one for each wavelength; where more than the
-        phase tells them apart no chunk holds two of them, and all have one center.
+        A stack. A sequence, of one shape, is the first axis, such as one pupil for each wavelength; where more than
+        the phase differs no chunk holds two of them, and all have one center.
     shape, pixel
         As of :func:`lommel.psf`.
     axes : mapping of str to array_like or (array_like, str), optional
-        Names of the axes of the stack, in order, each with its coordinates and perhaps their unit. By default the
-        object distances, or depths and z, of the pupils, where these change along one axis alone, else
-        ``axis_0`` and so on. Metres are those of ``object_distance, depth, z, wavelength``, and what begins with
-        ``field`` has the unit of the pupils.
+        Names of the axes of the stack, in order, each with its coordinates and optionally their unit. By default the
+        object distances, or depths and z, of the pupils, where these change along one axis only, else ``axis_0`` and
+        so on. ``object_distance, depth, z, wavelength`` are in metres, and names that begin with ``field`` have the
+        unit of the pupils.
     chunk : int, optional
-        At most so many PSFs in each chunk; by default as many as 16 MiB hold, or as the store was begun with. Chunks
-        are cut by this and by what is asked alone. Other chunks make other values, within the bounds of both.
+        Maximum number of PSFs in a chunk; by default as many as 16 MiB hold, or that of an existing store. Another
+        number makes other values, within the error bounds of both.
     progress : callable, optional
-        Called as ``progress(done, chunks)`` after each chunk that is computed.
+        Called as ``progress(done, chunks)`` after each computed chunk.
     client : distributed.Client or concurrent.futures.Executor, optional
-        What computes the chunks; by default threads of this process. Workers write into a ``.zarr`` themselves, and
-        have to see it under the same path; an HDF5 file is written by this process.
+        Computes the chunks; by default threads of this process do. Workers write into a ``.zarr`` themselves, under
+        the same path; an HDF5 file is written by this process.
     {options}
 
     Returns
@@ -83,12 +360,12 @@ def psf_to(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if there are PSFs in the store that were asked for otherwise.
+        If an argument is out of range, or if the store holds PSFs of another request.
     FileError
-        If there is something else at the path, if the store is damaged, if another call computes another request into
-        it, or if it was removed or replaced meanwhile.
+        If there is something else at the path, if the store is damaged, removed or replaced, or if another call
+        computes another request into it.
     ToleranceError
-        If the tolerance cannot be met; what was computed before stays.
+        If the tolerance cannot be met; chunks that were computed before stay.
     ImportError
         If h5py is not installed, for a store in HDF5.
     OSError
@@ -136,12 +413,12 @@ def psf_to(
 
 
 def _begun(place: type[Store], path: Path, there: Store | None, request: Request) -> Store:
-    """Return the store, begun anew where there is none, or one with nothing in it that was asked for otherwise."""
+    """Return the store of the request, new if there is none, or in place of an empty one of another request."""
     other = "" if there is None else _difference(there.said, request.said)
     if there is not None and not other:
         return there
     said = request.said | {IDENTITY: secrets.token_hex(16)}
-    arrays: dict[str, NDArray[Any]] = {f"pupil/{name}": at for name, at in request.arrays.items()}
+    arrays: Arrays = {f"pupil/{name}": at for name, at in request.arrays.items()}
     if not request.grid.stack:
         arrays |= {"y": request.grid.y, "x": request.grid.x}
     with nullcontext() if there is None else _held(there, other):
@@ -150,7 +427,7 @@ def _begun(place: type[Store], path: Path, there: Store | None, request: Request
                 f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another "
                 f"request ({other})"
             )
-        with suppress(FileExistsError):  # of another call at the same time, for the same perhaps
+        with suppress(FileExistsError):  # another call may have created it at the same time
             place.create(path, said, arrays | request.axes, new=there is None)
     made = _opened(place, path)
     if other := _difference(made.said, request.said):
@@ -160,7 +437,7 @@ def _begun(place: type[Store], path: Path, there: Store | None, request: Request
 
 @contextmanager
 def _held(store: Store, other: str = "") -> Iterator[None]:
-    """Hold a store to compute into it, or alone, to begin it anew, since `other` is asked: FileError if in use."""
+    """Lock a store to compute into it, or, for an `other` request, alone to replace it; FileError if in use."""
     with ExitStack() as held:
         try:
             held.enter_context(store.held(alone=bool(other)))
@@ -176,7 +453,7 @@ def _held(store: Store, other: str = "") -> Iterator[None]:
                     f"{validation.line(store.path)} was begun for another request ({other}), and its file system "
                     "does not tell whether somebody computes it; remove it if nobody does, or name another store"
                 ) from None
-            # Else whoever would replace it has to know, and every write looks whether somebody did.
+            # Without locks, every write still checks that the store was not replaced.
         _require_there(store)
         yield
 
@@ -189,7 +466,7 @@ def _busy(path: Path, other: str) -> FileError:
 
 
 def _opened(place: type[Store], path: Path) -> Store:
-    """Return the store that is there now; FileError if there is none any more."""
+    """Return the store that is at the path now; FileError if it is gone."""
     try:
         return place.open(path)
     except FileNotFoundError:
@@ -197,13 +474,13 @@ def _opened(place: type[Store], path: Path) -> Store:
 
 
 def _require_there(store: Store) -> None:
-    """Raise FileError where there is another store by now than the one that was opened."""
+    """Raise FileError if the store was replaced since it was opened."""
     if _opened(type(store), store.path).said != store.said:
         raise replaced(store.path)
 
 
-def _difference(there: Mapping[str, Any], asked: Mapping[str, Any]) -> str:
-    """Return the first thing that two descriptions say otherwise, chunks last, in words; "" if there is none."""
+def _difference(there: Description, asked: Description) -> str:
+    """Return the first difference of two descriptions in words, chunks last; "" if there is none."""
     for name in sorted(asked, key=lambda name: (name == "chunks", name not in ("software", "stack", "window"))):
         if there.get(name) != asked[name]:
             if name in ("arrays", "pupils", "coordinates"):
@@ -213,7 +490,7 @@ def _difference(there: Mapping[str, Any], asked: Mapping[str, Any]) -> str:
 
 
 def _require_room(store: Store, chunks: int) -> None:
-    """Raise OSError where the disk has no room for so many chunks."""
+    """Raise OSError if the disk has no space for so many chunks."""
     values = store.layouts["values"]
     needed = chunks * values.nbytes // max(1, int(np.prod(values.grid)))
     free = shutil.disk_usage(store.path.parent).free
@@ -224,7 +501,7 @@ def _require_room(store: Store, chunks: int) -> None:
 
 
 def _pool(client: Any) -> tuple[futures.Executor | None, int]:
-    """Return what computes, and how many chunks are to be under way with it."""
+    """Return the executor of a client, and how many chunks to submit at a time."""
     if client is None:
         return None, 0
     if isinstance(client, futures.Executor):
@@ -234,14 +511,14 @@ def _pool(client: Any) -> tuple[futures.Executor | None, int]:
     raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
 
-_Task = tuple[Index, int, Question, BasePupil, Any, tuple[Method, ...]]
-_Made = tuple[Index, int, dict[str, NDArray[Any]] | None]
+_Task = tuple[Index, int, Question, BasePupil, Center, tuple[Method, ...]]
+_Made = tuple[Index, int, Arrays | None]
 
 
 def _computed(
     pool: futures.Executor | None, slots: int, store: Store | None, tasks: Iterator[_Task], methods: list[Method]
 ) -> Generator[_Made]:
-    """Yield chunks as they are done, a few under way at any time; after an error none is begun."""
+    """Yield chunks as they are done, a few at a time; after an error no other is begun."""
     own = futures.ThreadPoolExecutor(slots) if pool is None else None
     under_way: set[futures.Future[_Made]] = set()
     try:
@@ -265,13 +542,13 @@ def _work(
     seal: int,
     question: Question,
     pupil: BasePupil,
-    center: Any,
+    center: Center,
     ways: tuple[Method, ...],
 ) -> _Made:
-    """Compute a chunk, and keep it where a store is given."""
+    """Compute a chunk, and write it if a store is given."""
     made = question.answer(pupil, center, ways)
     bound = np.nan if made.error_bound is None else made.error_bound
-    parts: dict[str, NDArray[Any]] = {
+    parts: Arrays = {
         "values": made.values,
         "error_bound": np.full(pupil.shape, bound),
         "scale": np.asarray(made.scale),

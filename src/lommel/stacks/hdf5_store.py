@@ -1,8 +1,7 @@
-"""Stacks in HDF5 files: a run of bytes for each chunk, in data sets whose places do not change.
+"""Stacks in HDF5 files: a run of bytes for each chunk, in contiguous data sets.
 
-Before HDF5 begins a file may hold what its writer likes. There stand the description and the places of the data sets,
-sealed, and what is read is read from these places: the library of HDF5 is given no file of a stranger, and none that
-is damaged.
+The user block before the HDF5 data holds the description and the offsets of the data sets, with a checksum. Chunks
+are read from these offsets, so that the HDF5 library never opens a file of unknown origin or a damaged one.
 """
 
 from __future__ import annotations
@@ -24,31 +23,46 @@ from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
 from lommel.base.optional import library
 from lommel.io.psf_files import told
-from lommel.stacks.layout import MARKS, Index, Layout, layouts
-from lommel.stacks.store import IDENTITY, KEY, WHAT, Arrays, Store, checked, missing, replaced, units
+from lommel.stacks.store import (
+    IDENTITY,
+    KEY,
+    MARKS,
+    WHAT,
+    Arrays,
+    Description,
+    Index,
+    Layout,
+    Store,
+    Values,
+    checked,
+    layouts,
+    missing,
+    replaced,
+    units,
+)
 
-_MARK = b"lommel stack %s %12d\n"  # the identity of the store, and how many bytes of description follow
+_MARK = b"lommel stack %s %12d\n"  # the identity of the store, and the length of the description that follows
 _HEAD = len(_MARK % (bytes(32), 0))
 _PAGE = 4096
-_PLACES, _BYTES = "offsets", "bytes"  # of what the description says here alone
+_PLACES, _BYTES = "offsets", "bytes"  # keys of the description in this format
 
 
 @dataclass(frozen=True)
 class Hdf5Store(Store):
-    """An HDF5 file of contiguous data sets, at places that do not change."""
+    """An HDF5 file of contiguous data sets at known offsets."""
 
     offsets: dict[str, int] = field(repr=False)
     one_file: ClassVar[bool] = True
 
     @classmethod
-    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays, *, new: bool) -> None:
+    def create(cls, path: Path, said: Description, arrays: Arrays, *, new: bool) -> None:
         """Write the file."""
         h5py = library("h5py", "stacks in .h5 need", "hdf5")
         found = layouts(said)
         # A number has at most twenty digits.
         most = _HEAD + len(json.dumps(sealed(said, {}))) + sum(len(name) + 30 for name in found) + 200
 
-        # The library gets no disk that may be full, which ends the process, but memory, without the arrays.
+        # The HDF5 library writes to memory, without the arrays: a full disk would end the process.
         made, offsets = _Pages(), {}
         with h5py.File(made, "w", userblock_size=max(512, 1 << most.bit_length())) as file:
             file[KEY] = json.dumps(sealed(said, {}))
@@ -74,7 +88,7 @@ class Hdf5Store(Store):
                 file.seek(0)
                 file.write(_MARK % (said[IDENTITY].encode(), len(text)) + text)
                 for name, layout in found.items():
-                    if name != "values":  # which stay a hole in the file until they are there
+                    if name != "values":  # which stay a hole in the file until they are written
                         empty = np.broadcast_to(np.array(missing(name, layout), layout.dtype), layout.shape)
                         file.seek(offsets[name])
                         file.write(np.ascontiguousarray(arrays.get(name, empty), layout.dtype).data.cast("B"))
@@ -108,22 +122,22 @@ class Hdf5Store(Store):
         return self.offsets[name] + layout.first(index) * np.dtype(layout.dtype).itemsize
 
     def marks(self) -> NDArray[np.bool_]:
-        """Read all at once."""
+        """Return which chunks are computed."""
         layout = self.layouts[MARKS]
         return self._read(MARKS, (0,) * len(layout.shape), layout.shape) >= 0
 
-    def get(self, name: str, index: Index) -> NDArray[Any]:
-        """Return a chunk, as the file was made where it was not written."""
+    def get(self, name: str, index: Index) -> Values:
+        """Return a chunk, with fill values if it was not written."""
         return self._read(name, index, self.layouts[name].part(index))
 
-    def _read(self, name: str, index: Index, shape: tuple[int, ...]) -> NDArray[Any]:
+    def _read(self, name: str, index: Index, shape: tuple[int, ...]) -> Values:
         place, kind = self._place(name, index), self.layouts[name].dtype
         with told(self.path, WHAT):
             reading.size(self.path)  # lest it be a pipe
             return np.fromfile(self.path, kind, count=math.prod(shape), offset=place).reshape(shape)
 
     def put(self, parts: Arrays, index: Index) -> None:
-        """Write runs of bytes; into nowhere where another file takes the place of this one meanwhile."""
+        """Write runs of bytes into the file, if it is still this one."""
         with self._opened() as file:
             for name, part in parts.items():
                 file.seek(self._place(name, index))
@@ -133,7 +147,7 @@ class Hdf5Store(Store):
 
     @contextmanager
     def _opened(self) -> Iterator[BinaryIO]:
-        """Yield the file to write into, if it is still this one."""
+        """Yield the file to write into; FileError if it was replaced."""
         try:
             with atomic.told_as(self.path), self.path.open("r+b") as file:
                 if file.read(_HEAD).split()[2:3] != [self.said[IDENTITY].encode()]:
@@ -144,19 +158,19 @@ class Hdf5Store(Store):
 
 
 class _Pages(io.RawIOBase):
-    """A file in memory that takes what is written, and not the holes between."""
+    """A sparse file in memory."""
 
     def __init__(self) -> None:
         self.pages: dict[int, bytearray] = {}
         self.size = self._at = 0
 
     def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
-        """Go to a place, which may be beyond the end."""
+        """Set the position, which may be beyond the end."""
         self._at = offset + {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self.size}[whence]
         return self._at
 
     def tell(self) -> int:
-        """Return the place."""
+        """Return the position."""
         return self._at
 
     def truncate(self, size: int | None = None) -> int:
@@ -165,7 +179,7 @@ class _Pages(io.RawIOBase):
         return self.size
 
     def write(self, data: Any) -> int:
-        """Write at the place."""
+        """Write at the position."""
         given = memoryview(data).cast("B")
         for start, within, part in self._parts(len(given)):
             self.pages.setdefault(start, bytearray(_PAGE))[within] = given[part]
@@ -174,7 +188,7 @@ class _Pages(io.RawIOBase):
         return len(given)
 
     def readinto(self, out: Any) -> int:
-        """Read from the place; zeros from holes."""
+        """Read from the position; zeros from holes."""
         taken = memoryview(out).cast("B")[: max(0, self.size - self._at)]
         for start, within, part in self._parts(len(taken)):
             taken[part] = self.pages.get(start, bytes(_PAGE))[within]
@@ -182,7 +196,7 @@ class _Pages(io.RawIOBase):
         return len(taken)
 
     def _parts(self, count: int) -> Iterator[tuple[int, slice, slice]]:
-        """Yield the starts of pages, what of each is meant, and what that is of the next `count` bytes."""
+        """Yield the start of each page, its slice, and the slice of the next `count` bytes."""
         done = 0
         while done < count:
             within = (self._at + done) % _PAGE
@@ -192,7 +206,7 @@ class _Pages(io.RawIOBase):
 
 
 def _contiguous(h5py: Any, file: Any, name: str, layout: Layout) -> Any:
-    """Return a new data set whose place is decided at once, and which nothing is written into."""
+    """Return a new data set, allocated at once and not filled."""
     wanted = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
     wanted.set_layout(h5py.h5d.CONTIGUOUS)
     wanted.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)

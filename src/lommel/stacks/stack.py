@@ -1,4 +1,4 @@
-"""A stack of PSFs in a store, of which parts are read when they are asked for."""
+"""Stacks of PSFs in a store, read in parts: :func:`open_stack`."""
 
 from __future__ import annotations
 
@@ -22,22 +22,21 @@ from lommel.optics.grid import Grid
 from lommel.optics.stacked import together
 from lommel.psf import PSF
 from lommel.stacks.hdf5_store import Hdf5Store
-from lommel.stacks.layout import OF_CHUNK, Index
-from lommel.stacks.store import WHAT, Store
+from lommel.stacks.store import OF_CHUNK, WHAT, Arrays, Center, Index, Store, Values
 from lommel.stacks.zarr_store import ZarrStore
 
 KINDS: dict[str, type[Store]] = {".zarr": ZarrStore, ".h5": Hdf5Store, ".hdf5": Hdf5Store}
 
 
 def kind(path: Path) -> type[Store]:
-    """Return what stores of a path are; ValueError if its suffix is unknown."""
+    """Return the class of stores for the suffix of a path; ValueError if it is unknown."""
     if path.suffix.lower() not in KINDS:
         raise ValueError(f"store must end in {', '.join(KINDS)}, got {validation.shown(str(path))}")
     return KINDS[path.suffix.lower()]
 
 
 def open_stack(store: str | os.PathLike[str]) -> PSFStack:
-    """Open what :func:`lommel.psf_to` wrote, or is writing.
+    """Open a store that :func:`lommel.psf_to` wrote, or is writing.
 
     Parameters
     ----------
@@ -64,14 +63,14 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
 
 
 class PSFStack:
-    """PSFs in a store, in memory when they are asked for: ``stack[index]`` is a :class:`lommel.PSF`.
+    """A stack of PSFs in a store, read by index: ``stack[index]`` is a :class:`lommel.PSF`.
 
-    What is read is compared with the checksum of its chunk.
+    Chunks are compared with their checksums.
 
     Parameters
     ----------
     store : Store
-        Which :func:`lommel.open_stack` opens.
+        From :func:`lommel.open_stack`.
 
     Attributes
     ----------
@@ -95,7 +94,7 @@ class PSFStack:
         self._store, said = store, store.said
         layout = store.layouts["values"]
         self.shape: tuple[int, ...] = layout.shape
-        self.dtype: np.dtype[Any] = np.dtype(layout.dtype)
+        self.dtype = np.dtype(layout.dtype)
         self.units: dict[str, str] = dict(said["axes"])
         with told(store.path, WHAT):
             self.axes: dict[str, Array] = {name: store.given(name, (0,)) for name in self.units}
@@ -104,45 +103,42 @@ class PSFStack:
             validation.choice("normalize", said["normalize"], NORMALIZE)
             self._methods = [method_from_dict(one) for one in said["methods"]]
             self.grid: Grid | None = None if said["center"] is None else self._pixels(said["center"])
-        self._last: tuple[Index, dict[str, NDArray[Any]]] | None = None
+        self._last: tuple[Index, Arrays] | None = None
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         return vars(self) | {"_last": None}
 
     @property
     def ndim(self) -> int:
-        """How many axes the values have."""
+        """Number of axes of the values."""
         return len(self.shape)
 
     @property
     def done(self) -> tuple[int, int]:
-        """How many chunks are there, and of how many."""
+        """Numbers of computed chunks and of all chunks."""
         marks = self._store.marks()
         return int(marks.sum()), marks.size
 
     @property
     def error_bound(self) -> Array:
-        """Bound on the error of each PSF over its peak, the largest of its chunk; NaN where there is none yet."""
+        """Bound on the error of each PSF over its peak, the largest of its chunk; NaN if not computed yet."""
         return self._store.whole("error_bound")
 
     @property
     def scale(self) -> Array:
-        """What the intensity of each was multiplied by; NaN where it is not there yet."""
+        """Factor of the intensity of each PSF; NaN if not computed yet."""
         return self._store.whole("scale")
 
     @property
     def dask(self) -> Any:
-        """The values as an array of dask, whose chunks are those of the store; needs dask."""
+        """The values as a dask array with the chunks of the store; needs dask."""
         da = library("dask.array", "stacks as arrays of dask need", "dask")
         chunks = self._store.layouts["values"].chunks
         name = f"psf-stack-{crc32(self._store.said | {'path': str(self._store.path)}, {}):08x}"
         return da.from_array(_Values(self), chunks=chunks, name=name, asarray=False, meta=np.empty(0, self.dtype))
 
     def to_xarray(self) -> Any:
-        """Return an ``xarray.Dataset`` whose values are read when they are computed; needs xarray and dask.
-
-        It has `values`, with a coordinate and its unit for each axis, `error_bound` and `scale`.
-        """
+        """Return a lazy ``xarray.Dataset`` of `values`, `error_bound` and `scale`; needs xarray and dask."""
         xarray = library("xarray", "stacks in xarray need", "xarray")
         said, names = self._store.said, tuple(self.axes)
         places = dict(self.axes)
@@ -161,7 +157,7 @@ class PSFStack:
         )
 
     def __len__(self) -> int:
-        """Return how many there are along the first axis."""
+        """Return the length of the first axis."""
         return self.shape[0]
 
     def __repr__(self) -> str:
@@ -171,15 +167,14 @@ class PSFStack:
         return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{there}>"
 
     def __getitem__(self, index: Any) -> PSF:
-        """Return part of the stack, in memory, as NumPy indexes arrays of its shape.
+        """Return part of the stack in memory, indexed as a NumPy array.
 
         Raises
         ------
         IndexError
             If there is no such part.
         ValueError
-            If a part is not there yet, if it has more than 2^31 values, or if it is of several wavelengths, or was
-            computed by several methods, of which a PSF has one.
+            If a part is not computed yet, has more than 2^31 values, or is of several wavelengths or methods.
         FileError
             If it is damaged.
         """
@@ -210,16 +205,14 @@ class PSFStack:
                 blur=blurs_from_dicts(said["blur"]),
             )
 
-    def _pixels(self, center: Any) -> Grid:
+    def _pixels(self, center: Center) -> Grid:
         said = self._store.said
         pixel = said["pixel"] if isinstance(said["pixel"], float) else tuple(said["pixel"])
         kept = {"integrate": said["integrate"], "fill": tuple(said["fill"])}
         return Grid(tuple(said["window"]), pixel, center=center, **kept)
 
-    def _members(
-        self, index: Any, only: tuple[str, ...] | None = None
-    ) -> tuple[NDArray[np.intp], dict[str, NDArray[Any]]]:
-        """Return which members of the flattened stack an index is, and what is known of each, by name."""
+    def _members(self, index: Any, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
+        """Return the members of the flattened stack at an index, and their arrays by name."""
         stack = self.shape[:-2]
         which = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
         if which.size == 0 or which.size * math.prod(self.shape[-2:]) > validation.MAX_VALUES:
@@ -235,18 +228,18 @@ class PSFStack:
         return which, {name: values.reshape(which.shape + tails[name]) for name, values in out.items()}
 
     def _chunks_of(self, which: NDArray[np.intp]) -> Iterator[tuple[NDArray[np.intp], tuple[Index, int]]]:
-        """Yield the chunks that members are in: which of these, its index, and the first member of it."""
+        """Yield the chunks of members: which of these, the index of the chunk, and its first member."""
         layout = self._store.layouts["scale"]
         places = np.unravel_index(which, layout.shape)
         of = tuple(place // size for place, size in zip(places, layout.chunks, strict=True))
         flat = np.ravel_multi_index(of, layout.grid)
         for chunk in np.unique(flat):
             index = tuple(int(i) for i in np.unravel_index(chunk, layout.grid))
-            # A chunk is a run of the flattened stack.
+            # A chunk is a contiguous run of the flattened stack.
             yield np.flatnonzero(flat == chunk), (index, layout.first(index))
 
-    def _chunk(self, index: Index) -> dict[str, NDArray[Any]]:
-        """Return all of a chunk; the last one that was asked for is kept, since neighbours are asked for next."""
+    def _chunk(self, index: Index) -> Arrays:
+        """Return a chunk; the last one is kept, since neighbours are usually read next."""
         last = self._last
         if last is None or last[0] != index:
             self._last = last = index, self._store.chunk(index)
@@ -254,12 +247,12 @@ class PSFStack:
 
 
 class _Values:
-    """The values of a stack, for dask."""
+    """The values of a stack as dask indexes them."""
 
     def __init__(self, stack: PSFStack) -> None:
         self._stack, self.shape, self.dtype, self.ndim = stack, stack.shape, stack.dtype, stack.ndim
 
-    def __getitem__(self, index: Any) -> NDArray[Any]:
+    def __getitem__(self, index: Any) -> Values:
         parts = index if isinstance(index, tuple) else (index,)
         lead = self.ndim - 2
         values = self._stack._members(parts[:lead], ("values",))[1]["values"]

@@ -1,62 +1,152 @@
-"""What every store of a stack is: metadata that are written once, and chunks that are written one by one.
+"""Stores of PSF stacks: how they are cut into chunks, and how chunks are written, marked and checked.
 
 Chunks are written plainly, as both formats define it: a file each (Zarr), or a run of bytes at a fixed place (a
-contiguous data set of HDF5, allocated at once). So nothing but the chunk changes when one is written, and a process
-that is killed meanwhile leaves all others as they were.
+contiguous data set of HDF5, allocated at once). Writing one changes nothing else, and a process that is killed
+meanwhile leaves all others as they were.
 
-Every store has an identity, a random number. It is looked at in every write, so that nothing is written into another
-store that has taken the place of this one, and is part of every checksum, so that what came there all the same does
-not pass for what was asked.
+Every store has an identity, a random number. Each write compares it, so that nothing is written into another store
+that has taken the place of this one, and every checksum includes it, so that chunks of another store are detected.
 """
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Self, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.atomic import in_use
 from lommel.base.checksums import checksum, crc32
 from lommel.io.psf_files import FileError
-from lommel.stacks.layout import FORMAT, MARKS, OF_CHUNK, Index, Layout, layouts
 
 KEY = "lommel"
 IDENTITY = "identity"
 WHAT = "a stack of PSFs"
-Arrays = dict[str, NDArray[Any]]
+Values: TypeAlias = NDArray[Any]
+"""An array of one of the types of a store."""
+Arrays = dict[str, Values]
+Description: TypeAlias = dict[str, Any]
+"""The description of a stack in plain types, as JSON holds it."""
+
+FORMAT = 2
+MAX_CHUNKS = 2**24
+"""Largest number of chunks of a stack."""
+DEFAULT = 2**24
+"""Bytes of the values of a chunk by default."""
+MARKS = "chunks/checksum"
+"""The array with the checksum of each chunk, or -1 where it is not computed yet."""
+OF_CHUNK = ("values", "error_bound", "scale", "method")
+"""The computed arrays."""
+
+Index = tuple[int, ...]
+Center: TypeAlias = tuple[ArrayLike, ArrayLike]
+
+
+def cut(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
+    """Return the shape of equal chunks of a stack, of at most so many members, each a run of the flattened stack."""
+    # Axes are whole from the last on, as far as they fit.
+    chunk = [1] * len(shape)
+    for axis in reversed(range(len(shape))):
+        parts = -(-shape[axis] // min(most, shape[axis]))
+        chunk[axis] = -(-shape[axis] // parts)
+        if parts > 1:
+            break
+        most //= shape[axis]
+        if most < 2:
+            break
+    return tuple(chunk)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """An array of a store: its shape, that of its chunks, its type ("<f4") and the names of its axes."""
+
+    shape: tuple[int, ...]
+    chunks: tuple[int, ...]
+    dtype: str
+    dimensions: tuple[str, ...]
+
+    @property
+    def grid(self) -> tuple[int, ...]:
+        """Number of chunks along each axis."""
+        return tuple(-(-n // c) for n, c in zip(self.shape, self.chunks, strict=True))
+
+    def within(self, index: Index) -> tuple[slice, ...]:
+        """Return the slices of a chunk in the array; axes beyond `index` are whole."""
+        whole = (*index, *(0,) * (len(self.shape) - len(index)))
+        sides = zip(whole, self.chunks, self.shape, strict=True)
+        return tuple(slice(i * c, min((i + 1) * c, n)) for i, c, n in sides)
+
+    def first(self, index: Index) -> int:
+        """Return the index in the flattened array of the first value of a chunk."""
+        place = tuple(part.start for part in self.within(index))
+        return int(np.ravel_multi_index(place, self.shape)) if place else 0
+
+    def part(self, index: Index) -> tuple[int, ...]:
+        """Return the shape of a chunk, smaller at the end of an axis."""
+        return tuple(part.stop - part.start for part in self.within(index))
+
+    @property
+    def nbytes(self) -> int:
+        """Bytes of all of it."""
+        return math.prod(self.shape) * np.dtype(self.dtype).itemsize
+
+
+def layouts(said: Description) -> dict[str, Layout]:
+    """Return the arrays of the store of a description, by name; TypeError, ValueError or KeyError if it is none."""
+    stack, window, chunks = (tuple(int(n) for n in said[name]) for name in ("stack", "window", "chunks"))
+    names = tuple(said["axes"])
+    kind = {"float32": "<f4", "float64": "<f8"}[said["dtype"]]
+    if not len(names) == len(stack) == len(chunks) >= 1 or min(*stack, *chunks, *window) < 1 or len(window) != 2:
+        raise ValueError(f"axes {names}, chunks {chunks} and windows {window} for a stack of shape {stack}")
+    count = math.prod(-(-n // c) for n, c in zip(stack, chunks, strict=True))
+    if math.prod(stack) > validation.MAX_VALUES or count > MAX_CHUNKS:
+        raise ValueError(
+            f"a stack must have at most {validation.MAX_VALUES} PSFs in {MAX_CHUNKS} chunks, "
+            f"got {math.prod(stack)} in {count}"
+        )
+    found = {
+        "values": Layout(stack + window, chunks + window, kind, (*names, "y", "x")),
+        "error_bound": Layout(stack, chunks, "<f8", names),
+        "scale": Layout(stack, chunks, "<f8", names),
+        "method": Layout(stack, chunks, "|u1", names),
+    }
+    if not all(name.isidentifier() for name in (*names, *said["arrays"])) or {*names} & {*found, "y", "x"}:
+        raise ValueError(f"axes {names} and arrays {list(said['arrays'])} are not names of this kind")
+    for name, (more, _) in said["arrays"].items():
+        further = tuple(int(n) for n in more)
+        found[f"pupil/{name}"] = Layout(
+            stack + further, chunks + further, "<f8", (*names, "term")[: len(stack + further)]
+        )
+    marks = found["scale"].grid
+    found[MARKS] = Layout(marks, (1,) * len(marks), "<i8", tuple(f"{name}_chunk" for name in names))
+    places = {name: (n, "<f8") for name, n in zip(names, stack, strict=True)}
+    if said["center"] is not None:
+        places |= {"y": (window[0], "<f8"), "x": (window[1], "<f8")}
+    return found | {name: Layout((n,), (n,), dtype, (name,)) for name, (n, dtype) in places.items()}
 
 
 @dataclass(frozen=True)
 class Store(ABC):
-    """A store that is there; can be sent to other processes that see the same files.
-
-    Parameters
-    ----------
-    path : Path
-    said : dict
-        The description of the stack.
-    """
+    """An existing store, by its path and its description; other processes that see the same files can use it."""
 
     path: Path
-    said: dict[str, Any] = field(repr=False)
+    said: Description = field(repr=False)
     layouts: dict[str, Layout] = field(repr=False)
 
     one_file: ClassVar[bool] = False
-    """Whether several machines are not to write into it at once."""
+    """Whether only one machine may write into it at a time."""
 
     @classmethod
     @abstractmethod
-    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays, *, new: bool) -> None:
-        """Write a store without chunks: the description, sealed, and the `arrays` that it needs.
-
-        One that is there is replaced, or, if it is to be `new`, kept, with a FileExistsError.
-        """
+    def create(cls, path: Path, said: Description, arrays: Arrays, *, new: bool) -> None:
+        """Write a store without chunks, in place of an existing one, or FileExistsError if it has to be `new`."""
 
     @classmethod
     @abstractmethod
@@ -66,42 +156,31 @@ class Store(ABC):
     @property
     @abstractmethod
     def own_file(self) -> Path:
-        """The file that is there as long as the store, and that who computes holds."""
+        """The file that is locked while chunks are computed."""
 
     @abstractmethod
     def marks(self) -> NDArray[np.bool_]:
-        """Return which chunks are there."""
+        """Return which chunks are computed."""
 
     @abstractmethod
-    def get(self, name: str, index: Index) -> NDArray[Any] | None:
+    def get(self, name: str, index: Index) -> Values | None:
         """Return a chunk of an array, or None where a file of it is missing."""
 
     @abstractmethod
-    def put(self, parts: dict[str, NDArray[Any]], index: Index) -> None:
-        """Write a chunk of some arrays, and return when they are on the disk; FileError if the store was replaced."""
+    def put(self, parts: Arrays, index: Index) -> None:
+        """Write a chunk of some arrays to the disk; FileError if the store was replaced."""
 
     def held(self, *, alone: bool = False) -> AbstractContextManager[None]:
-        """Hold the store, with others who compute the same, or alone, to replace it."""
+        """Lock the store, shared to compute into it, or alone to replace it."""
         return in_use(self.own_file, alone=alone)
 
     def keep(self, index: Index, made: Arrays, pupils: int) -> None:
-        """Write what was computed of a chunk, and, when that is on the disk, that it is there.
-
-        The checksum of the pupils is that of those who asked: what the store says of pupils is compared with it.
-        """
+        """Write a computed chunk, then its mark: a checksum that includes that of the requested `pupils`."""
         self.put(made, index)
         self.put({MARKS: np.full((1,) * len(index), self._sum(index, made, pupils))}, index)
 
     def chunk(self, index: Index) -> Arrays:
-        """Return all that is stored of a chunk, pupils too.
-
-        Raises
-        ------
-        ValueError
-            If it was not computed yet.
-        FileError
-            If it is damaged.
-        """
+        """Return the arrays of a chunk, pupils too; ValueError if it is not computed yet, FileError if damaged."""
         mark = self._mark(index)
         if mark < 0:
             raise ValueError(
@@ -113,8 +192,8 @@ class Store(ABC):
             raise FileError(f"chunk {index} of {validation.line(self.path)} is damaged: its checksum is another")
         return made | pupils
 
-    def whole(self, name: str) -> NDArray[Any]:
-        """Return a small array, such as the error bounds; NaN where chunks of it are not there."""
+    def whole(self, name: str) -> Values:
+        """Return a whole array, such as the error bounds; NaN where chunks are not computed yet."""
         layout = self.layouts[name]
         out = np.full(layout.shape, missing(name, layout), layout.dtype)
         for index in np.ndindex(*layout.grid):
@@ -127,8 +206,8 @@ class Store(ABC):
         """Names of the arrays that differ between pupils."""
         return [name for name in self.layouts if name.startswith("pupil/")]
 
-    def given(self, name: str, index: Index) -> NDArray[Any]:
-        """Return a chunk of an array that is there from the beginning, or with the mark; FileError if it is not."""
+    def given(self, name: str, index: Index) -> Values:
+        """Return a chunk of an array that the store must have; FileError if it has not."""
         part = self.get(name, index)
         if part is None:
             raise FileError(f"{validation.line(self.path)} lacks chunk {index} of {name}")
@@ -139,12 +218,12 @@ class Store(ABC):
         return -1 if found is None else int(found.flat[0])
 
     def _sum(self, index: Index, made: Arrays, pupils: int) -> int:
-        """Return the checksum of a chunk, of its place in this store, and of that of its pupils."""
+        """Return the checksum of a chunk with its index, the identity of the store and the checksum of its pupils."""
         return crc32({"chunk": [int(i) for i in index], "store": self.said[IDENTITY], "pupils": pupils}, made)
 
 
 def replaced(path: Path) -> FileError:
-    """Return what tells that a store is gone."""
+    """Return the error for a store that was removed or replaced."""
     return FileError(
         f"{validation.line(path)} was removed, or replaced by another call of psf_to, while its PSFs were computed; "
         "call psf_to again, with a path that nobody else writes to"
@@ -152,17 +231,17 @@ def replaced(path: Path) -> FileError:
 
 
 def missing(name: str, layout: Layout) -> float:
-    """Return what stands where there is nothing yet."""
+    """Return the fill value of an array."""
     return -1 if name == MARKS else np.nan if layout.dtype[1] == "f" else 0
 
 
-def units(said: dict[str, Any], name: str) -> dict[str, str]:
-    """Return the attributes of an array: its unit, if it is a coordinate."""
+def units(said: Description, name: str) -> dict[str, str]:
+    """Return the attributes of an array: the unit of a coordinate."""
     unit = said["axes"].get(name, said["unit"] if name in ("y", "x") else None)
     return {} if unit is None else {"units": unit}
 
 
-def checked(description: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Layout]]:
+def checked(description: Description) -> tuple[Description, dict[str, Layout]]:
     """Return the description of a store, checked, and its arrays."""
     if description["checksum"] != checksum(description, {}):
         raise ValueError("its description was changed after it was written")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,19 +14,33 @@ from lommel.base.checksums import sealed
 from lommel.io import zarr_folders
 from lommel.io.psf_files import told
 from lommel.io.zarr_folders import META, ZarrArray
-from lommel.stacks.layout import MARKS, Index, layouts
-from lommel.stacks.store import IDENTITY, KEY, WHAT, Arrays, Store, checked, missing, replaced, units
+from lommel.stacks.store import (
+    IDENTITY,
+    KEY,
+    MARKS,
+    WHAT,
+    Arrays,
+    Description,
+    Index,
+    Store,
+    Values,
+    checked,
+    layouts,
+    missing,
+    replaced,
+    units,
+)
 
 
 class ZarrStore(Store):
-    """A Zarr group of version 3, its arrays stored plainly.
+    """A Zarr group of version 3 of plain arrays.
 
-    A chunk is written in a folder whose name is the identity of the store, and moved from there into place: where
-    another store has taken the place of this one there is no such folder, and nothing is written.
+    A chunk is written in a folder named by the identity of the store, and moved into place: another store in its
+    place has no such folder, and nothing is written.
     """
 
     @classmethod
-    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays, *, new: bool) -> None:
+    def create(cls, path: Path, said: Description, arrays: Arrays, *, new: bool) -> None:
         """Write the folder."""
 
         def fill(folder: Path) -> None:
@@ -38,7 +52,7 @@ class ZarrStore(Store):
                     attributes=units(said, name),
                     values=arrays.get(name),
                 )
-            ZarrArray(_room(folder, said), (), (), "|u1").create(())
+            ZarrArray(_scratch(folder, said), (), (), "|u1").create(())
 
         atomic.write_folder(path, fill, new=new)
 
@@ -65,7 +79,7 @@ class ZarrStore(Store):
         return ZarrArray(self.path / name, layout.shape, layout.chunks, layout.dtype)
 
     def marks(self) -> NDArray[np.bool_]:
-        """Look only for what is there: a description may speak of more chunks than any folder holds."""
+        """Return which chunks are computed, by the files that exist."""
         array = self._array(MARKS)
         found = np.zeros(array.grid, dtype=bool)
         with told(self.path, WHAT), os.scandir(array.folder) as entries:
@@ -76,7 +90,7 @@ class ZarrStore(Store):
                     found[index] = self._mark(index) >= 0
         return found
 
-    def get(self, name: str, index: Index) -> NDArray[Any] | None:
+    def get(self, name: str, index: Index) -> Values | None:
         """Return a chunk; None if there is no file."""
         with told(self.path, WHAT):
             try:
@@ -87,7 +101,7 @@ class ZarrStore(Store):
     def put(self, parts: Arrays, index: Index) -> None:
         """Write a file each, whole or not at all."""
         try:
-            with atomic.together(_room(self.path, self.said)) as write:
+            with atomic.together(_scratch(self.path, self.said)) as write:
                 for name, part in parts.items():
                     array = self._array(name)
                     write(array.file(index), array.packed(part))
@@ -95,6 +109,6 @@ class ZarrStore(Store):
             raise replaced(self.path) from None
 
 
-def _room(folder: Path, said: dict[str, Any]) -> Path:
-    """Return where chunks are written; for others who list the group it is an array without any."""
+def _scratch(folder: Path, said: Description) -> Path:
+    """Return the folder where chunks are written, an empty array to readers of the group."""
     return folder / "chunks" / str(said[IDENTITY])

@@ -163,6 +163,6 @@ def test_what_only_microscopes_have_is_refused_of_lenses_with_the_other_way():
     with pytest.raises(ValueError, match='"emitted" is for the pupils of an Objective; for a lens use "energy"'):
         lm.psf(lm.Pupil(), 3, 0.5, normalize="emitted")
     with pytest.raises(
-        ValueError, match="Stratified supports pupils of the type ObjectivePupil only, got Pupil; leave"
+        ValueError, match="Stratified supports the pupils of an objective only, got that of a lens; leave"
     ):
         lm.psf(lm.Pupil(), 3, 0.5, method=lm.Stratified())

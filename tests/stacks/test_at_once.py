@@ -45,7 +45,7 @@ def verify(stack: lm.PSFStack, defocus, side: int = 9) -> None:
 
 def begin(path: Path) -> None:
     """A store in which nothing is done, since nothing can be."""
-    with pytest.raises(ValueError, match="supports pupils of the type ObjectivePupil only"):
+    with pytest.raises(ValueError, match="supports the pupils of an objective only"):
         ask(path, [5.0] * 8, method=lm.Stratified())
 
 

@@ -226,7 +226,7 @@ def test_a_store_of_another_request_is_refused_and_stays(suffix, tmp_path, known
 @SUFFIX
 def test_a_store_with_nothing_in_it_may_be_asked_for_otherwise(suffix, tmp_path, known):
     path = tmp_path / f"a{suffix}"
-    with pytest.raises(ValueError, match="supports pupils of the type ObjectivePupil only"):
+    with pytest.raises(ValueError, match="supports the pupils of an objective only"):
         run(path, method=lm.Stratified())
     assert lm.open_stack(path).done == (0, 7)
     assert contents(run(path)) == known

@@ -1,4 +1,4 @@
-"""PSFs in colour, :func:`colour_psf`: one for each channel of a sensor, each wavelength computed once for all."""
+"""PSFs in the colour channels of a sensor; each wavelength is computed once for all channels."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values, largest
+from lommel.base.arrays import Array, Index, Values, largest
 from lommel.base.options import near
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
@@ -36,7 +36,7 @@ _AT_ONCE = 2**22  # values of a channel that are computed at once
 
 
 class PSFKeywords(TypedDict, total=False):
-    """What :func:`lommel.psf` takes of what is asked of all pupils."""
+    """Options of :func:`lommel.psf` that do not depend on the pupil."""
 
     method: Method | None
     tol: float | None
@@ -50,7 +50,7 @@ class PSFKeywords(TypedDict, total=False):
 
 
 class Keywords(PSFKeywords, total=False):
-    """What :func:`colour_psf` takes beside, as :func:`lommel.psf` does."""
+    """Options of :func:`colour_psf`."""
 
     derivatives: Sequence[Name]
 
@@ -68,7 +68,7 @@ class ColourPSF(Measured):
         channel where that has one wavelength; of several, it is the one that was given, to which they are related,
         and measures of the PSF take them all.
     values : ndarray, shape ``pupil.shape + (channels, height, width)``
-        Those of each channel normalised on their own.
+        Values of all channels, each normalised on its own.
 
     Raises
     ------
@@ -159,23 +159,8 @@ class ColourPSF(Measured):
             )
         return self.psfs[channel]
 
-    def part(self, index: Any) -> Self:
-        """Return part of a stack in all channels, as NumPy indexes arrays of the shape of its pupils.
-
-        Parameters
-        ----------
-        index : int, slice, tuple or array
-            As of such an array.
-
-        Returns
-        -------
-        ColourPSF
-
-        Raises
-        ------
-        TypeError, IndexError
-            If there is no stack, or nothing at the index.
-        """
+    def part(self, index: Index) -> Self:
+        """Return part of a stack in all channels, by an `index` as of a NumPy array of the pupils."""
         return type(self)(self.channels, tuple(psf[index] for psf in self.psfs))
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
@@ -237,7 +222,7 @@ def colour_psf(
     pixel : float or (float, float)
         As of :func:`lommel.psf`.
     channels : Channels or sequence of float, optional
-        What is summed in each channel, or wavelengths in metres; by default ``Channels.rgb()``.
+        Spectral weights of each channel, or wavelengths in metres; by default ``Channels.rgb()``.
     **options
         ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``,
         ``blur``, ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance is that of each channel,

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel import measures, show
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers, Values, largest
+from lommel.base.arrays import Array, Index, Numbers, Values, largest
 from lommel.core.answers import Declined, ToleranceError
 from lommel.methods import question
 from lommel.methods.method import Method, RadialMethod
@@ -55,7 +55,7 @@ def psf(
     Parameters
     ----------
     pupil : Pupil or ObjectivePupil
-        Of a lens, or of a microscope by :meth:`lommel.Objective.pupil`. A stack of pupils gives a stack of images.
+        Pupil of a lens, or of a microscope (:meth:`lommel.Objective.pupil`). A stack gives a stack of images.
     shape : int or (int, int)
         Side of a square, or height and width, in pixels. The centre is the middle of pixel
         ``(height // 2, width // 2)``.
@@ -63,48 +63,45 @@ def psf(
         Pixel pitch, or height and width of pixels that are not square, in metres if the pupil has a wavelength, else
         in units of lambda*N.
     method : Method, optional
-        How to evaluate the diffraction integral; by default what serves the pupil and the window: NijboerZernike for
+        How to evaluate the diffraction integral; by default chosen by pupil and window: NijboerZernike for
         circular apertures, ChordalGauss instead for small windows of wavefronts that depend on the direction,
-        NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the one used.
+        NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the method used.
     tol : float, optional
-        Tolerance, relative to the peak: 1e-6 by default where no method is named, else that of the method, in place
-        of which it is taken.
+        Tolerance relative to the peak; by default that of the method, or 1e-6 if no method is given.
     normalize : {"energy", "emitted", "strehl", "peak"}, default "energy"
         "energy": a value is the fraction of all light per pixel: averages over an infinite window sum to 1, and so do
         samples of pixels no larger than lambda*N/2. "emitted", of an Objective: the same over the light that it would
         collect of the emitter far from the glass. "strehl": 1 is the peak of the same aperture without aberration.
         "peak": the largest value in the window is 1.
     dtype : float32 or float64, optional
-        Of the values. By default that of `out`, or float64 where the method has a tolerance below 1e-6, else
-        float32.
+        Type of the values; by default that of `out`, else float64 for tolerances below 1e-6 and float32 otherwise.
     center : (float, float) or (array_like, array_like), optional
-        Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
-        pixel ``(height // 2, width // 2)``. Arrays of rows and of columns, which broadcast with the stack of pupils,
-        have a place for each, as `NijboerZernike`, `ChordalGauss` and a `Polychromatic` of these take them.
+        Row and column of the optical axis, in pixels from the middle of the first; by default the middle of pixel
+        ``(height // 2, width // 2)``. Arrays of rows and columns, broadcast with the stack of pupils, give each pupil
+        its own axis (`NijboerZernike`, `ChordalGauss` and a `Polychromatic` of these).
     integrate : bool, optional
-        True: average the intensity over the area of each pixel, as a sensor does; False: sample it at the centre. By
-        default a pixel in metres averages and one in units of lambda*N samples; `Geometric`, which has no point
-        values, always averages. `PSF.sampling` says which.
+        True for pixel-integrated values (averages over the area of each pixel), False for point samples at pixel
+        centres. By default pixels in metres integrate and pixels in units of lambda*N sample; `Geometric`, which has
+        no point values, always integrates. `PSF.sampling` says which.
     fill : float or (float, float), default 1
-        The part of its area that a pixel averages over, or those of height and width; not 1, it averages.
+        Fill factor: the active fraction of the area of a pixel, or of its height and width. Below 1 pixels integrate.
     blur : Blur or sequence of Blur, default ()
-        What spreads the light of lenses further: :class:`lommel.Seeing`, :class:`lommel.Jitter`,
+        Further blur of lenses: :class:`lommel.Seeing`, :class:`lommel.Jitter`,
         :class:`lommel.Motion`, :class:`lommel.ChargeDiffusion`. Without derivatives.
     derivatives : sequence, default ()
-        By what the values are differentiated, into ``PSF.derivatives``. Per radian: "defocus" (C_d), "spherical"
-        (C_s), "rho^6", "rho^8", and Zernike terms at the edge as (n, m), "noll 8", "ansi 8" or "fringe 7". Per pixel:
-        "row", "column" of the axis. Per metre: "wavelength", of all light in proportion, path differences kept;
-        "object_distance", and "focus_distance", for which the sensor moves, of a pupil by :meth:`Lens.pupil`. Per 1:
-        "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by `ChordalGauss`, of radially
-        symmetric pupils all but other terms and the obscuration by `NijboerZernike`, or by a `Polychromatic` of
-        these; and not of "peak". Of an Objective, by `Stratified` or, with aberrations, `DebyeRings`: per metre "z"
-        (of the stage), "depth" (the stage at rest) and, without aberrations, "wavelength" (the stage, all indices and
-        the pixel in metres as they are); "row", "column".
+        Parameters with respect to which derivatives are computed, for ``PSF.derivatives``. Per radian: "defocus"
+        (C_d), "spherical" (C_s), "rho^6", "rho^8", and Zernike terms at the edge as (n, m), "noll 8", "ansi 8" or
+        "fringe 7". Per pixel: "row", "column" of the axis. Per metre: "wavelength", of all light in proportion, path
+        differences kept; "object_distance", and "focus_distance", for which the sensor moves, of a pupil by
+        :meth:`Lens.pupil`. Per 1: "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by
+        `ChordalGauss`, of radially symmetric pupils all but other terms and the obscuration by `NijboerZernike`, or
+        by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified` or, with aberrations,
+        `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and, without aberrations,
+        "wavelength" (the stage, all indices and the pixel in metres as they are); "row", "column".
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
-        A C-contiguous, writable array to put the values in.
+        C-contiguous, writable array for the values.
     threads : int, optional
-        At most so many threads; by default as many as there are processors. All calls together never use more
-        helper threads than there are further processors.
+        Maximum number of threads; by default the number of processors, which all calls share.
 
     Returns
     -------
@@ -143,10 +140,10 @@ def psf(
 
 
 class Plan:
-    """A question asked of many pupils, one after the other: everything but the pupil is checked once.
+    """A prepared computation of PSFs of many pupils, one after the other: the options are checked once.
 
-    Called with a pupil, it answers as :func:`psf` would. After the first call with `out` nothing large is allocated
-    and no table is built: tables are kept by the compiled core.
+    Called with a pupil, it returns what :func:`psf` does. After the first call with `out` nothing large is allocated
+    and no table is built: the compiled core keeps tables.
 
     Parameters
     ----------
@@ -278,8 +275,8 @@ class Plan:
         Parameters
         ----------
         pupil : Pupil
-            A stack, whose coefficients are the valid range of the function: for radially symmetric pupils the box
-            around them, for others pupils no larger than a member. Aperture, amplitude and lengths are those of the
+            A stack whose coefficients span the valid range: the box around those of radially symmetric pupils; of
+            others coefficients no larger than those of a member. Aperture, amplitude and lengths are those of the
             stack.
         xp : module or str, optional
             ``jax.numpy``, ``torch``, ``cupy``, ``numpy`` or another of the array API, or its name; NumPy by default.
@@ -328,16 +325,15 @@ _kept = lru_cache(maxsize=16, typed=True)(Plan)
 
 
 class Measured:
-    """Measures of the image that values are samples of: the light of the optics, spread by blur and pixels.
+    """Measures of the image that values sample: the light of the optics with blur and pixels.
 
-    They do not depend on the pixel pitch, but for the pixel as a part of the image, nor on the window: what they take
-    is the transfer function. ``of="optics"`` leaves the pixel out. Arrays have the shape of the stack of pupils, with
-    an axis of channels after it where there are some, and then that of the argument. Errors are stated where each
-    links to.
+    They use the transfer function, so they depend neither on the window nor on the sampling, only on the pixel as
+    part of the image; ``of="optics"`` leaves it out. Arrays have the shape of the stack of pupils, then an axis of
+    channels, if any, then that of the argument. Error bounds stand in the functions that each method links.
     """
 
     def measured(self, measure: Callable[[PSF], Any]) -> Any:
-        """Return a `measure` of each PSF."""
+        """Return the `measure` of each PSF."""
         raise NotImplementedError
 
     @property
@@ -433,9 +429,9 @@ class PSF(Measured):
     error_bound : float or None
         Bound on the largest error over the peak, the largest of the stack; None where the method has none.
     scale : ndarray, shape ``pupil.shape``
-        What the intensity (1 for the unobscured, unaberrated peak) was multiplied by.
+        Factor of the intensity, which is 1 at the peak without obscuration and aberration.
     derivatives : dict of (str or (int, int)) to ndarray
-        Derivatives of the values that were asked for, under the same names, each of the shape of the values.
+        Derivatives of the values by the requested parameters, each of the shape of the values.
     derivative_bounds : dict of (str or (int, int)) to float
         Bounds on their errors over the peak of the values, the largest of the stack, in the unit of each.
     blur : tuple of Blur
@@ -548,7 +544,7 @@ class PSF(Measured):
         """Return True, whether it has a length or not."""
         return True
 
-    def __getitem__(self, index: Any) -> Self:
+    def __getitem__(self, index: Index) -> Self:
         """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""
         if self.pupil.shape == ():
             raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
@@ -581,7 +577,7 @@ class PSF(Measured):
         )
 
     def measured(self, measure: Callable[[PSF], Any]) -> Any:
-        """Return a `measure` of this PSF; see :class:`lommel.measured.Measured`."""
+        """Return the `measure` of this PSF."""
         return measure(self)
 
     @property

@@ -10,13 +10,13 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers, numbers
+from lommel.base.arrays import Array, Json, Numbers, numbers
 from lommel.optics.base_pupil import BasePupil
 
 KOLMOGOROV = (4.8 * math.gamma(1.2)) ** (5.0 / 6.0)
@@ -67,7 +67,7 @@ class Blur(ABC):
         """What is a length on the sensor."""
         return ()
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> Json:
         """Return its name and options in plain types."""
         return {"name": type(self).__name__} | asdict(self)  # type: ignore[call-overload, no-any-return]
 
@@ -358,7 +358,7 @@ def blurs(value: object) -> tuple[Blur, ...]:
     return found
 
 
-def blurs_from_dicts(descriptions: Iterable[dict[str, Any]]) -> tuple[Blur, ...]:
+def blurs_from_dicts(descriptions: Iterable[Json]) -> tuple[Blur, ...]:
     """Rebuild what :meth:`Blur.to_dict` described; TypeError or ValueError if it is none."""
     found = []
     for described in descriptions:

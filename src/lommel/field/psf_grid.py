@@ -11,7 +11,7 @@ import numpy as np
 
 from lommel import show
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Index, Values
 from lommel.channel_psf import ColourPSF
 from lommel.io import field_files
 from lommel.optics.base_pupil import object_distances
@@ -91,7 +91,7 @@ class PSFGrid(Measured):
         deep = "" if self.depths is None else f" x {self.depths.size} distances"
         return f"<{type(self).__name__} {self.y.size} x {self.x.size}{deep} on {size}: {self.psf!r}>"
 
-    def __getitem__(self, index: Any) -> PSF | ColourPSF:
+    def __getitem__(self, index: Index) -> PSF | ColourPSF:
         """Return part of the stack, in all channels where there are some, as NumPy indexes arrays of its shape."""
         return self.psf.part(index) if isinstance(self.psf, ColourPSF) else self.psf[index]
 
@@ -100,43 +100,13 @@ class PSFGrid(Measured):
         return self.psf.measured(measure)
 
     def channel(self, channel: str | int) -> PSFGrid:
-        """Return the grid of one channel.
-
-        Parameters
-        ----------
-        channel : str or int
-            Its name or its number.
-
-        Returns
-        -------
-        PSFGrid
-
-        Raises
-        ------
-        ValueError, KeyError, TypeError
-            If there are no channels, or none such.
-        """
+        """Return the grid of one `channel`, by its name or number; ValueError or KeyError if there is none."""
         if not isinstance(self.psf, ColourPSF):
             raise ValueError("this grid has no channels; grid(..., channels=) makes one that has")
         return replace(self, psf=self.psf[channel])
 
     def at_depth(self, index: int) -> PSFGrid:
-        """Return the grid at one of the distances.
-
-        Parameters
-        ----------
-        index : int
-            Which of `depths`.
-
-        Returns
-        -------
-        PSFGrid
-
-        Raises
-        ------
-        ValueError, TypeError, IndexError
-            If there are no distances, or none such.
-        """
+        """Return the grid at one of the `depths`, by its `index`; ValueError or IndexError if there is none."""
         if self.depths is None:
             raise ValueError("this grid has no distances; grid(..., depths=, lens=) makes one that has")
         which = validation.integer("index", index, least=-self.depths.size, most=self.depths.size - 1)
@@ -145,25 +115,7 @@ class PSFGrid(Measured):
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
         """Draw each PSF, enlarged, in its place on the sensor; three channels in colour.
 
-        See :func:`lommel.show.plot.field`.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw; by default a new figure.
-        stretch : str, default "sqrt"
-            Of the values.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        TypeError, ValueError
-            If an argument is out of range.
+        `ax` and `stretch` as of :func:`lommel.show.plot.field`.
         """
         validation.axes("ax", ax)
         return show.plot.field(self, ax, stretch=stretch)
@@ -172,38 +124,15 @@ class PSFGrid(Measured):
         return show.notebook.grid(self)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.npz``, ``.zarr``; :func:`lommel.io.field_files.save`.
+        """Write the grid to a `path` ending in .tif, .fits, .h5, .mat, .npz or .zarr.
 
-        Parameters
-        ----------
-        path : path
-
-        Raises
-        ------
-        ValueError, ImportError, OSError
-            As :func:`lommel.io.field_files.save`.
+        See :func:`lommel.io.field_files.save`.
         """
         field_files.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSFGrid:
-        """Read a file that :meth:`save` wrote.
-
-        Parameters
-        ----------
-        path : path
-
-        Returns
-        -------
-        PSFGrid
-
-        Raises
-        ------
-        FileError
-            If the file is damaged, or was not written as a grid of PSFs.
-        OSError
-            If it cannot be read.
-        """
+        """Read a file, `path`, that :meth:`save` wrote; FileError if it is damaged or holds something else."""
         psf, x, y, sensor, depths = field_files.load(path, PSF)
         return cls(psf if isinstance(psf, PSF) else ColourPSF(*psf), x, y, sensor, depths)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Values
+from lommel.base.arrays import Array, Index, Values
 from lommel.methods.method import Method, RadialMethod
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -64,7 +64,7 @@ class PSFLike(_Common, Protocol):
     def radial_method(self) -> RadialMethod | None: ...
     def positions(self) -> tuple[Array, Array]: ...
     def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]: ...
-    def __getitem__(self, index: Any) -> Self: ...
+    def __getitem__(self, index: Index) -> Self: ...
 
 
 @runtime_checkable

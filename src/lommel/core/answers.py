@@ -9,6 +9,9 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
 
+DType = np.dtype[Any]
+"""The type of such values."""
+
 
 class Declined(ValueError):  # noqa: N818 (no fault: another method is tried)
     """A pupil or a window is beyond what a method takes; the compiled core raises it too."""

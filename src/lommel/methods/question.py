@@ -5,14 +5,14 @@ from __future__ import annotations
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, cast
+from typing import TYPE_CHECKING, NamedTuple, TypeVar, cast
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import DType, Images, Pixels, Wanted
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, Shortcut, widened
 from lommel.optics.base_pupil import BasePupil
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 class Asked(NamedTuple):
     """A window, methods and settings for all pupils that differ in their phase alone."""
 
-    light: tuple[Any, ...]  # all of a pupil but its phase, and whether that is radially symmetric
+    light: tuple[object, ...]  # all of a pupil but its phase, and whether that is radially symmetric
     grid: Grid
     ways: tuple[Method, ...]  # as they are tried, one by one
     named: bool  # whether the caller named the method
@@ -38,7 +38,7 @@ class Asked(NamedTuple):
     shortcut: Shortcut | None  # see Method.plan
 
     def images(
-        self, pupil: BasePupil, names: tuple[Name, ...] = (), out: NDArray[Any] | None = None
+        self, pupil: BasePupil, names: tuple[Name, ...] = (), out: Pixels | None = None
     ) -> tuple[Method, Images, list[Slope]]:
         """Return the method, images of a pupil of this light and their derivatives, without a shortcut."""
         self.ways[0].require(pupil)
@@ -65,12 +65,12 @@ class Asked(NamedTuple):
 
 def asked_about(
     pupil: BasePupil,
-    light: tuple[Any, ...],
+    light: tuple[object, ...],
     grid: Grid,
     method: Method | None,
     tol: float,
     normalize: str,
-    dtype: np.dtype[Any],
+    dtype: DType,
     threads: int,
 ) -> Asked:
     """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`."""
@@ -84,9 +84,7 @@ def asked_about(
     return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
 
 
-def wanted_on(
-    grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: np.dtype[Any], threads: int
-) -> Wanted:
+def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
     """Return how images are wanted, once pupil and window are checked."""
     method.require(pupil)
     for pitch in grid.pitch:
@@ -121,14 +119,14 @@ def names(derivatives: Sequence[str | tuple[int, int]]) -> tuple[str | tuple[int
     return checked(derivatives)
 
 
-def array(name: str, value: Any) -> NDArray[Any]:
+def array(name: str, value: object) -> Pixels:
     """Return `value` if it is an array; the TypeError says which argument is not."""
     if not isinstance(value, np.ndarray):
         raise TypeError(f"{name} must be a NumPy array, got {type(value).__name__}")
     return value
 
 
-def place(out: NDArray[Any], shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
     """Return `out` if values of this shape and type can be put there; TypeError or ValueError otherwise."""
     if array("out", out).shape != shape:
         raise ValueError(f"out must have the shape {shape}, got {out.shape}")
@@ -140,7 +138,7 @@ def place(out: NDArray[Any], shape: tuple[int, ...], dtype: np.dtype[Any]) -> ND
     return out
 
 
-def output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
+def output_type(dtype: DTypeLike | None, tol: float) -> DType:
     """Return the type of values that are exact to `tol`; ValueError if the one that is named cannot hold it."""
     if dtype is None:
         return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
@@ -160,7 +158,7 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
         ) from None
 
 
-def way(method: Any, tol: float | None, integrate: Any) -> tuple[Method | None, float]:
+def way(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
     """Return the method, if one is named, and the tolerance; TypeError or ValueError if there are none such."""
     if method is not None and not isinstance(method, Method):
         raise TypeError(

@@ -109,9 +109,7 @@ def _sampled(
             return ask(way, one, finer(pixels, taps), Wanted(threads=threads))
 
         _, made = first_proven((fine, engine), samples)
-        assert made.error is not None
-        assert made.peak is not None
-        yield part, made.values, made.peak * (made.error + rounded)
+        yield part, made.values, made.brightest * (made.bound + rounded)
 
 
 def _alike(one: Taps, other: Taps) -> tuple[Taps, Taps]:

@@ -276,8 +276,7 @@ def _brightest(made: Images) -> Array:
     top = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64)
     if made.peak is not None:
         top = np.maximum(top, made.peak * made.scale)
-    assert made.error is not None
-    return np.asarray(top / (1.0 + made.error))
+    return np.asarray(top / (1.0 + made.bound))
 
 
 def _taken(made: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
@@ -348,9 +347,8 @@ def _pieces(
             ask = partial(_asked, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=rest)
             _, here = first_proven((closer, engine), ask)
             assert here.slopes is not None
-            assert here.peak is not None
             for key, values, error in zip(rest, *here.slopes, strict=True):
-                slopes[key] = Piece(values, error * here.peak + 4.0 * left)
+                slopes[key] = Piece(values, error * here.brightest + 4.0 * left)
         for key in keys:
             # Phases are path differences: in radians they grow as the wavelength falls.
             add(key, *slopes[key], scale * part.stretch)
@@ -367,12 +365,11 @@ def _pieces(
 
 def _combined(each: Parts, made: Images, pieces: Mapping[object, Piece], dtype: DTypeLike) -> Slope:
     """Return the sum of pieces, each times its factor, and of the images themselves, as it is stored."""
-    assert made.error is not None
     count, bright = len(made.values), _brightest(made)
     factors: list[tuple[object, Factor]] = [*each.phases.items()]
     factors += [(name, getattr(each, name)) for name in ("scaling", "obscuration", "unknown")]
     total = made.values * _each(each.own, count)[:, None, None].astype(np.float64)
-    error = np.abs(_each(each.own, count)) * made.error * bright * (1.0 + made.error)
+    error = np.abs(_each(each.own, count)) * made.bound * bright * (1.0 + made.bound)
     size = _most(total)
     for key, factor in factors:
         by = _each(factor, count)

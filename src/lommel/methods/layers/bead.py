@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.methods.layers.disc_means import disc_means, ellipses, gauss_error
+from lommel.methods.layers.disc_means import Values, disc_means, ellipses, gauss_error
 from lommel.methods.layers.orders import Orders, highest, light
 from lommel.methods.layers.proven_radial import ProvenMethod
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -55,10 +54,10 @@ class Bead(ProvenMethod):
         object.__setattr__(self, "diameter", size)
         super().__post_init__()
 
-    def unsupported(self, pupil: Any) -> str | None:
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return the reason where there are aberrations, or the bead would be in the glass."""
         radius = 0.5 * self.diameter
-        near = float(pupil.depth.min()) if isinstance(pupil, ObjectivePupil) else radius
+        near = float(pupil.depth.min())
         if near < radius * (1.0 - 1e-9):
             return f"needs a depth of at least the radius of the bead, {radius:g} metres, got {near:g}"
         return super().unsupported(pupil)
@@ -79,7 +78,7 @@ class Bead(ProvenMethod):
         values_at, errors = found.values.reshape(*depths.shape, -1, places.size), found.error.reshape(depths.shape)
         share = weights[:, None] * power
         share /= share.sum(axis=0)
-        values: Any = 0.0
+        values: Values = np.zeros(1)
         error, first = np.full(depths.shape[1], off), 0
         for k, means in enumerate(discs):
             here = rows[first : first + means.places.size]

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,7 @@ from lommel.optics.grid import Grid
 from lommel.optics.layers import azimuthal_orders, debye
 from lommel.optics.layers.emitter import Waves
 from lommel.optics.layers.objective_pupil import ObjectivePupil
-from lommel.optics.layers.quadrature_bounds import Piece
+from lommel.optics.layers.quadrature_bounds import Complex, Piece
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import interpolation
 from lommel.special.bessel import bessel_sequence
@@ -242,7 +243,7 @@ def _along(error: float) -> tuple[float, interpolation.Steps]:
     return band, interpolation.steps(band, max(error, least))
 
 
-def _squares(form: NDArray[np.complex128]) -> Array:
+def _squares(form: Complex) -> Complex:
     """Return rows T with ``sum_ab form[a, b] U_a conj(U_b) = sum_c abs(sum_a T[c, a] U_a)^2``."""
     if not np.any(form - np.diag(np.diag(form))):
         rows = np.diag(np.sqrt(np.diag(form).astype(np.complex128)))
@@ -252,7 +253,9 @@ def _squares(form: NDArray[np.complex128]) -> Array:
     return np.asarray(rows[np.abs(rows).max(axis=1) > 1e-14])
 
 
-def _fields(waves: Waves, rows: Any, parts: Any, across: Any, shift: int) -> NDArray[np.complex128]:
+def _fields(
+    waves: Waves, rows: Complex, parts: Sequence[Complex], across: Complex, shift: int
+) -> NDArray[np.complex128]:
     """Return what orders of fields are integrals of, shape (wavefronts, orders, fields, nodes)."""
     made = np.zeros((len(across), across.shape[1] + 2 * shift, len(rows), across.shape[2]), np.complex128)
     for c, row in enumerate(rows):

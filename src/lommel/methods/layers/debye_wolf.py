@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -102,7 +103,9 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
 
         return self._proven(pupil, pupil.v(radius), turned, tol)
 
-    def _proven(self, pupil: ObjectivePupil, v: Array, made_of: Any, tol: float) -> Intensities:
+    def _proven(
+        self, pupil: ObjectivePupil, v: Array, made_of: Callable[[Harmonics], Array], tol: float
+    ) -> Intensities:
         """Return intensities made of harmonics that are exact enough for the peak that is found."""
 
         def at(fields: float) -> tuple[Array, Array]:

@@ -79,9 +79,9 @@ class Sted(Confocal):
             raise ValueError(f"saturation must be at most {_MOST:g}, got {s:g}")
         object.__setattr__(self, "saturation", s)
 
-    def unsupported(self, pupil: Any) -> str | None:
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return the reason where emitters do not turn freely, or a confocal microscope has one."""
-        if isinstance(pupil, ObjectivePupil) and _fixed(pupil):
+        if _fixed(pupil):
             return f"supports emitters that turn freely only, got {pupil.emitter!r}"
         return super().unsupported(pupil)
 

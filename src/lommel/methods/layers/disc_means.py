@@ -43,6 +43,10 @@ _ROUNDING = 2.0**-46  # of sums of at most some thousand products, whose weights
 _HALFWAY = np.array([0.5])
 
 
+Values = NDArray[np.float64] | NDArray[np.complex128]
+"""Orders of the azimuth, real where the order 0 is alone."""
+
+
 class DiscMeans(NamedTuple):
     """Radii where an intensity has to be known, and the weights of its means over discs."""
 
@@ -51,7 +55,7 @@ class DiscMeans(NamedTuple):
     gain: float  # factor by which errors of the values may grow
     error: float  # of the means, over the peak of the intensity without aberration
 
-    def of(self, values: NDArray[Any]) -> NDArray[Any]:
+    def of(self, values: Values) -> Values:
         """Return the means of the orders -M to M, ``(n, 2 M + 1, radii)``, of ``(n, 2 M + 1, places)``."""
         middle = values.shape[1] // 2
         made = [values[:, middle + m] @ self.weights[abs(m)] for m in range(-middle, middle + 1)]

@@ -6,7 +6,7 @@ several such has a few orders more. Where it does not depend on the direction th
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.engine import layered_profiles
 from lommel.methods.layers.debye_wolf import harmonics
-from lommel.methods.layers.disc_means import HALF, between, growth, table_step
+from lommel.methods.layers.disc_means import HALF, Values, between, growth, table_step
 from lommel.methods.layers.refinement import LEAST
 from lommel.methods.layers.stratified import Stratified, _Accuracy, _settled, layered
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -29,7 +29,7 @@ _PIXELS = 2**21  # of all planes and orders, at once
 class Orders(NamedTuple):
     """Light at radii as orders of the azimuth."""
 
-    values: NDArray[Any]  # (n, 2 M + 1, radii), F_-M first; complex, or real where M is 0
+    values: Values  # (n, 2 M + 1, radii), F_-M first; complex, or real where M is 0
     error: Array  # (n,), bound on the sum at these radii and any azimuth
 
     @property
@@ -49,7 +49,7 @@ class Orders(NamedTuple):
         return _summed(some, np.exp(1j * _AROUND)).reshape(len(self.values), -1)
 
     @property
-    def _upper(self) -> NDArray[Any]:
+    def _upper(self) -> Values:
         """The orders 0 to M, which tell all."""
         return self.values[:, self.values.shape[1] // 2 :]
 
@@ -111,7 +111,7 @@ def product(one: Orders, other: Orders) -> Orders:
     return Orders(values, error)
 
 
-def _summed(values: NDArray[Any], turn: NDArray[np.complex128]) -> Array:
+def _summed(values: Values, turn: NDArray[np.complex128]) -> Array:
     """Return the sum of orders from 0 up, the second axis of `values`, and of their conjugates, by ``exp(i phi)``."""
     total, power = values[:, 0].real * np.ones(turn.shape), np.ones_like(turn)
     for m in range(1, values.shape[1]):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import Any
 
 import numpy as np
 
@@ -39,7 +38,7 @@ class ProvenMethod(RadialMethod[ObjectivePupil]):
         """Return what the light is at most, and the integral of the modulus of its transfer function."""
         return 1.0
 
-    def unsupported(self, pupil: Any) -> str | None:
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return the reason where there are aberrations."""
         return "supports no aberrations on top of those of layers" if pupil.aberrated else None
 

@@ -90,17 +90,15 @@ class Confocal(_Scanning):
             raise ValueError(f"pinhole must be at most {_PINHOLE_MOST:g} Airy units, got {pinhole:g}")
         object.__setattr__(self, "pinhole", pinhole)
 
-    def unsupported(self, pupil: Any) -> str | None:
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return the reason where there are aberrations, or the excitation is that of another objective."""
-        if isinstance(pupil, ObjectivePupil) and pupil.magnification != self.excitation.magnification:
+        if pupil.magnification != self.excitation.magnification:
             return (
                 f"has an excitation of the magnification {self.excitation.magnification:g}, "
                 f"and a pupil of {pupil.magnification:g}"
             )
         if reason := super().unsupported(pupil):
             return reason
-        if not isinstance(pupil, ObjectivePupil):
-            return None
         if _fixed(pupil) and not isinstance(self.excitation.emitter, Beam):
             return f"needs an excitation by a Beam for {pupil.emitter!r}, got {self.excitation.emitter!r}"
         if not self._lit(pupil).power.min() > 0.0:

@@ -9,14 +9,13 @@ the glass loses changes with its depth and with the wavelength.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core import engine
-from lommel.core.answers import Images, Slopes, Wanted
+from lommel.core.answers import Images, Pixels, Slopes, Wanted
 from lommel.methods.derivatives.scaling import scaling_derivative, tilted
 from lommel.methods.derivatives.slopes import Slope
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
@@ -46,7 +45,7 @@ class Sampled(NamedTuple):
     """Images, with derivatives as these are stored."""
 
     images: Images
-    values: NDArray[Any]
+    values: Pixels
     error: Array
 
 
@@ -83,17 +82,18 @@ def engine_slopes(
     for looser in (1.0, 10.0, 100.0, 1000.0):
         if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
             images, values, wrong = found
-            assert images.peak is not None
-            error = wrong / images.peak
+            error = wrong / images.brightest
             return Sampled(images if looser == 1.0 or otherwise is None else otherwise(), values, error)
     return None
 
 
-def _at_centres(sample: Sample, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+def _at_centres(
+    sample: Sample[ObjectivePupil], pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted
+) -> Images:
     return sample(pupil, grid, tol, wanted)
 
 
-def _by_engine(rates: Rates, sizes: Sequence[float]) -> Sample:
+def _by_engine(rates: Rates, sizes: Sequence[float]) -> Sample[ObjectivePupil]:
     """Return samples by Stratified, with derivatives over `sizes`."""
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
@@ -113,14 +113,14 @@ def _by_engine(rates: Rates, sizes: Sequence[float]) -> Sample:
     return sample
 
 
-def _by_circles(method: DebyeRings, rates: Rates, sizes: Sequence[float], most: tuple[float, float, float]) -> Sample:
+def _by_circles(
+    method: DebyeRings, rates: Rates, sizes: Sequence[float], most: tuple[float, float, float]
+) -> Sample[ObjectivePupil]:
     """Return samples by DebyeRings, with derivatives over `sizes`; `most` is what factors are at most."""
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         made, accuracy = method.refined(pupil, grid, tol, wanted._replace(terms=()))
         plain = Wanted(threads=wanted.threads)
-        assert made.error is not None
-        assert made.peak is not None
         values = np.empty((len(sizes), *made.values.shape), wanted.dtype)
         error = np.empty((len(sizes), len(made.values)))
         for k, (one, size) in enumerate(zip(rates(pupil), sizes, strict=True)):
@@ -135,7 +135,7 @@ def _by_circles(method: DebyeRings, rates: Rates, sizes: Sequence[float], most: 
             off = _absolute(up) + _absolute(down)
             largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / made.scale
             wrong = abs(share) * off + (storing(wanted.dtype) + 2.0**-48) * largest
-            values[k], error[k] = slope, wrong / made.peak + np.abs(own) * (made.error + 1e-12)
+            values[k], error[k] = slope, wrong / made.brightest + np.abs(own) * (made.bound + 1e-12)
         return made._replace(slopes=Slopes(values, error))
 
     return sample
@@ -143,9 +143,7 @@ def _by_circles(method: DebyeRings, rates: Rates, sizes: Sequence[float], most: 
 
 def _absolute(made: Images) -> Array:
     """Return the bound on the error of I."""
-    assert made.error is not None
-    assert made.peak is not None
-    return made.error * made.peak
+    return made.bound * made.brightest
 
 
 _AXIS = ("row", "column")
@@ -206,7 +204,7 @@ def _radial(
     wanted: Wanted,
     *,
     axis: bool,
-) -> tuple[Images, dict[Any, Slope]]:
+) -> tuple[Images, dict[Name, Slope]]:
     """Return images and the derivatives that the engine has in such windows."""
     by = rates(pupil)
     moved = [By(engine.BY_AXIS)] if axis else []
@@ -227,7 +225,7 @@ def _radial(
 
 def _any(
     method: Method, pupil: ObjectivePupil, grid: Grid, kinds: Sequence[str], rates: Rates, wanted: Wanted
-) -> tuple[Images, dict[Any, Slope]]:
+) -> tuple[Images, dict[Name, Slope]]:
     """Return images of light that depends on the azimuth, and what derivatives these have at a fixed v."""
     if not kinds:
         return widened(method.images(pupil, grid, wanted), pupil, method, normalized=False), {}
@@ -271,17 +269,15 @@ def _power_rates(pupil: ObjectivePupil, by: str) -> tuple[Array, Array]:
 
 def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:
     """Return a derivative of images from that of I, as they are stored."""
-    assert made.peak is not None
     scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
     kept = np.empty(values.shape, wanted.dtype)
     np.multiply(values, scale[:, None, None], out=kept, casting="same_kind")
     largest = np.maximum(values.max(axis=(1, 2)), -values.min(axis=(1, 2)))
-    return Slope(kept, (wrong + (storing(wanted.dtype) + 2.0**-48) * largest) / made.peak)
+    return Slope(kept, (wrong + (storing(wanted.dtype) + 2.0**-48) * largest) / made.brightest)
 
 
 def _sum(one: Slope, other: Slope, made: Images, wanted: Wanted) -> Slope:
     """Return the sum of two derivatives, as it is stored."""
-    assert made.peak is not None
     values = one.values.astype(np.float64) + other.values
-    largest = np.abs(values).reshape(len(values), -1).max(axis=1) / made.scale / made.peak
+    largest = np.abs(values).reshape(len(values), -1).max(axis=1) / made.scale / made.brightest
     return Slope(values.astype(wanted.dtype), one.error + other.error + storing(wanted.dtype) * largest)

@@ -10,13 +10,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted
+from lommel.core.answers import Images, Intensities, Pixels, Wanted
 from lommel.core.engine import Window, layered_images, layered_profiles
 from lommel.core.layers import Layered, LayeredSlopes
 from lommel.methods.layers.debye_wolf import DebyeWolf
@@ -130,7 +129,7 @@ def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Imag
 
 def differentiated(
     pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted
-) -> tuple[Images, NDArray[Any], Array] | None:
+) -> tuple[Images, Pixels, Array] | None:
     """Return images exact to `tol`, their derivatives, and bounds on the errors of these over the scale.
 
     None where the engine has no such windows, or none that is exact enough; see
@@ -141,7 +140,7 @@ def differentiated(
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 
-    def attempt(accuracy: _Accuracy) -> tuple[tuple[Images, NDArray[Any], Array] | None, float]:
+    def attempt(accuracy: _Accuracy) -> tuple[tuple[Images, Pixels, Array] | None, float]:
         # Averages are more sums of fields than samples are.
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None

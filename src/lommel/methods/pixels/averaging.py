@@ -12,13 +12,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Images, Slopes, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.base_pupil import BasePupil
@@ -31,7 +30,11 @@ _FARTHEST = 1.27  # v between samples that two pixels share: of pi/2, where no f
 _WORTH = 0.85  # of the samples that whole ones a pixel take
 
 
-def fitted(response: Any, wave: Any, x: NDArray[Any]) -> tuple[Array, float, float]:
+P = TypeVar("P", bound=BasePupil)
+Function = Callable[[Array], Array]
+
+
+def fitted(response: Function, wave: Function, x: Pixels) -> tuple[Array, float, float]:
     """Return weights of samples at distances `x` on either side, the error of their response, and their gain."""
     # Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire,
     # of type ``T = x[-1]``; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 T + 48`` (its Chebyshev
@@ -43,7 +46,7 @@ def fitted(response: Any, wave: Any, x: NDArray[Any]) -> tuple[Array, float, flo
     times = np.where(x > 0.0, 2.0, 1.0)
     basis = times * wave(np.outer(w, x))
     wanted = response(w)
-    c, *_ = np.linalg.lstsq(basis, wanted, rcond=1e-13)
+    c: Array = np.linalg.lstsq(basis, wanted, rcond=1e-13)[0].astype(np.float64, copy=False)
     c *= (x > 0.0) | (wave is np.cos)  # which no odd response tells
     gain = float((times * np.abs(c)).sum())
     rounding = 2.0**-52 * (x.size + 3) * gain
@@ -67,7 +70,7 @@ def _half(step: float, error: float, s: int) -> int:
     return max(s // 4 + 2, int(0.25 * s + math.log(0.1 / error) / (3.4 * room)) - 2)
 
 
-def paired(response: Any, step: float, error: float, s: int) -> tuple[Array, float, float]:
+def paired(response: Function, step: float, error: float, s: int) -> tuple[Array, float, float]:
     """Return weights for two pixels that share `s` samples, odd, off by `error`; both from the first sample on."""
     h, half = 2.0 * step / s, _half(step, error, s)
     while True:
@@ -88,7 +91,7 @@ _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
 _DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
 
-Sample = Callable[[Any, Grid, float, Wanted], Images]
+Sample = Callable[[P, Grid, float, Wanted], Images]
 """From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 
 Band = tuple[float, float]
@@ -103,7 +106,7 @@ class Averages(NamedTuple):
 
 
 def averaged(
-    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+    sample: Sample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
 ) -> Averages:
     """Return the intensity averaged over each pixel, with bounds on its error below `tol` once it is stored."""
     # The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
@@ -120,7 +123,7 @@ def averaged(
 
 
 def _averaged(
-    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band, widest: float
+    sample: Sample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted, band: Band, widest: float
 ) -> Averages:
     # What varies faster than I is I of larger pixels.
     step, ceiling, dtype, normalize = band[0] * grid.step(pupil), band[1], wanted.dtype, wanted.scale is None
@@ -174,7 +177,7 @@ def _first_errors(aim: float, step: float) -> tuple[float, float]:
 
 
 def averaged_images(
-    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+    sample: Sample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
 ) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
     made = averaged(sample, pupil, grid, tol, wanted, band)
@@ -271,7 +274,7 @@ def sloping(step: float, error: float, *, averages: bool, widest: float = _WIDES
     return _fitted(response, np.sin, step, error, widest, 6.0)
 
 
-def _fitted(response: Any, wave: Any, step: float, error: float, widest: float, most: float) -> Taps:
+def _fitted(response: Function, wave: Function, step: float, error: float, widest: float, most: float) -> Taps:
     """Return the shortest filter of such waves with a response, or about the best one, of a gain below `most`."""
     stride = samples_across(step, widest)
     half, odd = stride // 2 + 2, wave is np.sin
@@ -289,7 +292,7 @@ def _lost(taps: Taps) -> float:
 
 
 def _filtered(
-    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted, dark: float
+    sample: Sample[P], pupil: P, grid: Grid, tol: float, taps: Taps, wanted: Wanted, dark: float
 ) -> tuple[Array, Array, Array]:
     """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`.
 
@@ -302,24 +305,22 @@ def _filtered(
     for part, one, pixels in blocks(pupil, grid, taps, images):
         for fine, rows in _strips_of(total[:, part], pixels, taps):
             made = sample(one, fine, tol, question)
-            assert made.error is not None
-            assert made.peak is not None
-            error[0, part] = np.maximum(error[0, part], taps.gain**2 * made.error * made.peak)
-            peaks[0, part] = np.maximum(peaks[0, part], made.peak * (1.0 - made.error))
-            limit = dark * float(made.peak.min())
+            error[0, part] = np.maximum(error[0, part], taps.gain**2 * made.bound * made.brightest)
+            peaks[0, part] = np.maximum(peaks[0, part], made.brightest * (1.0 - made.bound))
+            limit = dark * float(made.brightest.min())
             average_samples(made.values, _sets(taps), taps.stride, wanted.threads, rows[0], dark=limit)
             if made.slopes is None:
                 continue
             largest = np.abs(made.slopes.values).max(axis=(2, 3))
             peaks[1:, part] = np.maximum(peaks[1:, part], largest)
-            error[1:, part] = np.maximum(error[1:, part], taps.gain**2 * made.slopes.error * made.peak)
+            error[1:, part] = np.maximum(error[1:, part], taps.gain**2 * made.slopes.error * made.brightest)
             for slopes, out in zip(made.slopes.values, rows[1:], strict=True):
                 average_samples(slopes, _sets(taps), taps.stride, wanted.threads, out, -math.inf)
     return total, error, peaks
 
 
 def filtered(
-    samples: Callable[[Grid], Sequence[NDArray[Any]]],
+    samples: Callable[[Grid], Sequence[Pixels]],
     out: Array,
     grid: Grid,
     taps: Taps,
@@ -346,8 +347,8 @@ def _strips_of(out: Array, grid: Grid, taps: Taps) -> Iterator[tuple[Grid, Array
 
 
 def averaged_gradient(
-    gradient: Callable[[Any, Grid, float, Array], Array],
-    pupil: BasePupil,
+    gradient: Callable[[P, Grid, float, Array], Array],
+    pupil: P,
     grid: Grid,
     tol: float,
     weights: Array,
@@ -363,7 +364,7 @@ def averaged_gradient(
         taps = filtered_by(grid.step(pupil), response, widest)
         found = []
         for part, one, pixels in blocks(pupil, grid, taps):
-            sums: Any = 0.0
+            sums: float | Array = 0.0
             for y, rows in _strips(weights[part], taps):
                 sums += gradient(
                     one, _fine(pixels, y, rows.shape[1], taps), finer / taps.gain**2, spread_out(rows, taps)
@@ -377,7 +378,7 @@ def averaged_gradient(
         return by(_CLOSER)
 
 
-def _strips(values: NDArray[Any], taps: Taps) -> Iterator[tuple[int, NDArray[Any]]]:
+def _strips(values: Pixels, taps: Taps) -> Iterator[tuple[int, Pixels]]:
     """Return the first of some rows of (..., n, height, width) that are filtered at once, and these."""
     each = math.prod(values.shape[:-3]) * _samples(values.shape[-1], taps) * taps.stride / taps.pixels
     most = max(1, int(_VALUES / each))
@@ -422,7 +423,7 @@ def finer(grid: Grid, taps: Taps) -> Grid:
     return _fine(grid, 0, grid.height, taps)
 
 
-def blocks(pupil: BasePupil, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[slice, Any, Grid]]:
+def blocks(pupil: P, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[slice, P, Grid]]:
     """Return parts of a stack that are sampled at once, where they are in the flattened stack, and their pixels."""
     size = max(1, _VALUES // (images * math.prod(_samples(side, taps) for side in grid.shape)))
     count = math.prod(pupil.shape)

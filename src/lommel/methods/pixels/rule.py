@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core import engine
+from lommel.core.answers import Pixels
 from lommel.special.legendre import gauss_legendre
 
 
@@ -90,7 +92,7 @@ def _rings(half: int) -> tuple[Array, NDArray[np.int64]]:
     return alike, np.flatnonzero(row == 0)
 
 
-def quarters(means: NDArray[Any], half: int) -> NDArray[Any]:
+def quarters(means: Pixels, half: int) -> Pixels:
     """Return the pixels of windows from the middle row and column on, shape ``(n, half + 1, half + 1)``.
 
     Parameters
@@ -189,7 +191,7 @@ def _nodes(half: int, step: float, margin: int) -> tuple[Array, Array, NDArray[n
     r = np.sqrt(edge.ravel()[place] ** 2 + u * u)
     inverse = 1.0 / r
 
-    def angle(arc: Any, at: NDArray[Any]) -> Array:
+    def angle(arc: Callable[[Array], Array], at: Pixels) -> Array:
         return np.asarray(arc(np.minimum(1.0, at[cell] * inverse)))
 
     first = np.where(piece < 2, angle(np.arcsin, y0), angle(np.arccos, x1))

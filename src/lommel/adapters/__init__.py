@@ -1,4 +1,4 @@
-"""Pupils and fields of lenses that other packages trace rays through; each is imported when it is asked for."""
+"""Pupils and field maps of lenses in ray tracing packages, which are imported on first use."""
 
 from typing import TYPE_CHECKING
 

@@ -1,6 +1,6 @@
 """Pupils and fields of lenses in optiland (https://github.com/HarrisonKramer/optiland).
 
-What is converted, and how:
+Conversions:
 
 - ``Wavefront.data.opd`` is in waves and positive where a ray's path is *shorter* than the chief ray's; the phase is
   ``-2 pi opd``. Their FFT PSF takes the same sign.

@@ -1,6 +1,6 @@
 """Pupils and fields of lenses in ray-optics (https://github.com/mjhoptics/ray-optics).
 
-What is converted, and how:
+Conversions:
 
 - ``wave_abr_full_calc`` returns a length in the units of the lens, positive where a ray's path is *shorter* than the
   chief ray's; the phase is ``-2 pi opd / lambda``. (ray-optics' own ``calc_psf`` takes the other sign, which turns

@@ -67,7 +67,7 @@ class ApertureOptions:
     Parameters
     ----------
     aperture : Pupil, optional
-        With a flat wavefront; such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting, mask,
+        With a flat wavefront, such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting, mask,
         apodization and scale are those of the whole field; its geometry, which is known on the axis only, is not.
     wavelength, f_number, obscuration : float, optional
         As of :class:`lommel.Pupil`, for what `aperture` does not state.
@@ -143,11 +143,7 @@ class FieldMap:
     @classmethod
     @shares(ApertureKeywords, ApertureOptions)
     def on_grid(
-        cls,
-        x: ArrayLike,
-        y: ArrayLike,
-        wavefront: Wavefront,
-        **options: Unpack[ApertureKeywords],
+        cls, x: ArrayLike, y: ArrayLike, wavefront: Wavefront, **options: Unpack[ApertureKeywords]
     ) -> FieldMap:
         """Build a map from wavefronts on a rectangular grid, by bicubic splines.
 
@@ -164,11 +160,7 @@ class FieldMap:
     @classmethod
     @shares(ApertureKeywords, ApertureOptions)
     def scattered(
-        cls,
-        x: ArrayLike,
-        y: ArrayLike,
-        wavefront: Wavefront,
-        **options: Unpack[ApertureKeywords],
+        cls, x: ArrayLike, y: ArrayLike, wavefront: Wavefront, **options: Unpack[ApertureKeywords]
     ) -> FieldMap:
         """Build a map from wavefronts at any positions, by radial basis functions (cubic, with a polynomial).
 
@@ -188,12 +180,7 @@ class FieldMap:
     @classmethod
     @shares(ApertureKeywords, ApertureOptions)
     def radial(
-        cls,
-        height: ArrayLike,
-        wavefront: Wavefront,
-        *,
-        azimuth: float = 0.0,
-        **options: Unpack[ApertureKeywords],
+        cls, height: ArrayLike, wavefront: Wavefront, *, azimuth: float = 0.0, **options: Unpack[ApertureKeywords]
     ) -> FieldMap:
         """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
 
@@ -323,7 +310,7 @@ class FieldMap:
         validation.optional("vignetting", vignetting, Vignetting)
         validation.optional("shading", shading, Shading)
         if vignetting is not None and self.pupil_without_wavefront.vignetting is not None:
-            raise ValueError("vignetting must be left out for an aperture that has one of its own at all places")
+            raise ValueError("vignetting must be left out for an aperture that has its own everywhere")
         return replace(self, vignetting=vignetting, shading=shading)
 
     def illumination(self, x: ArrayLike, y: ArrayLike) -> Numbers:
@@ -418,7 +405,7 @@ class FieldMap:
         shape, pixel, options
             As of :meth:`psf`.
         illuminated : bool, default False
-            Multiply the values of each PSF by the :meth:`illumination` of its place.
+            Multiply the values of each PSF by the :meth:`illumination` at its position.
         channels : Channels or sequence of float, optional
             As of :func:`lommel.colour_psf`, with the lateral and axial colour of the lens of the aperture.
         depths : array_like, shape (k,), optional

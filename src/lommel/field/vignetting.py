@@ -137,7 +137,7 @@ def relative(bare: Pupil, vignetting: Vignetting | None, shading: Shading | None
     if vignetting is None:
         return light
     positions = [(0.0, 0.0), *zip(x.ravel().tolist(), y.ravel().tolist(), strict=True)]
-    axis, *passing = (replace(bare, vignetting=vignetting.at(*place)).transmission for place in positions)
+    axis, *passing = (replace(bare, vignetting=vignetting.at(*xy)).transmission for xy in positions)
     return np.asarray(light * np.reshape(passing, x.shape) / axis)
 
 
@@ -150,7 +150,7 @@ def _heights(height: ArrayLike) -> Array:
 
 def _within(r: float, most: float) -> float:
     if r > most * (1.0 + 1e-12):
-        raise ValueError(f"the place {r:.6g} from the axis lies beyond the last height, {most:.6g}")
+        raise ValueError(f"the position {r:.6g} from the axis lies beyond the last height, {most:.6g}")
     return r
 
 

@@ -385,7 +385,7 @@ class FieldPupil(BasePupil):
             validation.instance("pupils", pupil, Pupil)
         scales = {(pupil.shape, pupil.wavelength, pupil.f_number) for pupil in self.pupils}
         if len(self.pupils) != math.prod(self.places) or len(scales) != 1 or scales.pop()[0] != ():
-            raise ValueError(f"pupils must be single ones of one scale for each place of {self.places}")
+            raise ValueError(f"pupils must be single, of one scale, and as many as the shape {self.places} holds")
 
     @property
     def shape(self) -> tuple[int, ...]:

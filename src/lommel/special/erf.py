@@ -147,7 +147,7 @@ class AbramowitzErf(Erf):
 
         at = validation.array("z", z)
         numbers = at.dtype.kind in "iufc"
-        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
+        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, and is refused
             at = at.astype(np.complex128) if numbers else at
         if not numbers or not np.all(np.isfinite(at)):
             raise TypeError(f"z must hold finite numbers, got {validation.shown(z)}")

@@ -1,4 +1,4 @@
-"""Piecewise quadratic phases: the paper's Eq. (17), and what it leaves out."""
+"""Piecewise quadratic approximations of a phase: the paper's Eq. (17), with and without piston."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
 
 _SAMPLES = 96  # of each segment, where an error is averaged over it
-_SWEEP, _LEVELS, _TOPS = 31, 3, 24  # values of each coefficient in a finer sweep, finer sweeps, and how many places
+_SWEEP, _LEVELS, _TOPS = 31, 3, 24  # values of each coefficient in a finer sweep, finer sweeps, and of starts
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +75,7 @@ def split_edges(segments: int, split: str = "optimal") -> Array:
     Raises
     ------
     TypeError, ValueError
-        If there are none such.
+        If an argument is out of range.
     """
     count = validation.integer("segments", segments, least=1, most=4096)
     validation.choice("split", split, SPLITS)
@@ -130,8 +130,7 @@ def fit_quadratics(
         raise ValueError(f"coefficients must be a sequence of numbers, got {validation.shown(coefficients)}")
     edges = split_edges(segments, split)
     validation.choice("fit", fit, FITS)
-    if not isinstance(piston, bool):
-        raise TypeError(f"piston must be True or False, got {validation.shown(piston)}")
+    validation.truth("piston", piston)
     rows = []
     for low, high in pairwise(edges.tolist()):
         row = _interpolated(c, low, high) if piston else _osculating(c, low, high)

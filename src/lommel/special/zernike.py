@@ -71,23 +71,15 @@ def index_of(n: int, m: int, order: str) -> Any:
         low = n * (n + 1) // 2 + abs(m)
         # Even indices are cosines, odd ones sines.
         return low + (1 if (m == 0 or (m > 0) == (low % 2 == 1)) else 0)
-    for j, known in _FRINGE.items():
-        if known == (n, m):
-            return j
-    raise ValueError(f'the order "fringe" ends with 37 terms and has no (n, m) = ({n}, {m})')
+    if (n, m) not in _FRINGE_INDEX:
+        raise ValueError(f'the order "fringe" ends with 37 terms and has no (n, m) = ({n}, {m})')
+    return _FRINGE_INDEX[n, m]
 
 
-def _fringe() -> dict[int, tuple[int, int]]:
-    """Return the Fringe order: groups of (n + abs(m)) / 2 with falling abs(m), cosine before sine."""
-    terms: list[tuple[int, int]] = []
-    for g in range(6):
-        for m in range(g, -1, -1):
-            n = 2 * g - m
-            terms += [(n, m), (n, -m)] if m else [(n, 0)]
-    return dict(enumerate([*terms, (12, 0)], 1))
-
-
-_FRINGE = _fringe()
+# Group g = (n + abs(m)) / 2 has falling abs(m), cosine before sine; spherical aberration of n = 12 ends the order.
+_GROUPS = ((2 * g - m, m) for g in range(6) for m in range(g, -1, -1))
+_FRINGE = dict(enumerate([*((n, s) for n, m in _GROUPS for s in ((m, -m) if m else (0,))), (12, 0)], 1))
+_FRINGE_INDEX = {known: j for j, known in _FRINGE.items()}
 
 
 def rms_factor(n: int, m: int) -> float:
@@ -205,7 +197,7 @@ def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[
 def legendre_sum(coefficients: Array, x: Array) -> Array:
     """Return ``sum_j a_j (P_j(x) - P_j(-1))``, j = 1, 2, ..., of shape ``a.shape[:-1] + x.shape``."""
     series = _series(coefficients)
-    legval = np.polynomial.legendre.legval  # which NumPy imports when it is asked for
+    legval = np.polynomial.legendre.legval  # imported lazily by NumPy
     return np.asarray(legval(x, series) - legval(np.full((1,) * x.ndim, -1.0), series))
 
 

@@ -5,7 +5,7 @@ angle at the rim, and x = 2t - 1,
 
 ``(1 - s^2 t) (1 + q)^2 = 1 - 2 q x + q^2,  log(1 - 2 q x + q^2) = -2 sum_(k>=1) q^k T_k(x) / k ,``
 
-the logarithm of the amplitude as a Chebyshev series that falls like q^k. What is cut off after the term K is at most
+the logarithm of the amplitude as a Chebyshev series that falls like q^k. The remainder after the term K is at most
 ``|p| q^(K+1) / ((K+1) (1 - q))``.
 
 References
@@ -167,13 +167,11 @@ class Apodization:
 
 
 def _chebyshev_to_powers(degree: int) -> Array:
-    """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: whole numbers, exact."""
-    matrix = np.zeros((degree + 1, degree + 1))
-    matrix[0, 0], matrix[1, :2] = 1.0, (-1.0, 2.0)
-    for k in range(2, degree + 1):
-        matrix[k] = -2.0 * matrix[k - 1] - matrix[k - 2]
-        matrix[k, 1:] += 4.0 * matrix[k - 1, :-1]
-    return matrix
+    """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: integers, exact."""
+    from numpy.polynomial import Chebyshev, Polynomial
+
+    rows = [Chebyshev.basis(k, domain=[0.0, 1.0]).convert(kind=Polynomial).coef for k in range(degree + 1)]
+    return np.stack([np.pad(row, (0, degree + 1 - row.size)) for row in rows])
 
 
 def _constant(powers: list[float]) -> float:
@@ -184,7 +182,7 @@ def _constant(powers: list[float]) -> float:
 
     series = _chebyshev(np.array([0.0, *powers]), 0.0)
     slope = chebder(series)
-    # What is trimmed is below rounding, and would drown the roots of the others.
+    # Coefficients below rounding are trimmed: they would spoil the roots.
     turns = np.clip(chebroots(chebtrim(slope, 1e-17 * float(np.abs(slope).sum()))).real, -1.0, 1.0)
     least = float(chebval(np.concatenate(([-1.0, 1.0], turns)), series).min())
     return max(0.0, -least) + _ROUNDING * sum(k * abs(g) for k, g in enumerate(powers, 1))

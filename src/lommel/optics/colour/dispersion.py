@@ -106,7 +106,7 @@ class Colour:
         Raises
         ------
         TypeError, ValueError
-            If these are no such numbers.
+            If numbers are not as stated.
         """
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
         index = validation.real_array("indices", indices)

@@ -54,7 +54,7 @@ class Spectrum:
     Raises
     ------
     TypeError, ValueError
-        On what is no wavelength or none at all, or if the weights are not one for each, negative or all 0.
+        If there is no valid wavelength, or the weights are not one for each, negative or all 0.
     """
 
     wavelengths: tuple[float, ...]
@@ -138,8 +138,8 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
 
 def _too_many(paths: float, tol: float) -> ValueError:
     return ValueError(
-        f"tol={tol:g} takes more than {_MOST} wavelengths where paths differ by up to {paths:g} m; ask for a larger "
-        "tol, or for less of the paths"
+        f"tol={tol:g} takes more than {_MOST} wavelengths where paths differ by up to {paths:g} m; give a "
+        "larger tol or smaller paths"
     )
 
 
@@ -221,7 +221,7 @@ class Channels:
     Raises
     ------
     TypeError, ValueError
-        If these are no such numbers or names.
+        If numbers or names are not as stated.
 
     Examples
     --------
@@ -323,15 +323,10 @@ class Channels:
     def of_wavelengths(cls, wavelengths: ArrayLike) -> Channels:
         """Return a channel for each of `wavelengths` (metres), named ``"550 nm"``; TypeError or ValueError."""
         waves = np.atleast_1d(validation.array("wavelengths", wavelengths))
-        digits = next(
-            (
-                n
-                for n in range(4, 17)
-                if len({format_length(validation.wavelength(w), digits=n) for w in waves}) == len(waves)
-            ),
-            17,
-        )
-        return cls(tuple(waves), np.eye(len(waves)), [format_length(float(w), digits=digits) for w in waves])
+        # The fewest digits that tell the wavelengths apart.
+        spelled = ([format_length(validation.wavelength(w), digits=n) for w in waves] for n in range(4, 18))
+        names = next((each for each in spelled if len({*each}) == len(waves)), [repr(float(w)) for w in waves])
+        return cls(tuple(waves), np.eye(len(waves)), names)
 
     @classmethod
     def from_curves(
@@ -366,7 +361,7 @@ class Channels:
         Raises
         ------
         TypeError, ValueError
-            If these are no such numbers, or if it takes more than 256 wavelengths.
+            If numbers are not as stated, or more than 256 wavelengths are needed.
         """
         waves = validation.real_array("wavelengths", wavelengths)
         if waves.ndim != 1 or waves.size < 2 or not np.all(np.diff(waves) > 0.0):

@@ -436,13 +436,7 @@ class Objective:
         return np.asarray(found.s), np.asarray(found.p)
 
     def fields(
-        self,
-        radius: ArrayLike,
-        *,
-        depth: ArrayLike,
-        focus: ArrayLike,
-        wavelength: float,
-        tol: float = 1e-10,
+        self, radius: ArrayLike, *, depth: ArrayLike, focus: ArrayLike, wavelength: float, tol: float = 1e-10
     ) -> FocalField:
         """Return the vectorial field at radii from the axis, by quadrature over all angles: a slow reference.
 

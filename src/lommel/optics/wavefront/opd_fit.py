@@ -69,22 +69,17 @@ class OPDMap:
         given: ArrayLike = self.values
         if isinstance(given, np.ma.MaskedArray):
             given = np.ma.filled(given.astype(np.float64), np.nan)
-        given = validation.array("values", given)
-        if given.dtype.kind not in "iuf":
-            raise TypeError(f"values must hold real numbers, got an array of {given.dtype}")
-        if given.ndim < 2 or given.size == 0:
-            raise ValueError(f"values must have the shape (..., height, width) and not be empty, got {given.shape}")
-        values = given.astype(np.float64)
+        values = _real_maps("values", given)
         if np.isinf(values).any() or np.isnan(values).all():
             raise ValueError(
                 "values must be finite, or NaN where there is no measurement, and somewhere there must be one"
             )
         values.flags.writeable = False
-        object.__setattr__(self, "values", values)
+        vars(self).update(values=values)
         if self.spacing is not None:
-            object.__setattr__(self, "spacing", validation.real("spacing", self.spacing, above=0.0, unit="metres"))
+            vars(self).update(spacing=validation.real("spacing", self.spacing, above=0.0, unit="metres"))
         if self.wavelength is not None:
-            object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
+            vars(self).update(wavelength=validation.wavelength(self.wavelength))
 
     @property
     def mask(self) -> NDArray[np.bool_]:
@@ -364,7 +359,7 @@ def _least_squares(
 
 
 def _basis(rho: Array, theta: Array, terms: list[tuple[int, int]]) -> Iterator[tuple[slice, Array]]:
-    """Yield slices of the samples with the terms there, normalised to their rms, shape (terms, samples)."""
+    """Yield slices of the samples with the terms there, normalized to their rms, shape (terms, samples)."""
     for start in range(0, rho.size, _BLOCK):
         block = slice(start, start + _BLOCK)
         r, angle = rho[block], theta[block]
@@ -416,12 +411,17 @@ def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, ArrayLike | No
         bare = ~np.ma.getmaskarray(opd)
         mask = bare if mask is None else _truths(mask, bare.shape) & bare
         opd = np.asarray(opd.data)
-    given = validation.array("opd", opd)
+    return _real_maps("opd", opd), mask
+
+
+def _real_maps(name: str, value: ArrayLike) -> Array:
+    """Return maps, shape (..., height, width), NaN allowed; TypeError or ValueError if they are none."""
+    given = validation.array(name, value)
     if given.dtype.kind not in "iuf":
-        raise TypeError(f"opd must hold real numbers, got an array of {given.dtype}")
+        raise TypeError(f"{name} must hold real numbers, got an array of {given.dtype}")
     if given.ndim < 2 or given.size == 0:
-        raise ValueError(f"opd must have the shape (..., height, width) and not be empty, got {given.shape}")
-    return given.astype(np.float64), mask
+        raise ValueError(f"{name} must have the shape (..., height, width) and not be empty, got {given.shape}")
+    return given.astype(np.float64)
 
 
 def _truths(mask: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.bool_]:

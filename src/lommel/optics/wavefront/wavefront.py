@@ -108,7 +108,7 @@ class Wavefront:
     shape: tuple[int, ...]
     # How many of the terms, the first, are radially symmetric: those of n = 2, 4, ...
     symmetric: int = field(repr=False)
-    # Coefficients of rho^2, rho^4, ... where the radial terms were given so: what is shown, and comes back as it was.
+    # Coefficients of rho^2, rho^4, ... where they were given so, to return them without rounding.
     _powers: Array | None = field(repr=False)
 
     def __init__(
@@ -258,12 +258,7 @@ class Wavefront:
         return cls.from_edge(found, validation.real("error", error, least=0.0))
 
     def to_zernike(
-        self,
-        *,
-        order: str = "nm",
-        unit: str = "radians",
-        normalization: str = "rms",
-        wavelength: float | None = None,
+        self, *, order: str = "nm", unit: str = "radians", normalization: str = "rms", wavelength: float | None = None
     ) -> dict[Any, Array]:
         """Return the Zernike coefficients by index; the inverse of :meth:`zernike`.
 

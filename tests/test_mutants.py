@@ -10,6 +10,7 @@ import importlib.util
 import io
 import itertools
 import re
+import shutil
 import subprocess
 import sys
 import tokenize
@@ -137,6 +138,7 @@ def test_faults_of_cpp_are_of_expressions_that_a_switch_can_stand_for(mutants):
     }  # fmt: skip
 
 
+@pytest.mark.skipif(shutil.which("c++") is None, reason="no compiler named c++")
 def test_all_faults_of_one_cpp_file_compile_together_where_none_overlaps_another(mutants, tmp_path):
     # Inner ones last, of which the outer ones are left out.
     chosen, spans = [], []

@@ -1,4 +1,4 @@
-"""Point spread functions of defocused and aberrated lenses, exact to a tolerance you name, without an FFT."""
+"""Point spread functions with a proven error bound, for cameras, microscopes and telescopes."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, validity, write
+from lommel.paper import bessel_forms, families, methods_cost, numbers, spherical, validity, write
 from lommel.paper.setting import VARIANTS, Setting
 
 SMALL = Setting(shape=96)
@@ -89,7 +89,7 @@ def test_the_mean_over_a_square_of_one_is_one_and_of_v_squared_two_thirds_of_the
 
 
 def test_errors_of_the_comparison_are_those_of_its_images():
-    data = comparison.compute(SMALL)
+    data = families.compare_with_fft(SMALL)
     exact = lm.psf(lm.Pupil(lm.Wavefront(10.0)), 96, SMALL.pixel, method=lm.Hankel(), normalize="strehl")
     np.testing.assert_allclose(data.arrays["exact"], exact.values / exact.values.max(), atol=1e-6)
     for variant in VARIANTS:
@@ -156,7 +156,7 @@ def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
     [
         (lambda: methods_cost.compute(sizes=(16,), budget=0.0), methods_cost.draw, 2),
         (lambda: bessel_forms.compute(samples=51), bessel_forms.draw, 2),
-        (lambda: comparison.compute(SMALL), comparison.draw, 7),
+        (lambda: families.compare_with_fft(SMALL), families.draw_comparison, 7),
         (lambda: families.compute("terms", (10, 30), SMALL), families.draw_intensity, 5),
         (lambda: families.compute("defocus", (5.0, 20.0), SMALL), families.draw_error, 5),
         (lambda: spherical.compute(samples=50, most=5), spherical.draw, 3),

@@ -6,7 +6,6 @@ import json
 from collections.abc import Mapping
 from html import escape
 from pathlib import Path
-from typing import Any
 
 from lommel.page.state import link
 
@@ -27,13 +26,7 @@ _PAGE = """<!doctype html>
 
 
 def path() -> Path:
-    """Return where the module is.
-
-    Raises
-    ------
-    FileNotFoundError
-        If it was not made: the package was installed from its sources, without `make page`.
-    """
+    """Return the path of the module; FileNotFoundError if it was not built by `make page`."""
     found = Path(__file__).with_name(NAME)
     if not found.is_file():
         raise FileNotFoundError(
@@ -43,8 +36,8 @@ def path() -> Path:
     return found
 
 
-def html(state: Mapping[str, Any], title: str = "lommel", *, alone: bool = False) -> str:
-    """Return the text of a page that starts with a state, `alone` with the module inside, else with it beside."""
+def html(state: Mapping[str, object], title: str = "lommel", *, alone: bool = False) -> str:
+    """Return the HTML of a page that starts in a state, `alone` with the module inside, else with it beside."""
     # Within a script only its end has a meaning; in strings of the module it may be written so too.
     text = path().read_text(encoding="utf-8").replace("</script", "<\\/script") if alone else ""
     source = "" if alone else f"src={json.dumps(NAME)} "

@@ -1,10 +1,9 @@
-"""A server of the live page for the browser of this machine: three names on 127.0.0.1, and nothing else."""
+"""A server of the live page for the browser of this machine, on 127.0.0.1 only."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from typing import Any
 
 from lommel.page import module
 
@@ -21,20 +20,12 @@ _ALWAYS = (
 
 
 class PageServer(ThreadingHTTPServer):
-    """Serves the page that starts with a state; a port of 0 is any that is free.
-
-    Raises
-    ------
-    FileNotFoundError
-        If the module was not made.
-    OSError
-        If the port is taken.
-    """
+    """Serves the page that starts in a state; port 0 is any that is free."""
 
     daemon_threads = True
     request_queue_size = 128  # connections that wait: a browser opens several, and others may come with it
 
-    def __init__(self, state: Mapping[str, Any], title: str, port: int = 0) -> None:
+    def __init__(self, state: Mapping[str, object], title: str, port: int = 0) -> None:
         page = module.html(state, title).encode()
         self.served = {
             "/": (page, "text/html"),
@@ -53,7 +44,7 @@ class _Handler(BaseHTTPRequestHandler):
     server: PageServer
     server_version, sys_version = "lommel", ""
     default_request_version = "HTTP/1.0"  # of what cannot be read: answers have headers then too
-    timeout = 10.0  # for who connects and says nothing
+    timeout = 10.0  # for clients that connect and send nothing
 
     def do_GET(self) -> None:
         self._answer(body=True)
@@ -86,5 +77,5 @@ class _Handler(BaseHTTPRequestHandler):
             self.send_header(name, value)
         super().end_headers()
 
-    def log_message(self, *_: Any) -> None:
-        """Write nothing: who has the page open knows."""
+    def log_message(self, *_: object) -> None:
+        """Write nothing."""

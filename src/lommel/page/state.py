@@ -1,4 +1,4 @@
-"""What the controls of the live page say: their names, ranges and defaults, and the PSF of a state of them."""
+"""The controls of the live page, their names, ranges and defaults, and the PSF of their state."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from lommel.psf import PSF, psf
 
 
 class Real(NamedTuple):
-    """A control that takes numbers from a lowest to a highest."""
+    """A control of numbers in a range."""
 
     initial: float
     low: float
     high: float
 
-    def accepted(self, name: str, value: Any) -> float:
+    def accepted(self, name: str, value: object) -> float:
         """Return the number, which is in the range."""
         number = validation.real(name, value)
         if not self.low <= number <= self.high:
@@ -32,20 +32,20 @@ class Real(NamedTuple):
         return number
 
     def told(self) -> dict[str, float]:
-        """Return what the page is told of it."""
+        """Return the description for the page."""
         return self._asdict()
 
 
 class Whole(Real):
-    """One of whole numbers."""
+    """A control of integers in a range."""
 
-    def accepted(self, name: str, value: Any) -> int:
+    def accepted(self, name: str, value: object) -> int:
         """Return the number, which is in the range."""
         return validation.integer(name, value, least=int(self.low), most=int(self.high))
 
 
 class Word(tuple[str, ...]):
-    """A choice, the default first."""
+    """A control with choices, the default first."""
 
     __slots__ = ()
 
@@ -55,11 +55,11 @@ class Word(tuple[str, ...]):
         return self[0]
 
     def told(self) -> dict[str, Any]:
-        """Return what the page is told of it."""
+        """Return the description for the page."""
         return {"initial": self.initial, "choices": list(self)}
 
-    def accepted(self, name: str, value: Any) -> str:
-        """Return the choice, one of those that there are."""
+    def accepted(self, name: str, value: object) -> str:
+        """Return the choice, checked."""
         return validation.choice(name, value, self)
 
 
@@ -94,21 +94,15 @@ WHITE = np.linspace(450.0, 650.0, 7)
 DIRECTED = {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}
 
 
-def complete(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a whole state: what is given of it, and the defaults.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If a name is none of :data:`FIELDS`, or a value is not of its kind or out of its range.
-    """
+def complete(given: Mapping[str, object]) -> dict[str, Any]:
+    """Return a complete state from given values and the defaults."""
     for name in given:
         validation.choice("a name of the state", name, tuple(FIELDS))
     return {name: field.accepted(name, given.get(name, field.initial)) for name, field in FIELDS.items()}
 
 
-def link(state: Mapping[str, Any]) -> str:
-    """Return the fragment of an address that opens the page on a state: what differs from the defaults."""
+def link(state: Mapping[str, object]) -> str:
+    """Return the fragment of an address that opens the page in a state."""
     whole = complete(state)
     return "&".join(
         f"{name}={quote(str(value).removesuffix('.0'))}"
@@ -118,13 +112,7 @@ def link(state: Mapping[str, Any]) -> str:
 
 
 def state_of(instrument: Instrument) -> tuple[dict[str, float], str]:
-    """Return the state that shows what a lens file describes, and words about what the controls cannot say of it.
-
-    Raises
-    ------
-    ValueError
-        If the controls have not the range for it.
-    """
+    """Return the state that shows an instrument, and a list of its features that the page cannot show."""
     pupil = instrument.pupil()
     if pupil.wavelength is None or pupil.f_number is None or pupil.shape:
         raise ValueError("the live page takes one pupil with a wavelength and an f-number")
@@ -163,12 +151,12 @@ def _left_out(instrument: Instrument, pupil: Pupil, rest: dict[tuple[int, int], 
         f"terms of higher order, {higher:.1g} waves": higher > 0.0,
         "the spider, vignetting or mask": not pupil.circular,
         "the apodization": not pupil.illumination.uniform,
-        "what changes over the field": instrument.aberrations_of_field is not None,
+        "aberrations of the field": instrument.aberrations_of_field is not None,
     }
     return "; ".join(text for text, there in parts.items() if there)
 
 
-def pupil_of(state: Mapping[str, Any]) -> Pupil:
+def pupil_of(state: Mapping[str, object]) -> Pupil:
     """Return the pupil of a state."""
     whole = complete(state)
     wavefront = Wavefront.from_seidel(W020=whole["defocus"], W040=whole["spherical"])
@@ -184,8 +172,8 @@ def pupil_of(state: Mapping[str, Any]) -> Pupil:
     )
 
 
-def psf_of(state: Mapping[str, Any], **options: Any) -> PSF:
-    """Return the PSF that the page shows of a state, with further options of :func:`lommel.psf`."""
+def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
+    """Return the PSF that the page shows in a state, with further options of :func:`lommel.psf`."""
     whole = complete(state)
     pupil = pupil_of(whole)
     if whole["light"] == "white":
@@ -195,10 +183,8 @@ def psf_of(state: Mapping[str, Any], **options: Any) -> PSF:
 
 
 def _fine_pixel(state: Mapping[str, Any]) -> float:
-    """Return the pixel of the page's own window: as wide as rays reach and rings show, in steps of sqrt(2).
-
-    As fineReach() of the page has it, samples and all, lest a step fall elsewhere.
-    """
+    """Return the pixel of the page's own window, which holds the geometric blur and some rings."""
+    # The same samples and steps of sqrt(2) as in fineReach() of the page.
     rho = state["obscuration"] + (1.0 - state["obscuration"]) * np.arange(25)[:, None] / 24.0
     theta, t = math.tau * np.arange(48) / 48.0, rho * rho
     outward = (2.0 * state["defocus"] + 4.0 * state["spherical"] * t) * rho + 0.0 * theta

@@ -6,7 +6,6 @@ import math
 import textwrap
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.paper import families, spherical
-from lommel.paper.setting import REFERENCE, VARIANTS, Setting, measures, middle_row
+from lommel.paper.setting import REFERENCE, VARIANTS, Facts, Setting, measures, middle_row
 
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 
@@ -32,17 +31,12 @@ PAPER_TANGENT = (0.0196, 0.00199)
 PAPER_PIECES = 0.000137
 
 
-def rows(first: Setting = FIRST, second: Setting = SECOND) -> list[dict[str, Any]]:
-    """Return the table, one dictionary for each number of the paper.
-
-    Keys: "quantity", "paper", "printed" and "corrected" (the numbers computed), "against_fft" (the same for the
-    printed variant, with the FFT for a reference), "settings", "searched" (what was varied, over which range),
-    "closest" (for each variant the value that comes closest, and where), "remark".
-    """
+def rows(first: Setting = FIRST, second: Setting = SECOND) -> list[Facts]:
+    """Return the table: for each number of the paper the computed ones, the settings, and the closest of a search."""
     return [*_first_rows(first), *_tangent_rows(second), _pieces_row()]
 
 
-def _first_rows(setting: Setting) -> list[dict[str, Any]]:
+def _first_rows(setting: Setting) -> list[Facts]:
     images = setting.images()
     found = measures(images)
     text = f"{_text(setting)}; window (not in the paper) v <= {setting.window:g}"
@@ -78,7 +72,7 @@ def _first_rows(setting: Setting) -> list[dict[str, Any]]:
     ]
 
 
-def _tangent_rows(setting: Setting) -> list[dict[str, Any]]:
+def _tangent_rows(setting: Setting) -> list[Facts]:
     found = {tangent: measures(replace(setting, tangent=tangent).images()) for tangent in TANGENTS}
     searched = f"C_d from {DEFOCI[0]:g} to {DEFOCI[-1]:g}, window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
     best = {variant: tangent_search(variant, setting.terms) for variant in VARIANTS}
@@ -105,7 +99,7 @@ def _tangent_rows(setting: Setting) -> list[dict[str, Any]]:
     ]
 
 
-def _pieces_row() -> dict[str, Any]:
+def _pieces_row() -> Facts:
     at = spherical.SPHERICAL
 
     def missed(variant: str, c: float) -> float:
@@ -144,7 +138,7 @@ def mean_over_window(errors: Errors, window: float) -> float:
     return float(weight @ values / weight.sum())
 
 
-def tangent_search(variant: str, terms: int | None = 30) -> dict[str, Any]:
+def tangent_search(variant: str, terms: int | None = 30) -> Facts:
     """Return the C_d and the window at which both errors of the tangent-line comparison come closest to the paper's.
 
     Closest is the least sum of the two logarithms of computed over printed, each without its sign.
@@ -182,7 +176,7 @@ def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list
     return [np.abs(method.field(pupil, v)) ** 2 for method in (REFERENCE, setting.closed_form(variant))]
 
 
-def _closest(name: str, places: NDArray[np.float64], values: Sequence[float], wanted: float) -> dict[str, Any]:
+def _closest(name: str, places: NDArray[np.float64], values: Sequence[float], wanted: float) -> Facts:
     """Return the value that comes closest, and at which place of those tried."""
     value, at = min(zip(values, places.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / wanted)))
     return {"value": value, "at": {name: at}}
@@ -197,7 +191,7 @@ def _text(setting: Setting) -> str:
     return f"{size}, C_d = {setting.defocus:g}, TLC = {setting.tangent:g}, N = {setting.terms}"
 
 
-def markdown(table: list[dict[str, Any]]) -> str:
+def markdown(table: list[Facts]) -> str:
     """Return the table as Markdown."""
     lines = [
         "| quantity | paper | as printed | corrected | printed, against the FFT | closest found, as printed "
@@ -220,7 +214,7 @@ def number(value: float | None) -> str:
     return "-" if value is None else f"{value:.3g}"
 
 
-def closest_text(closest: dict[str, Any]) -> str:
+def closest_text(closest: Facts) -> str:
     """Return the closest value and where it is."""
     names = {"window": "v <=", "defocus": "C_d =", "spherical": "C_s ="}
     return f"{number(closest['value'])} at " + ", ".join(f"{names[key]} {x:g}" for key, x in closest["at"].items())

@@ -1,11 +1,11 @@
-"""The settings of the paper's figures, and the images that they compare."""
+"""The settings of the paper's figures and their images."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,35 +17,25 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf
 
+Arrays: TypeAlias = dict[str, NDArray[Any]]
+Facts: TypeAlias = dict[str, Any]
+
 VARIANTS = ("printed", "corrected")
 REFERENCE = NijboerZernike(tol=1e-9)
-"""What every error is taken from; its bound is proven, and `Hankel` agrees with it."""
+"""The reference of every error, with a proven bound; `Hankel` agrees with it."""
 
 
 @dataclass(frozen=True)
 class Setting:
-    """One PSF of the paper.
+    """One PSF of the paper."""
 
-    Parameters
-    ----------
-    shape : int
-        Side of the square image in pixels; 512 in the paper.
-    window : float
-        v at the edge of the image, on the axis, where ``v = pi r / (lambda N) = 2 pi k R_max``. The paper leaves it
-        out; at 145 its rings (Fig. 4) lie where they do in the paper, and its first MSE comes out.
-    defocus : float
-        C_d in radians.
-    tangent : float
-        Tangent-line centre alpha of Eq. (9), "TLC".
-    terms : int or None
-        N of Eq. (14); None for the exact error function.
-    """
-
-    shape: int = 512
+    shape: int = 512  # side of the image, pixels
+    # v = pi r / (lambda N) at the edge of the image. The paper does not state it; at 145 the rings of Fig. 4 lie
+    # where they do in the paper, and its first MSE comes out.
     window: float = 145.0
-    defocus: float = 10.0
-    tangent: float = 100.0
-    terms: int | None = 30
+    defocus: float = 10.0  # C_d, radians
+    tangent: float = 100.0  # tangent-line centre alpha of Eq. (9), "TLC"
+    terms: int | None = 30  # N of Eq. (14); None for the exact error function
 
     @property
     def pixel(self) -> float:
@@ -67,11 +57,8 @@ class Setting:
         return ClosedForm(tangent=self.tangent, erf=self.erf, variant=variant)
 
     def fft(self) -> Fraunhofer:
-        """Return the FFT that the paper compares with: one transform as large as the image, without more padding.
-
-        The pupil is sampled with a radius of ``window / pi`` samples, 46 at the window of 145: a transform of n
-        samples reaches n/2 pixels of ``2 pi R / n`` in v, R being that radius.
-        """
+        """Return the FFT that the paper compares with: one transform as large as the image, without more padding."""
+        # The pupil has a radius R of window / pi samples: n samples reach n/2 pixels of 2 pi R / n in v.
         return Fraunhofer(samples=math.floor(2.0 * self.window / math.pi), padding=1.0)
 
     def image(self, method: Method) -> NDArray[np.float64]:
@@ -88,30 +75,19 @@ class Setting:
         peak = images["exact"].max()
         return {name: image / peak for name, image in images.items()}
 
-    def facts(self) -> dict[str, Any]:
+    def facts(self) -> Facts:
         """Return the settings in plain types."""
         return asdict(self)
 
 
 @dataclass(frozen=True, eq=False)
 class FigureData:
-    """What a figure shows.
-
-    Attributes
-    ----------
-    title : str
-    arrays : dict of str to ndarray
-        All there is, images included.
-    columns : dict of str to ndarray
-        One-dimensional data of one length, for a spreadsheet.
-    facts : dict
-        Settings and measures, in plain types.
-    """
+    """The data of a figure."""
 
     title: str
-    arrays: dict[str, NDArray[Any]]
-    columns: dict[str, NDArray[Any]]
-    facts: dict[str, Any] = field(default_factory=dict)
+    arrays: Arrays  # all data, images included
+    columns: Arrays  # one-dimensional data of one length, for a spreadsheet
+    facts: Facts = field(default_factory=dict)  # settings and errors, in plain types
 
 
 def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -119,10 +95,10 @@ def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
     return image[image.shape[0] // 2, image.shape[1] // 2 :]
 
 
-def measures(images: Mapping[str, NDArray[np.float64]]) -> dict[str, dict[str, Any]]:
-    """Return MSE and peak error of each of :meth:`Setting.images`, and what the variants are beside the FFT."""
+def measures(images: Mapping[str, NDArray[np.float64]]) -> dict[str, Facts]:
+    """Return MSE and peak error of each of :meth:`Setting.images`, and of the variants against the FFT."""
     truth = images["exact"]
-    found: dict[str, dict[str, Any]] = {
+    found: dict[str, Facts] = {
         name: {"mse": mse(image, truth), "peak_error": peak_error(image, truth)}
         for name, image in images.items()
         if name != "exact"

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.paper.drawing import new_figure, panels
-from lommel.paper.setting import FigureData
+from lommel.paper.setting import Arrays, FigureData
 from lommel.special.piecewise import SPLITS, PiecewiseQuadratic, fit_quadratics
 
 if TYPE_CHECKING:
@@ -37,7 +36,7 @@ def compute(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -
     rho = (np.arange(samples) + 0.5) / samples
     phase = spherical * rho**4
     fits = {kind: make(spherical) for kind, make in FITS.items()}
-    columns: dict[str, NDArray[Any]] = {"rho": rho, "phase": phase}
+    columns: Arrays = {"rho": rho, "phase": phase}
     for name, fit in fits.items():
         columns[f"{name} fit"] = fit.phase(rho)
         columns[f"{name} error"] = np.abs(np.exp(1j * fit.phase(rho)) - np.exp(1j * phase))

@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.methods import ClosedForm, RadialMethod, TunedClosedForm
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.paper.drawing import V_AXIS, new_figure
-from lommel.paper.setting import REFERENCE, FigureData
+from lommel.paper.setting import REFERENCE, Arrays, FigureData
 from lommel.special.erf import AbramowitzErf
 
 if TYPE_CHECKING:
@@ -31,8 +30,8 @@ def compute(count: int = 61, radii: int = 301) -> FigureData:
     pupil = Pupil(Wavefront(defocus))
     exact = REFERENCE.profile(pupil, v).values
     peak = exact.max(axis=1, keepdims=True)
-    arrays: dict[str, NDArray[Any]] = {"defocus": defocus, "v": v}
-    columns: dict[str, NDArray[Any]] = {"C_d": defocus}
+    arrays: Arrays = {"defocus": defocus, "v": v}
+    columns: Arrays = {"C_d": defocus}
     largest = {}
     for name, method in _FORMS.items():
         error = np.abs(method.profile(pupil, v).values - exact) / peak

@@ -1,4 +1,4 @@
-"""Figures and table to files, each whole or not at all."""
+"""The figures and the table of the paper, written to files."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import tempfile
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from lommel.base import atomic
-from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, validity
-from lommel.paper.setting import FigureData
+from lommel.paper import bessel_forms, families, methods_cost, numbers, spherical, validity
+from lommel.paper.setting import Facts, FigureData
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,7 +31,7 @@ class _Plan:
 FIGURES = {
     1: _Plan("Methods and cost against n", methods_cost.compute, methods_cost.draw),
     2: _Plan("Comparison of various forms of J0(a)", bessel_forms.compute, bessel_forms.draw),
-    3: _Plan("PSF comparison between FFT and CFIS", comparison.compute, comparison.draw),
+    3: _Plan("PSF comparison between FFT and CFIS", families.compare_with_fft, families.draw_comparison),
     4: _Plan("CFIS PSF for varying N", families.by_terms, families.draw_intensity),
     5: _Plan("Error of the CFIS PSF for varying N", families.by_terms, families.draw_error),
     6: _Plan("Error of the CFIS PSF for varying defocus", families.by_defocus, families.draw_error),
@@ -57,32 +57,8 @@ def reproduce(
     started: Callable[[str], object] = str,
     *,
     dpi: float = 130.0,
-) -> dict[str, Any]:
-    """Compute and write figures, and the table if all are wanted.
-
-    Parameters
-    ----------
-    folder : Path
-        Made if it is not there.
-    figures : iterable of int, optional
-        Of :data:`FIGURES`; by default all of them, and the table.
-    started : callable
-        Told what is computed next.
-    dpi : float
-        Of the pictures.
-
-    Returns
-    -------
-    dict
-        "files": their paths; "figures": the facts of each; "table": its rows, or None.
-
-    Raises
-    ------
-    ValueError
-        If a figure does not exist.
-    OSError
-        If the folder cannot be made or written; nothing is then left behind.
-    """
+) -> Facts:
+    """Write figures by their numbers, or all of them and the table; return files, facts of figures, and the table."""
     wanted = list(FIGURES) if figures is None else list(dict.fromkeys(figures))
     for number in wanted:
         if number not in FIGURES:
@@ -114,7 +90,7 @@ def reproduce(
 
 
 def _prepare(folder: Path, targets: Iterable[str]) -> None:
-    """Make the folder and see that it can be written, before minutes are spent."""
+    """Make the folder and check that it can be written, before the figures take minutes."""
     made = [part for part in (folder, *folder.parents) if not part.exists()]
     try:
         if folder.exists() and not folder.is_dir():
@@ -145,14 +121,14 @@ def picture(figure: Figure, dpi: float) -> bytes:
 def archive(data: FigureData) -> bytes:
     """Return the arrays as an .npz, with the facts as JSON in "description"."""
     buffer = io.BytesIO()
-    arrays: dict[str, Any] = dict(data.arrays)
+    arrays: Facts = dict(data.arrays)
     description = json.dumps({"title": data.title} | data.facts, allow_nan=False)
     np.savez_compressed(buffer, description=np.array(description), **arrays)
     return buffer.getvalue()
 
 
 def spreadsheet(data: FigureData) -> bytes:
-    """Return the columns as a .csv, names in the first line; a value that is not there is an empty cell."""
+    """Return the columns as a .csv, names in the first line; NaN is an empty cell."""
     lines = [",".join(f'"{name}"' if "," in name else name for name in data.columns)]
     lines += [
         ",".join("" if np.isnan(value) else f"{value:.9g}" for value in row)

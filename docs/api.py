@@ -170,7 +170,7 @@ def page() -> str:
     """Return the page as Markdown."""
     parts, names = [HEAD], public()
     for section in SECTIONS:
-        listed = [name for name, module in names.items() if section_of(module) is section]
+        listed = sorted((name for name, module in names.items() if section_of(module) is section), key=str.lower)
         if section.package:
             package = import_module(f"lommel.{section.package}")
             listed += [f"{section.package}.{n}" for n in package.__all__ if callable(getattr(package, n))]

@@ -74,7 +74,7 @@ TABLE = [
     ("pixel", 6.5, "pixel is in metres for a pupil with a wavelength and must be at most 0.1, got 6.5"),
     ("shape", 0, "shape must be from 1 to 16384, got 0"),
     ("normalize", "sum", "normalize must be one of 'energy', 'emitted', 'strehl', 'peak', got 'sum'"),
-    ("method", lm.NijboerZernike(), "NijboerZernike supports pupils of the type Pupil only, got ObjectivePupil"),
+    ("method", lm.NijboerZernike(), "NijboerZernike supports the pupils of a lens only, got that of an objective"),
     ("tol", 1e-30, "tol must be >= 1e-12 and < 0.1, got 1e-30"),
 ]  # fmt: skip
 

@@ -232,8 +232,8 @@ def test_factors_are_those_of_the_conventions():
     assert found[1] == pytest.approx([-2.0 * rate / 1.9**2, 0.0])
     focus = parts("focus_distance", pupil, step, energy=True)
     assert focus.phases[1] == pytest.approx(2.0 * rate / 2.0**2)
-    assert focus.growth == pytest.approx(lens.sensor_distance / 2.0**2)
-    assert focus.own == pytest.approx(2.0 * focus.growth)
+    assert focus.scaling == pytest.approx(lens.sensor_distance / 2.0**2)
+    assert focus.own == pytest.approx(2.0 * focus.scaling)
 
 
 @pytest.mark.parametrize(

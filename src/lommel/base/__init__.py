@@ -1,4 +1,4 @@
-"""The ground that all rooms stand on: checks, units, encodings, files read and written with care."""
+"""Validation, units, encodings, and files read and written with care."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Files and folders written whole or not at all: under a temporary name beside the place, then moved into it."""
+"""Atomic writes of files and folders: under a temporary name beside the place, then moved into it."""
 
 from __future__ import annotations
 

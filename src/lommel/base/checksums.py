@@ -1,4 +1,4 @@
-"""Whether a file is what was written: one checksum of its arrays and of what it says of them."""
+"""Checksums of the arrays and the description of a file."""
 
 from __future__ import annotations
 

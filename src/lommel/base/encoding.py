@@ -1,4 +1,4 @@
-"""Between stored values and light: sRGB or linear, integers or floats."""
+"""Encoding of light in stored values: sRGB or linear, integers or floats."""
 
 from __future__ import annotations
 

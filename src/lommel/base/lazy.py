@@ -1,4 +1,4 @@
-"""Packages whose parts are imported when they are first asked for (PEP 562)."""
+"""Lazy import of the modules of a package (PEP 562)."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], obj
     def names() -> list[str]:
         from pkgutil import iter_modules
 
-        room = sys.modules[package]
+        module = sys.modules[package]
         exported = () if exports is None else import_module(f"{package}.{exports}").__all__
-        return sorted({*vars(room), *exported, *(file.name for file in iter_modules(room.__path__))})
+        return sorted({*vars(module), *exported, *(file.name for file in iter_modules(module.__path__))})
 
     return attribute, names

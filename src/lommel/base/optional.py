@@ -1,4 +1,4 @@
-"""Libraries that only parts of the package need: fetched where they are used, named where they are missing."""
+"""Optional libraries: imported where they are used, with a message on how to install them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Options that several functions share: listed once, as keywords, with their defaults and their text."""
+"""Options shared by several functions, listed once with their defaults and documentation."""
 
 from __future__ import annotations
 

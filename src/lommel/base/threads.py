@@ -1,4 +1,4 @@
-"""The same task for several things, on several threads."""
+"""A task for several things on several threads."""
 
 from __future__ import annotations
 

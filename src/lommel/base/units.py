@@ -1,4 +1,4 @@
-"""Unit strings, for the edges of the package only: the command line and lens files."""
+"""Unit strings of the command line and of lens files."""
 
 from __future__ import annotations
 

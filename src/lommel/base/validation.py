@@ -1,4 +1,4 @@
-"""Checks shared by every public entry: each names the argument, the value and what is allowed."""
+"""Validation of arguments: each error names the argument, the value and what is allowed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Blur beside that of the lens: seeing, jitter, motion, charge diffusion, and the shape of pixels."""
+"""Blur besides diffraction: seeing, jitter, motion, charge diffusion, and the shape of pixels."""
 
 from typing import TYPE_CHECKING
 

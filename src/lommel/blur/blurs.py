@@ -1,7 +1,7 @@
-r"""What spreads an image beside the lens: each a factor of the transfer function.
+r"""Blurs as factors of the transfer function: seeing, jitter, motion, charge diffusion.
 
 Every one is a density of shifts b, nowhere negative and of all light 1: the image is ``I * b``, its transfer function
-``OTF(f) T(f)``. Here are their Fourier transforms ``T(f) = int b(r) exp(-2 pi i f.r) dr``; spread.py convolves.
+``OTF(f) T(f)``. Here are their Fourier transforms ``T(f) = int b(r) exp(-2 pi i f.r) dr``; convolution.py convolves.
 """
 
 from __future__ import annotations

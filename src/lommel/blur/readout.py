@@ -1,4 +1,4 @@
-r"""Pixels of any sides, anywhere, from samples on a square lattice: along rows, then along columns.
+r"""Values of pixels of any size and position from samples on a square lattice, along rows, then columns.
 
 The transform of ``box(w) exp(-(w / s)^2 / 2)``, boxes being convolved with the Gaussian, is
 ``g(x) = sin(m x) / (pi x) exp(-(s x)^2 / 2)``: a gate from ``-m`` to ``m`` whose fall is an error function. So

@@ -1,4 +1,4 @@
-"""Images as sensors record them, by any method: a lattice is asked for what the tolerance needs."""
+"""Blurred, pixel-integrated images by any method, from samples as fine as the tolerance needs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""What turbulence makes of a point, as samples of a plane take it: its halo falls as r^(-11/3), and ends nowhere.
+r"""The kernel of atmospheric turbulence, sampled: its wings fall as r^(-11/3).
 
 With w in units in which the image ends at 2, ``c(r) = (1 / 2 pi) int T(w) G(w) J0(w r) w dw``, G a gate that is 1
 up to 2 and 0 where samples h apart would confuse w with less than that. With ``w = u^3`` both ``w^(5/3)`` and von

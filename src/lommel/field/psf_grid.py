@@ -1,4 +1,4 @@
-"""PSFs over a sensor, each with its place."""
+"""Grids of PSFs over a sensor."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is drawn from a wavefront or from its image: where the light is, how much, how sharp, how wrong."""
+"""Measures of wavefronts and of PSFs: energy, widths, transfer functions, errors."""
 
 from typing import TYPE_CHECKING
 

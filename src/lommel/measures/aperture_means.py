@@ -1,4 +1,4 @@
-r"""Averages over the aperture: what a wavefront says of its image before any is computed.
+r"""Averages over the aperture: rms wavefront error, Strehl ratio, centroid and spot radius from the wavefront.
 
 All are integrals over the clear aperture. On discs and annuli these are in polar coordinates, by Gauss-Legendre nodes
 in ``t = rho^2`` and equal steps in theta; on others by the rule of :meth:`lommel.Pupil.rule`. An average over theta

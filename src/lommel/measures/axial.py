@@ -1,4 +1,4 @@
-"""Stacks over the stage of a microscope: where their planes are, and how wide they are along z."""
+"""Axial measures of microscope stacks: stage positions and the width along z."""
 
 from __future__ import annotations
 

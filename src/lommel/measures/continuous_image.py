@@ -1,4 +1,4 @@
-r"""The image that the values of a PSF are samples of, at any point and over any circle or rectangle.
+r"""The continuous image that the values of a PSF sample, at any point and over any circle or rectangle.
 
 It is one function of the position: the intensity that the optics make of a point, convolved with each blur and, where
 pixels average, with the pixel. Its transform is the optical transfer function times a factor for each of these,

@@ -1,4 +1,4 @@
-"""How much of all light falls inside a window, a circle, a square, and about which point."""
+"""Energy in the window, encircled and ensquared energy, and centroids."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far images are from a reference."""
+"""Errors of images against a reference."""
 
 from __future__ import annotations
 

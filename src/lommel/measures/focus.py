@@ -1,4 +1,4 @@
-"""The defocus that puts most light into a circle."""
+"""Best focus: the defocus with the most light in a circle."""
 
 from __future__ import annotations
 

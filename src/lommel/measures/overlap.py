@@ -1,4 +1,4 @@
-r"""What two apertures share, one shifted against the other: the autocorrelation of the pupil function P.
+r"""The autocorrelation of the pupil function P: two apertures, one shifted against the other.
 
 With f in units of the cutoff ``1 / (lambda N)`` and pupil coordinates over the radius of the aperture,
 

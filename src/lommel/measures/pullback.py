@@ -1,4 +1,4 @@
-"""The gradient of a number that images make, from its derivative by their values: what fits descend along."""
+"""Gradients of a function of an image with respect to the parameters of the pupil, by the adjoint (pullback)."""
 
 from __future__ import annotations
 

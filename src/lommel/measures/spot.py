@@ -1,4 +1,4 @@
-"""Where the light of a PSF is, how high and how wide: peaks, width at half, diameters that hold a share of it."""
+"""Peaks, Strehl ratio, full width at half maximum, and diameters of encircled energy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Optical transfer functions of pupils, from the wavefront.
+"""Optical and modulation transfer functions of pupils, from the wavefront.
 
 The OTF is the Fourier transform of the PSF over all the light,
 ``OTF(f) = int I(r) exp(-2 pi i f.r) dr / int I dr``, which is the autocorrelation of the pupil function: overlap.py.

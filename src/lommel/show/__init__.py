@@ -1,4 +1,4 @@
-"""Pictures."""
+"""Plots by matplotlib, and tables for notebooks."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Pictures of PSFs in colour."""
+"""Plots of PSFs in colour."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Modulation transfer functions as curves."""
+"""Curves of the modulation transfer function and of encircled energy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of depth: maps of what photographs tell, and curves of how well they can."""
+"""Plots of depth maps and of the precision of depth."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What pictures share: words for values, lengths, scales of brightness, and matplotlib, imported when needed."""
+"""Labels, units, scales of brightness and axes that all plots share."""
 
 from __future__ import annotations
 

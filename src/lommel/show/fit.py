@@ -1,4 +1,4 @@
-"""A picture of how a model fits images: what was measured, what it says, what is left, and what was found."""
+"""Plot of a fit: images, model, residual and the fitted terms."""
 
 from __future__ import annotations
 

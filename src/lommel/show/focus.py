@@ -1,4 +1,4 @@
-"""Light about the focus: a section through it, and curves of how sharp it is."""
+"""Sections through focus, and Strehl ratio and MTF against the position of the sensor."""
 
 from __future__ import annotations
 

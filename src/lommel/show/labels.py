@@ -1,4 +1,4 @@
-"""What tells the pictures of a stack apart: distances, depths, the one coefficient that differs, or the index."""
+"""Labels of the members of a stack: distance, depth, the one coefficient that varies, or the index."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The pictures that this room has by name."""
+"""The plots that `lommel.show` offers by name."""
 
 from lommel.show.curves import encircled_energy, mtf
 from lommel.show.focus import focus_curves, through_focus

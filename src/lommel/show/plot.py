@@ -1,4 +1,4 @@
-"""Pictures of PSFs; matplotlib is imported when the first is asked for."""
+"""Plots of PSFs, of z stacks, of grids over the field, and of differences."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of what light passes through: the phase across a pupil, and the amplitude."""
+"""Plots of the phase and the amplitude across a pupil."""
 
 from __future__ import annotations
 

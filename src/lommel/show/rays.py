@@ -1,4 +1,4 @@
-"""Where rays meet the sensor, over the light that is there."""
+"""Spot diagrams: ray intersections with the sensor, over the PSF."""
 
 from __future__ import annotations
 

@@ -34,8 +34,7 @@ SECTIONS = [
         "Colour",
         "See [](colour.md).",
         ("channel_psf", "lensfiles.channel_files", "optics.colour"),
-        more="io.colour_files.save show.colours.plot optics.colour.spectrum.Spectrum"
-        " optics.colour.spectrum.Component",
+        more="io.colour_files.save show.plot.colour optics.colour.spectrum.Spectrum optics.colour.spectrum.Component",
     ),
     Section(
         "Lenses, pupils, apertures",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Self, TypedDict, Unpack
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Index, Values, largest
 from lommel.base.options import near
@@ -25,7 +26,6 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.colour.spectrum import Channels, checked
 from lommel.optics.grid import Grid
 from lommel.psf import PSF, Measured, Plan
-from lommel.show import colours
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -182,10 +182,10 @@ class ColourPSF(Measured):
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         """Draw the PSF in colour, a stack side by side; other numbers of channels than three each on their own.
 
-        See :func:`lommel.show.colours.plot`.
+        See :func:`lommel.show.plot.colour`.
         """
         validation.axes("ax", ax)
-        return colours.plot(self, ax, stretch=stretch)
+        return show.plot.colour(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.npz``, ``.tif`` (OME) or ``.png`` (in colour); see :func:`lommel.io.colour_files.save`."""

@@ -46,7 +46,8 @@ TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COL
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
 
 
-def pytest_collection_finish() -> None:
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtestloop() -> None:
     """Look for garbage, but among what the tests make alone."""
     gc.freeze()
     gc.enable()

@@ -195,6 +195,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
         }
         j += orders;
     };
+    // `some` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
     // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
     if constexpr (I::lanes == 8) {
         while (harmonics - j == 4 || harmonics - j > 6) {
@@ -207,6 +208,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
     while (j + 1 < harmonics) {
         some(std::integral_constant<std::size_t, 2>{});
     }
+    // NOLINTEND(bugprone-infinite-loop)
     if (j < harmonics) {
         some(std::integral_constant<std::size_t, 1>{});
     }

@@ -1,14 +1,14 @@
-r"""How well photographs of different focus can tell depth, before anybody takes them.
+r"""The achievable precision of depth from defocus (Cramér-Rao bound), and the best foci.
 
-There is a texture of power S; n photographs have the transfer functions h_i(u), u = 1 / distance, over their noise:
-the spectra of the photographs at one frequency are Gaussian of covariance ``S h h^T + 1``. A pixel holds about u the
-information (Whittle 1953, doi:10.1007/BF02590998, and half the trace of a product)
+A texture has the power S; n photographs have the transfer functions h_i(u), u = 1 / distance, over their noise: their
+spectra at one frequency are Gaussian of covariance ``S h h^T + 1``. The information of a pixel about u is
+(Whittle 1953, doi:10.1007/BF02590998)
 
     J = mean over f of [ 2 S^2 (h.h')^2 / (1 + S h.h)^2  +  S^2 h.h h'_^2 / (1 + S h.h) ] ,
 
-``h'_^2 = h'.h' - (h.h')^2 / h.h`` being what of the derivative is orthogonal to h. The second term needs no knowledge
-of S: it compares photographs with one another. The first takes the blur from each alone, and from S what the texture
-is without blur. A Gaussian window of rms width w holds as much as ``4 pi w^2`` pixels.
+with ``h'_^2 = h'.h' - (h.h')^2 / h.h``, the part of the derivative orthogonal to h. The second term compares
+photographs, and needs no knowledge of S; the first compares the blur of each with a known S. A Gaussian window of rms
+width w holds the information of ``4 pi w^2`` pixels.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ from lommel.optics.lens import Lens
 
 _MOST_PHOTONS = 1e12
 _SIDE = 128
-"""Texture is of structures of up to so many pixels, which contrast is stated for."""
+"""Largest structures, pixels, of the texture whose contrast is given."""
 _STEP = 0.02
-"""Radians of defocus to either side for derivatives by differences of the fourth order."""
+"""Radians of defocus between the points of derivatives by differences of the fourth order."""
 _ROUNDING = 1e-9
-"""Of what photographs would know if none of their change were in common: no more is left of equal ones."""
+"""Relative rounding error of the information, which equal photographs leave."""
 _SPANS = np.geomspace(0.15, 30.0, 14)
-"""Radians of defocus between an object and a focus, that are tried first."""
+"""Radians of defocus between an object and the foci of the first trials."""
 
 
 def depth_precision(
@@ -50,12 +50,12 @@ def depth_precision(
     window: float = 4.0,
     known_texture: bool = False,
 ) -> Numbers:
-    """Tell how well photographs of a textured surface can tell its distance, whatever the estimator.
+    """Return the least standard deviation of the distance of a textured surface from photographs of it.
 
     Parameters
     ----------
     lenses : sequence of Lens
-        That of each photograph, focused and stopped; radially symmetric, round apertures.
+        The focused lens of each photograph; circular apertures, radially symmetric aberrations.
     distance : array_like
         Of the surface, metres.
     pixel : float
@@ -63,23 +63,21 @@ def depth_precision(
     noise : Noise
         Of the photographs.
     photons : array_like, optional
-        Electrons of a pixel on average: a number, or one for each photograph. By default those of the value 1.0,
-        ``noise.white``.
+        Mean electrons of a pixel: a number, or one for each photograph. By default ``noise.white``.
     contrast : float, default 0.35
-        Of the texture, whose power falls as the squared frequency, as that of most scenes does: rms over mean of its
-        structures of 2 to 128 pixels, in the image in focus.
+        Of the texture, whose power falls as the squared frequency, as in most scenes: rms over mean of its structures
+        of 2 to 128 pixels, in the image in focus.
     window : float, default 4.0
-        Rms width of the Gaussian window in which depth is the same, pixels, at least 1.
+        Rms width of the Gaussian window of constant depth, pixels, at least 1.
     known_texture : bool, default False
-        Whether power and spectrum of the texture are known, so that each photograph alone tells its blur by what it
-        lacks. By default photographs are only compared, as :func:`lommel.imaging.depth_from_defocus` does.
+        Whether the power spectrum of the texture is known, so that one photograph determines its blur. By default
+        photographs are compared, as by :func:`lommel.imaging.depth_from_defocus`.
 
     Returns
     -------
     float or ndarray
-        The least standard deviation of an estimate without bias, metres, of the shape of `distance`. Infinite where
-        nothing can be known: at an infinite distance, without texture or without light, and where photographs change
-        alike with depth, such as two of the same lens and focus.
+        Standard deviation of the best unbiased estimate, metres, of the shape of `distance`; inf where depth cannot
+        be determined: at infinity, without texture or light, and for photographs that change alike with depth.
 
     Raises
     ------
@@ -89,8 +87,8 @@ def depth_precision(
 
     Notes
     -----
-    The information is that of J in the file; derivatives are by differences over 0.08 radians of defocus, which errs
-    by less than 1e-5 of the deviation. It is a mean over textures: where one has strong edges, a window knows more.
+    The Cramér-Rao bound for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998), by differences over 0.08 rad
+    of defocus, in error by less than 1e-5. It is a mean over textures: strong edges hold more information.
 
     Examples
     --------
@@ -109,14 +107,14 @@ def depth_precision(
 
 
 class Foci(NamedTuple):
-    """What :func:`best_foci` found.
+    """The best pair of focus distances: the answer of :func:`best_foci`.
 
     Attributes
     ----------
     near, far : float
         Distances to focus on, metres; the far one may be infinite.
     deviation : float
-        What they tell the distance to, metres, as :func:`depth_precision`.
+        Standard deviation of the distance, metres, as of :func:`depth_precision`.
     lenses : tuple of Lens
         Focused so.
     """
@@ -138,12 +136,12 @@ def best_foci(
     window: float = 4.0,
     known_texture: bool = False,
 ) -> Foci:
-    """Return the two distances to focus on that tell the distance of a surface best.
+    """Return the two distances to focus on that determine the distance of a surface best.
 
     Parameters
     ----------
     lens : Lens
-        Its own focus does not matter.
+        Its own focus distance is ignored.
     distance : float
         Of the surface, metres.
     pixel, noise, photons, contrast, window, known_texture
@@ -152,13 +150,13 @@ def best_foci(
     Returns
     -------
     Foci
-        The best pair of those with one focus before the surface and one behind it, to about 1 % of their distance
-        from it. For a range of depths choose foci at or beyond its ends, and look at :func:`depth_precision` between.
+        The best pair with one focus before the surface and one behind it, to about 1 % of their distance from it. For
+        a range of depths choose foci at or beyond its ends, and compare :func:`depth_precision` between.
 
     Raises
     ------
     TypeError, ValueError
-        As :func:`depth_precision`, and if no pair can be focused, or tells anything.
+        As of :func:`depth_precision`, and if no pair determines the distance.
 
     Examples
     --------
@@ -192,10 +190,10 @@ def best_foci(
     first = min(starts, key=cost)
     if not math.isfinite(cost(first)):
         if (pair := focused(starts[0])) is not None:
-            _deviation(pair, metres, pitch, settings)  # which says so if it is the window
+            _deviation(pair, metres, pitch, settings)  # raises if the windows are too large
         raise ValueError(
-            f"distance {metres:g} m has no pair of foci that tells it: there is no texture, no light, or no room "
-            "between the focal length and infinity"
+            f"no pair of foci determines the distance {metres:g} m: there is no texture, no light, or no focus "
+            "distance between the focal length and infinity"
         )
     found = minimize(cost, first, method="Nelder-Mead", options={"xatol": 0.01, "fatol": 1e-4 * cost(first)})
     pair = focused(found.x)
@@ -204,7 +202,7 @@ def best_foci(
 
 
 class _Settings(NamedTuple):
-    """Noise over light of each photograph, squared; contrast, window, and whether the texture is known."""
+    """Squared noise over light of each photograph; contrast, window, and whether the texture is known."""
 
     noise: Array
     contrast: float
@@ -217,10 +215,10 @@ def _settings(
 ) -> _Settings:
     validation.instance("noise", noise, Noise)
     if not all(isinstance(each, float | None) for each in (noise.white, noise.read)):
-        raise ValueError("noise must be the same for all pixels, white and read numbers, to tell precision by it")
+        raise ValueError("noise must be the same for all pixels: white and read must be numbers")
     if photons is None:
         if noise.white is None:
-            raise ValueError("photons must be given, electrons of a pixel on average, for noise states no white")
+            raise ValueError("photons must be given, the mean electrons of a pixel, where noise has no white")
         photons = noise.white
     light = validation.real_array("photons", photons, least=0.0)
     if light.shape not in ((), (count,)):
@@ -258,7 +256,7 @@ def _pixel(pixel: float, lenses: list[Lens]) -> float:
 
 
 def _deviation(lenses: list[Lens], distance: float, pixel: float, settings: _Settings) -> float:
-    """Return the deviation of one distance, metres."""
+    """Return the standard deviation of one distance, metres."""
     information = _information(lenses, distance, pixel, settings)
     pixels = 4.0 * math.pi * settings.window**2
     return distance**2 / math.sqrt(information * pixels) if information > 0.0 and distance < math.inf else math.inf

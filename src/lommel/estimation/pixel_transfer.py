@@ -1,11 +1,7 @@
-r"""The transfer function of a lens and its pixels together: the discrete Fourier transform of pixel-averaged PSFs.
+"""Transfer functions of lens and pixels: discrete Fourier transforms of pixel-integrated PSFs, aliasing included.
 
-Photographs are samples of averages over pixels. What relates them to a scene of pixels, and in all their computed
-models of this package does, is the transform of the averages themselves, in which frequencies beyond that of Nyquist
-are folded: not the transfer function of the lens times a sinc, which knows none of these.
-
-The PSFs are computed on windows. Beyond them the light of a round aperture falls as ``r^-3`` on average, whatever
-the defocus; what a window lacks is added so.
+Beyond a window the light of a round aperture falls as ``r^-3`` on average, whatever the defocus; what the window
+lacks is added so.
 """
 
 from __future__ import annotations
@@ -22,11 +18,11 @@ from lommel.optics.lens import Lens
 from lommel.psf import psf
 
 _MARGIN, _LEAST_MARGIN = 20, 4
-"""Pixels of a window beyond the cone of rays, where they are at most 3 lambda*N wide; fewer of larger ones."""
+"""Pixels of a window beyond the cone of rays, for pixels up to 3 lambda*N wide; fewer for larger ones."""
 
 
 class WindowError(ValueError):
-    """Windows that would be too large."""
+    """The windows would be too large."""
 
 
 MOST_HALF = 512
@@ -34,10 +30,7 @@ MOST_HALF = 512
 
 
 def half_window(lenses: Sequence[Lens], distances: Array, pixel: float) -> int:
-    """Return half of a window, in pixels, that shows the blur of all lenses at all distances.
-
-    ValueError if it is more than :data:`MOST_HALF`.
-    """
+    """Return half of a window, pixels, for the blur of all lenses at all distances; WindowError if too large."""
     radius = max(float(lens.pupil(distances).geometric_radius().max()) for lens in lenses)
     widest = max(lens.wavelength * lens.working_f_number for lens in lenses)
     margin = max(_LEAST_MARGIN, math.ceil(_MARGIN * min(1.0, 3.0 * widest / pixel)))
@@ -89,23 +82,10 @@ def pixel_transfer(
 
 
 def transfer_of_windows(quarter: Array, shape: tuple[int, int]) -> NDArray[np.float32]:
-    """Return the transfer functions of PSFs of which windows are known, alike in their quadrants.
-
-    Parameters
-    ----------
-    quarter : ndarray, shape (count, half + 1, half + 1)
-        Share of the light in each pixel, from the middle row down and the middle column on.
-    shape : (int, int)
-        As of :func:`pixel_transfer`.
-
-    Returns
-    -------
-    ndarray, shape (count, height // 2 + 1, width // 2 + 1)
-        As of :func:`pixel_transfer`.
-    """
+    """Return the transfer functions of symmetric windows, given from the middle row and column on."""
     half = quarter.shape[1] - 1
     across, down = _cosines(shape[1], half), _cosines(shape[0], half)
-    # At frequency 0 there is all that the windows hold.
+    # At frequency 0 the transform is the light in the window.
     total = down @ quarter @ across.T
     total += (1.0 - total[:, :1, :1]) * _beyond(shape, half)
     return np.asarray(total, dtype=np.float32)
@@ -118,7 +98,7 @@ def squared_frequency(shape: tuple[int, int]) -> Array:
 
 
 def multiplicity(shape: tuple[int, int]) -> Array:
-    """Return for how many of all frequencies each of :func:`pixel_transfer` stands, as a share of these."""
+    """Return the share of all frequencies that each one of :func:`pixel_transfer` stands for."""
 
     def times(side: int) -> Array:
         count = np.full(side // 2 + 1, 2.0)
@@ -132,7 +112,7 @@ def multiplicity(shape: tuple[int, int]) -> Array:
 
 @lru_cache(maxsize=8)
 def _cosines(side: int, half: int) -> Array:
-    """Return what transforms the pixels from the middle on of an even window."""
+    """Return the cosine transform of symmetric windows from their middle on."""
     angle = 2.0 * math.pi / side * np.outer(np.arange(side // 2 + 1), np.arange(half + 1))
     made = np.cos(angle)
     made[:, 1:] *= 2.0

@@ -35,21 +35,9 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 from lommel.optics.stacked import apart, together
 from lommel.psf import PSF, Plan
+from lommel.stacks import store as stores
 from lommel.stacks.stack import PSFStack, kind
-from lommel.stacks.store import (
-    DEFAULT,
-    FORMAT,
-    IDENTITY,
-    Arrays,
-    Center,
-    Description,
-    Index,
-    Layout,
-    Store,
-    cut,
-    layouts,
-    replaced,
-)
+from lommel.stacks.store import Arrays, Center, Description, Index, Layout, Store, layouts
 
 # Errors of file systems without locks, such as some network drives.
 _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
@@ -192,7 +180,7 @@ def requested(
     places, units = _axes(axes, stack, arrays, stacks[0].unit)
     said = {
         "software": f"lommel {version()}",
-        "format": FORMAT,
+        "format": stores.FORMAT,
         "stack": list(stack),
         "axes": units,
         "coordinates": crc32({}, dict(places)),
@@ -241,9 +229,9 @@ def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[
 
 def _chunks(chunk: int | None, stack: tuple[int, ...], listed: bool, nbytes: int) -> list[int]:
     """Return the shape of chunks of at most so many PSFs, or of 16 MiB; listed pupils are in chunks of their own."""
-    fit = max(1, DEFAULT // nbytes)
+    fit = max(1, stores.DEFAULT // nbytes)
     most = fit if chunk is None else validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
-    return [1, *cut(stack[1:], most)] if listed else [*cut(stack, most)]
+    return [1, *stores.cut(stack[1:], most)] if listed else [*stores.cut(stack, most)]
 
 
 def _different(ways: tuple[tuple[Method, ...], ...]) -> list[Method]:
@@ -417,7 +405,7 @@ def _begun(place: type[Store], path: Path, there: Store | None, request: Request
     other = "" if there is None else _difference(there.said, request.said)
     if there is not None and not other:
         return there
-    said = request.said | {IDENTITY: secrets.token_hex(16)}
+    said = request.said | {stores.IDENTITY: secrets.token_hex(16)}
     arrays: Arrays = {f"pupil/{name}": at for name, at in request.arrays.items()}
     if not request.grid.stack:
         arrays |= {"y": request.grid.y, "x": request.grid.x}
@@ -442,7 +430,7 @@ def _held(store: Store, other: str = "") -> Iterator[None]:
         try:
             held.enter_context(store.held(alone=bool(other)))
         except FileNotFoundError:
-            raise replaced(store.path) from None
+            raise stores.replaced(store.path) from None
         except BlockingIOError:
             raise _busy(store.path, other or "it is being begun anew") from None
         except OSError as error:
@@ -470,13 +458,13 @@ def _opened(place: type[Store], path: Path) -> Store:
     try:
         return place.open(path)
     except FileNotFoundError:
-        raise replaced(path) from None
+        raise stores.replaced(path) from None
 
 
 def _require_there(store: Store) -> None:
     """Raise FileError if the store was replaced since it was opened."""
     if _opened(type(store), store.path).said != store.said:
-        raise replaced(store.path)
+        raise stores.replaced(store.path)
 
 
 def _difference(there: Description, asked: Description) -> str:

@@ -23,23 +23,8 @@ from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
 from lommel.base.optional import library
 from lommel.io.psf_files import told
-from lommel.stacks.store import (
-    IDENTITY,
-    KEY,
-    MARKS,
-    WHAT,
-    Arrays,
-    Description,
-    Index,
-    Layout,
-    Store,
-    Values,
-    checked,
-    layouts,
-    missing,
-    replaced,
-    units,
-)
+from lommel.stacks import store as stores
+from lommel.stacks.store import Arrays, Description, Index, Layout, Store, Values
 
 _MARK = b"lommel stack %s %12d\n"  # the identity of the store, and the length of the description that follows
 _HEAD = len(_MARK % (bytes(32), 0))
@@ -58,17 +43,17 @@ class Hdf5Store(Store):
     def create(cls, path: Path, said: Description, arrays: Arrays, *, new: bool) -> None:
         """Write the file."""
         h5py = library("h5py", "stacks in .h5 need", "hdf5")
-        found = layouts(said)
+        found = stores.layouts(said)
         # A number has at most twenty digits.
         most = _HEAD + len(json.dumps(sealed(said, {}))) + sum(len(name) + 30 for name in found) + 200
 
         # The HDF5 library writes to memory, without the arrays: a full disk would end the process.
         made, offsets = _Pages(), {}
         with h5py.File(made, "w", userblock_size=max(512, 1 << most.bit_length())) as file:
-            file[KEY] = json.dumps(sealed(said, {}))
+            file[stores.KEY] = json.dumps(sealed(said, {}))
             for name, layout in found.items():
                 data = _contiguous(h5py, file, name, layout)
-                data.attrs.update(units(said, name))
+                data.attrs.update(stores.units(said, name))
                 if layout.dimensions == (name,):
                     data.make_scale(name)
                 offsets[name] = data.id.get_offset()
@@ -86,10 +71,10 @@ class Hdf5Store(Store):
                     file.seek(start)
                     file.write(page[: made.size - start])
                 file.seek(0)
-                file.write(_MARK % (said[IDENTITY].encode(), len(text)) + text)
+                file.write(_MARK % (said[stores.IDENTITY].encode(), len(text)) + text)
                 for name, layout in found.items():
                     if name != "values":  # which stay a hole in the file until they are written
-                        empty = np.broadcast_to(np.array(missing(name, layout), layout.dtype), layout.shape)
+                        empty = np.broadcast_to(np.array(stores.missing(name, layout), layout.dtype), layout.shape)
                         file.seek(offsets[name])
                         file.write(np.ascontiguousarray(arrays.get(name, empty), layout.dtype).data.cast("B"))
 
@@ -99,11 +84,11 @@ class Hdf5Store(Store):
     def open(cls, path: Path) -> Self:
         """Return the store at a path."""
         size = reading.size(path)
-        with told(path, WHAT), path.open("rb") as file:
+        with told(path, stores.WHAT), path.open("rb") as file:
             mark = file.read(_HEAD).split()
             if mark[:2] != [b"lommel", b"stack"] or len(mark) != 4 or int(mark[3]) > min(size, reading.MAX_PIXELS):
                 raise ValueError("no description before HDF5 begins")
-            said, found = checked(reading.json(file.read(int(mark[3]))))
+            said, found = stores.checked(reading.json(file.read(int(mark[3]))))
             offsets = {name: int(said[_PLACES][name]) for name in found}
             ends = [offsets[name] + layout.nbytes for name, layout in found.items()]
             if min(offsets.values()) < 0 or max(*ends, int(said[_BYTES])) > size:
@@ -123,8 +108,8 @@ class Hdf5Store(Store):
 
     def marks(self) -> NDArray[np.bool_]:
         """Return which chunks are computed."""
-        layout = self.layouts[MARKS]
-        return self._read(MARKS, (0,) * len(layout.shape), layout.shape) >= 0
+        layout = self.layouts[stores.MARKS]
+        return self._read(stores.MARKS, (0,) * len(layout.shape), layout.shape) >= 0
 
     def get(self, name: str, index: Index) -> Values:
         """Return a chunk, with fill values if it was not written."""
@@ -132,7 +117,7 @@ class Hdf5Store(Store):
 
     def _read(self, name: str, index: Index, shape: tuple[int, ...]) -> Values:
         place, kind = self._place(name, index), self.layouts[name].dtype
-        with told(self.path, WHAT):
+        with told(self.path, stores.WHAT):
             reading.size(self.path)  # lest it be a pipe
             return np.fromfile(self.path, kind, count=math.prod(shape), offset=place).reshape(shape)
 
@@ -150,11 +135,11 @@ class Hdf5Store(Store):
         """Yield the file to write into; FileError if it was replaced."""
         try:
             with atomic.told_as(self.path), self.path.open("r+b") as file:
-                if file.read(_HEAD).split()[2:3] != [self.said[IDENTITY].encode()]:
-                    raise replaced(self.path)
+                if file.read(_HEAD).split()[2:3] != [self.said[stores.IDENTITY].encode()]:
+                    raise stores.replaced(self.path)
                 yield file
         except FileNotFoundError:
-            raise replaced(self.path) from None
+            raise stores.replaced(self.path) from None
 
 
 class _Pages(io.RawIOBase):

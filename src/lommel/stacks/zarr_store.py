@@ -14,22 +14,8 @@ from lommel.base.checksums import sealed
 from lommel.io import zarr_folders
 from lommel.io.psf_files import told
 from lommel.io.zarr_folders import META, ZarrArray
-from lommel.stacks.store import (
-    IDENTITY,
-    KEY,
-    MARKS,
-    WHAT,
-    Arrays,
-    Description,
-    Index,
-    Store,
-    Values,
-    checked,
-    layouts,
-    missing,
-    replaced,
-    units,
-)
+from lommel.stacks import store as stores
+from lommel.stacks.store import Arrays, Description, Index, Store, Values
 
 
 class ZarrStore(Store):
@@ -44,12 +30,12 @@ class ZarrStore(Store):
         """Write the folder."""
 
         def fill(folder: Path) -> None:
-            zarr_folders.write_group(folder, {KEY: sealed(said, {})})
-            for name, layout in layouts(said).items():
+            zarr_folders.write_group(folder, {stores.KEY: sealed(said, {})})
+            for name, layout in stores.layouts(said).items():
                 ZarrArray(folder / name, layout.shape, layout.chunks, layout.dtype).create(
                     layout.dimensions,
-                    fill=missing(name, layout),
-                    attributes=units(said, name),
+                    fill=stores.missing(name, layout),
+                    attributes=stores.units(said, name),
                     values=arrays.get(name),
                 )
             ZarrArray(_scratch(folder, said), (), (), "|u1").create(())
@@ -61,12 +47,12 @@ class ZarrStore(Store):
         """Return the store at a path."""
         if not path.is_dir():
             raise FileNotFoundError(2, os.strerror(2), str(path))
-        with told(path, WHAT):
-            said, found = checked(zarr_folders.attributes(path)[KEY])
+        with told(path, stores.WHAT):
+            said, found = stores.checked(zarr_folders.attributes(path)[stores.KEY])
             store = cls(path, said, found)
             for name in found:
                 if ZarrArray.open(path / name) != store._array(name):
-                    raise ValueError(f"its array {name} is stored another way; zarr reads it")
+                    raise ValueError(f"its array {name} is stored in another way; zarr reads it")
             return store
 
     @property
@@ -80,9 +66,9 @@ class ZarrStore(Store):
 
     def marks(self) -> NDArray[np.bool_]:
         """Return which chunks are computed, by the files that exist."""
-        array = self._array(MARKS)
+        array = self._array(stores.MARKS)
         found = np.zeros(array.grid, dtype=bool)
-        with told(self.path, WHAT), os.scandir(array.folder) as entries:
+        with told(self.path, stores.WHAT), os.scandir(array.folder) as entries:
             for entry in entries:
                 key, *numbers = entry.name.split(".")
                 if key == "c" and all(number.isdecimal() for number in numbers):
@@ -92,7 +78,7 @@ class ZarrStore(Store):
 
     def get(self, name: str, index: Index) -> Values | None:
         """Return a chunk; None if there is no file."""
-        with told(self.path, WHAT):
+        with told(self.path, stores.WHAT):
             try:
                 return self._array(name).get(index)
             except FileNotFoundError:
@@ -106,9 +92,9 @@ class ZarrStore(Store):
                     array = self._array(name)
                     write(array.file(index), array.packed(part))
         except (FileNotFoundError, NotADirectoryError):
-            raise replaced(self.path) from None
+            raise stores.replaced(self.path) from None
 
 
 def _scratch(folder: Path, said: Description) -> Path:
     """Return the folder where chunks are written, an empty array to readers of the group."""
-    return folder / "chunks" / str(said[IDENTITY])
+    return folder / "chunks" / str(said[stores.IDENTITY])

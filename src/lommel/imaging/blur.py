@@ -40,12 +40,12 @@ class Points(NamedTuple):
 
 @shares(BlurKeywords, Settings)
 class DepthBlur(LinearBlur):
-    r"""What a lens makes of a scene, for one focus: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
+    r"""Blur by depth, a linear operator without occlusion: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
-    K is the PSF averaged over the pixels, at the defocus of each source point, cut to a window that holds `energy` of
-    its light and divided by what the window holds, so that light is conserved; or, with ``energy=1``, the whole of
-    it, a window and a smooth remainder without end. Between the windows of a bank it is interpolated by cubics.
-    Points do not hide one another: for that see :func:`lommel.imaging.depth_of_field`.
+    K is the pixel-integrated PSF at the defocus of each source point, truncated to a window that holds `energy` of its
+    light and divided by the light in the window, so that light is conserved; with ``energy=1`` it is not truncated,
+    but a window and a smooth remainder without end. Between the windows of a bank it is interpolated by cubics. For
+    occlusion see :class:`lommel.imaging.Occlusion`.
 
     Parameters
     ----------
@@ -64,13 +64,13 @@ class DepthBlur(LinearBlur):
     banks : tuple of Bank
         One a channel.
     spectra : tuple
-        Of each channel pairs of a wavelength (metres) and a weight.
+        Pairs of a wavelength (metres) and a weight for each channel.
     lost : float
         Largest share of light beyond the windows, of any point and channel; 0 for the whole PSF.
     error : float
-        Largest error of interpolated windows over their peak that was found. For the whole PSF the sum over pixels of
-        the most that K is off there, at the distances of the scene: no pixel is off by more than this times the
-        brightest point. A warning says where that is more than twice `tol`.
+        Largest error of interpolated windows over their peak, checked half-way between windows. For the whole PSF the
+        sum over pixels of the largest error of K, at the distances of the scene: no pixel is off by more than this
+        times the brightest point. A warning is given where that exceeds twice `tol`.
 
     Raises
     ------
@@ -157,8 +157,7 @@ class DepthBlur(LinearBlur):
     def forward(self, image: Values, weight: Values | None = None) -> Values:
         """Return the image that the lens makes of an `image`, or of its points in the bool map `weight` only."""
         out = self.by_channel(
-            image,
-            lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))]),
+            image, lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))])
         )
         if self.beyond is not None:
             light = list(self.apart(image if weight is None else (image.T * weight.T).T))

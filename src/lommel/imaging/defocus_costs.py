@@ -292,7 +292,7 @@ def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, win
     steepest = sum(one.curvature[level, at] for one, level in zip(channels, levels, strict=True))
     for one, level in zip(channels, levels, strict=True):
         texture, more = one.texture(at, level, np.minimum(worse, _NOISIER), independent)
-        # Where the minimum is clear it tells the texture better than the texture does.
+        # Where the minimum is clear its curvature is the better estimate of the texture.
         texture = np.where(clear, np.maximum(curvature / steepest, 0.0), texture)
         sure |= more
         expected += texture * one.curvature[level, at]
@@ -361,12 +361,7 @@ def _minimum(cost: Values, at: NDArray[np.int64]) -> tuple[Values, Values, Value
 
 
 def sharpen(
-    images: Values,
-    variances: Values,
-    transfers: Values,
-    position: Values,
-    level: float,
-    inner: tuple[slice, slice],
+    images: Values, variances: Values, transfers: Values, position: Values, level: float, inner: tuple[slice, slice]
 ) -> Array:
     """Return the scene of one channel in focus, by Wiener's filter at the depth of each pixel."""
     transform, h, local = whitened(images, variances, transfers)
@@ -399,7 +394,7 @@ class Exposures:
 
     images: NDArray[np.float32]  # (channels, photographs, height, width): over the relative exposure of each
     variances: NDArray[np.float32]  # of the noise of each pixel, from the light around it
-    valid: NDArray[np.bool_]  # pixels that all photographs and channels know
+    valid: NDArray[np.bool_]  # pixels known in all photographs and channels
     exposures: tuple[float, ...]  # light of each photograph over that of the first
 
 

@@ -33,7 +33,7 @@ _USUAL, _MOST = 61, 2001  # candidates
 _STEP, _LARGEST_STEP = 1.0, 2.0  # radians of defocus from one candidate to the next
 _EDGE = 0.3  # or pixels that the edge of the blur moves by, where that is more: as in pixels of 3 lambda N
 _SIDE = 0.35  # of a window, by which texture may lie to one side of it
-_KNOWN = 0.1  # of the range of vergence: who knows no better than this knows nothing
+_KNOWN = 0.1  # of the range of vergence: depths of a larger standard error are unknown
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +43,12 @@ class DefocusDepth:
     Attributes
     ----------
     depth : ndarray, shape (height, width)
-        Distance from the lens, metres; NaN where it is not known.
+        Distance from the lens, metres; NaN where depth cannot be determined.
     deviation : ndarray, shape (height, width)
-        Its standard deviation, metres; infinite where it is not known.
+        Its standard error, metres; inf where depth cannot be determined.
     misfit : ndarray, shape (height, width)
-        What the photographs differ by beyond the depth found, over noise: 1 where registration and noise hold,
-        more at steps of depth, at borders, where something moved. The deviation has grown with it.
+        Residual difference of the photographs at the depth found, over noise: 1 where registration and noise hold,
+        more at steps of depth, at borders, where something moved. The deviation includes it.
     candidates : ndarray, shape (count,)
         Distances that were tried, metres.
     exposures : tuple of float
@@ -120,8 +120,8 @@ def depth_from_defocus(
     ----------
     photographs : sequence of array_like, shape (height, width) or (height, width, channels)
         Two or more of the same scene from the same place, unsigned integers (white is their largest value) or floats.
-        NaN, and the largest value of integers, mark pixels that are not known. Neither denoised nor sharpened, nor a
-        JPEG of low quality: what is left of the noise is what depth is weighed by.
+        NaN, and the largest value of integers, mark unknown pixels. Neither denoised nor sharpened, nor a JPEG of low
+        quality: depths are weighed by the noise.
     lenses : sequence of Lens
         That of each photograph, focused and stopped as it was, with radially symmetric aberrations and a round
         aperture.
@@ -134,21 +134,21 @@ def depth_from_defocus(
     between : (float, float)
         Nearest and farthest distance that is looked for, metres; the farthest may be infinite.
     window : float, default 4.0
-        Rms width of the Gaussian windows in which depth is taken to be the same, pixels, 1 to 64. Larger ones know
-        flat surfaces better and small things worse.
+        Rms width of the Gaussian windows in which depth is taken to be constant, pixels, 1 to 64. Larger ones are more
+        precise on flat surfaces, and resolve less.
     candidates : int, optional
-        How many distances are tried, equally spaced in 1 / distance. By default 61, or more where defocus would
+        Number of candidate distances, equally spaced in 1 / distance. By default 61, or more where defocus would
         change by more than a radian from one to the next. Depth is found between them.
     wavelengths : sequence, optional
         As of :func:`lommel.imaging.depth_of_field`. Channels have textures of their own, and one depth.
     exposures : sequence of float, optional
-        Light of each photograph over that of the first: exposure time over squared f-number, for one. By default what
-        they hold on average, as a camera that meters would make it.
+        Light of each photograph over that of the first: exposure time over squared f-number, for example. By default the
+        ratio of their means, as with a metered exposure.
     magnification : {"registered", "lens"}, default "registered"
         Whether points are at the same pixel in all photographs, or each is as large as its lens, thin and of the
         sensor distance that it has, makes it: these are resampled to the scale of the first, about the middle.
     saturation : float, optional
-        Stored value from which on pixels are not known.
+        Stored value from which on pixels are saturated, and left out.
     transfer : callable, optional
         Function that makes the transfer functions, with the arguments and the result of
         :func:`lommel.estimation.pixel_transfer.pixel_transfer`: for other PSFs than those of the lenses, the default.
@@ -260,7 +260,7 @@ def _lenses(lenses: Sequence[Lens]) -> list[Lens]:
         raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
     if len(lenses) < 2:
         raise ValueError(
-            f"lenses must be two or more: one photograph does not tell blur from soft texture; got {len(lenses)}"
+            f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
         )
     for k, lens in enumerate(lenses):
         if not lens.aberrations.radial or lens.aberrations.shape != ():
@@ -330,7 +330,7 @@ def expose(
     images = np.stack(electrons, axis=1)
     valid = np.all(known, axis=0)
     if not valid.any():
-        raise ValueError("photographs have no pixel that all of them know: they are NaN or saturated")
+        raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
     if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
         images, valid = _rescaled(images, valid, lenses)
     light = _relative(images[..., valid], exposures)

@@ -266,7 +266,7 @@ def _mixed(axes: Sequence[Nodes], coefficients: Values, places: Array) -> Iterat
         yield found.astype(np.float64, copy=False)
 
 
-CORE = 0.9  # share of the light whose changes tell how close nodes must be
+CORE = 0.9  # share of the light whose changes decide how close nodes must be
 
 _AT_ONCE = 2**24  # values that are computed at once
 
@@ -431,13 +431,7 @@ def off(one: Values, other: Values) -> float:
     return float(np.abs(one - other).sum(axis=(-2, -1)).max(initial=0.0))
 
 
-def enough(
-    sample: Callable[[Array], Array],
-    first: float,
-    last: float,
-    tol: float,
-    degree: int = 3,
-) -> Nodes | None:
+def enough(sample: Callable[[Array], Array], first: float, last: float, tol: float, degree: int = 3) -> Nodes | None:
     """Return nodes whose splines err by no more than `tol` on ``sample(places)``, or None if it takes too many."""
     if first == last:
         return Nodes(first, first, 1, degree)

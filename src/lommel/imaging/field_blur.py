@@ -37,13 +37,13 @@ class FieldKeywords(TypedDict, total=False):
 
 @shares(FieldKeywords, Settings)
 class FieldBlur(LinearBlur):
-    """What a lens makes of points that have a PSF each: ``out[q] = sum_p image[p] K_p(q - p)``.
+    """Blur that varies over the field, and with depth, a linear operator: ``out[q] = sum_p image[p] K_p(q - p)``.
 
-    K_p is the PSF of the source point p, averaged over the pixels: that of its place in the field, and of its
-    distance where a depth is given. It is cut to a window that holds `energy` of its light, of one size for all
-    points, and divided by what the window holds. Between nodes over the field (and over defocus) it is interpolated
-    by cubic splines; the nodes are chosen so that K_p errs by less than `tol`. With ``energy=1`` it is the whole PSF:
-    beyond the windows, which then are as large as it takes, that is for each point its share of one far light.
+    K_p is the pixel-integrated PSF of the source point p, at its place in the field, and at its distance where a depth
+    is given. It is truncated to a window that holds `energy` of its light, of one size for all points, and divided by
+    the light in the window. Between nodes over the field (and over defocus) it is interpolated by splines; the nodes
+    are chosen so that K_p errs by less than `tol`. With ``energy=1`` it is not truncated: the light beyond the
+    windows, which then are as large as needed, is a kernel that all points share, scaled for each.
 
     Parameters
     ----------
@@ -222,10 +222,10 @@ class FieldBlur(LinearBlur):
         )
         try:
             self.field_map.pupil(x[[0, -1]], y[[0, -1], None])
-        except ValueError as told:
+        except ValueError as error:
             height, width = self.shape
             raise ValueError(
-                f"{told}: as far goes the image, {height} x {width} pixels with y from {y[0]:.4g} to {y[-1]:.4g} and "
+                f"{error}: the image spans {height} x {width} pixels with y from {y[0]:.4g} to {y[-1]:.4g} and "
                 f"x from {x[0]:.4g} to {x[-1]:.4g} {unit}; take a smaller shape, another center= (row and column of "
                 "the axis), or a map of more of the field"
             ) from None

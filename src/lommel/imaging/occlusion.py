@@ -114,10 +114,10 @@ class _Shares(NamedTuple):
 
 
 class Occlusion(LinearBlur):
-    r"""What a lens makes of a scene in which near points hide far ones: a linear operator, with its transpose.
+    r"""Blur by depth with occlusion, near points before far ones: a linear operator, with its transpose.
 
-    Points are sorted into layers, within each of which the diameter of the blur changes by a pixel (or by a 64th of
-    its range over the scene, if that is more). From the nearest layer to the farthest, the light B and the coverage A
+    Points are sorted into layers, within each of which the circle of confusion changes by a pixel (or by a 64th of its
+    range over the scene, if that is more). From the nearest layer to the farthest, the light B and the coverage A
     (the same for a scene that is white) are spread, each point by its own PSF, and as much is taken of them as the
     layers before have left of the aperture: ``out = sum w B / A``, ``w = min(A, 1 - sum of w before)``.
 
@@ -127,8 +127,8 @@ class Occlusion(LinearBlur):
     of :meth:`lommel.imaging.DepthBlur.forward` wherever nothing is hidden, but for what makes a white scene white
     where the blur varies. Two separate screens before a third surface cover rather too much of it.
 
-    Where a near surface ends before a far one, the lens sees round it some of what the image does not show: points
-    closer to the edge than the radii of their blurs differ. These are given a second point, behind, with light and
+    Where a near surface ends before a far one, the lens sees some points behind it that the image does not show:
+    those closer to the edge than their circles of confusion differ in radius. These are given a second point, behind, with light and
     defocus of the point of the far surface mirrored at the edge. Dividing by the coverage instead would leave a sharp
     line in the blurred edge of a near object, at the last pixel where the far surface is known; repeating the last
     point of it would draw streaks out of highlights. What neither covers, behind surfaces hidden twice or at slopes
@@ -136,21 +136,21 @@ class Occlusion(LinearBlur):
 
     A share w / A is 1 for the layers before the aperture is full, 0 for those after it, and a fraction for the one
     that fills it: one real number a pixel, the layers that it sees, holds the shares of all of them, and light is
-    spread once, whatever the number of layers. What hides what depends on the depth alone: it is found at the first
+    spread once, whatever the number of layers. The occlusion depends on the depth alone: it is found at the first
     call, layer by layer, and again when `blur` is given other depths. Time after that, over
     :meth:`lommel.imaging.DepthBlur.forward`: 1.4 where few points hide something, 1.7 to 2.7 where most do.
 
-    With ``energy=1`` this is what becomes of the windows of all points. What lies beyond the window of a point, one
-    percent of its light, nothing hides. Points that are hidden somewhere cost twice.
+    With ``energy=1`` this is done to the windows of all points; the light beyond them, one percent, is not occluded.
+    Points that are hidden somewhere cost twice.
 
-    Memory: what is kept takes 8 bytes a point, 16 a point and channel (16 and 24 in float64) and 16 for each point
+    Memory that is kept: 8 bytes a point, 16 a point and channel (16 and 24 in float64) and 16 for each point
     that has another behind it, never more; with ``energy=1`` 16 more a point and channel.
 
     Parameters
     ----------
     blur : DepthBlur
     reach : (float, float), optional
-        Least and largest defocus C_d, radians, of the whole scene where `blur` has a part of it: what layers are.
+        Least and largest defocus C_d, radians, of the whole scene where `blur` has a part of it; defines the layers.
 
     Raises
     ------

@@ -15,20 +15,20 @@ _FIRST = 20  # steps after which a misfit can be told
 
 @dataclass(frozen=True, kw_only=True)
 class RichardsonLucy:
-    r"""Restoration by likelihood alone: ``x <- x / (A^T w) * A^T[w (y + s) / (A x + s)]``, from a flat scene.
+    r"""Richardson-Lucy deconvolution: ``x <- x / (A^T w) * A^T[w (y + s) / (A x + s)]``, from a uniform scene.
 
-    Each step explains the photograph better, its noise too in the end: where to stop is what keeps the result smooth.
-    It stops once the discrepancy (about 1 for the scene itself) is `target`. One that stays above 1 shows that
-    something else than noise is left, that depth, lens or noise do not fit, and further steps would draw it into the
-    picture. Where the blur is right the discrepancy D falls faster than ``c + d / k`` with the steps k: a misfit is
-    told from step 20 on where such a curve would end above the target, ``2 D(k) - D(k/2) > target``.
+    Each step raises the likelihood; in the end the steps fit the noise too, and stopping early keeps the result
+    smooth. It stops once the discrepancy (about 1 for the scene itself) is `target`. A discrepancy that stays above 1
+    shows a misfit of depth, lens or noise, which further steps would turn into artefacts. Where the blur is right the
+    discrepancy D falls faster than ``c + d / k`` with the steps k: a misfit is detected from step 20 on where such a
+    curve would end above the target, ``2 D(k) - D(k/2) > target``.
 
     Parameters
     ----------
     steps : int, default 200
-        At most so many, 1 to 100000.
+        Maximum number of steps, 1 to 100000.
     target : float, default 0.9
-        Discrepancy to stop at. Less than 1, for what is restored follows some of the noise. 0 takes all `steps`.
+        Discrepancy to stop at. Less than 1, since the result follows some of the noise. 0 takes all `steps`.
     accelerate : bool, default True
         Whether steps are extrapolated, which saves about two of three.
 

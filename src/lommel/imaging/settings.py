@@ -45,30 +45,30 @@ class Settings:
     Parameters
     ----------
     occlusion : bool, default True
-        Whether near points hide far ones. Without, light is only added, which is quicker: what lies behind a near
-        object bleeds over its edges.
+        Whether near points occlude far ones. Without occlusion it is faster, and light from behind a near object
+        bleeds over its edges.
     wavelengths : Channels or sequence, optional
         :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel. By
         default that of the lens for a grey image, and 600, 540 and 460 nm for one of three channels.
     missing : {"raise", "nearest", "infinity"}, default "raise"
-        What a NaN in the depth means: an error, the nearest known depth, or no object.
+        Meaning of a NaN in the depth: an error, the nearest known depth, or no object.
     border : {"reflect", "extend", "zero"}, default "reflect"
-        What lies beyond the edges: the mirrored image, its last pixels, or darkness. Depth is mirrored or extended
+        Continuation of the image beyond its edges: mirrored, its last pixels, or dark. Depth is mirrored or extended
         alike; light that leaves the image is lost.
     energy : float, default 0.98
-        Share of the light of a point that its window must hold, 0.5 to 0.9999. The rest is spread over the window. Or
-        1 for the whole PSF, of which nothing is cut: a window and a smooth remainder, all over the image, at 1.7
-        times the cost. Tiles and chunks take no 1.
+        Share of the light of a point that its window must hold, 0.5 to 0.9999; the rest is spread over the window.
+        1 is without truncating the PSF, which is a window and a smooth remainder all over the image, at 1.7 times the
+        cost; not by tiles or chunks.
     tol : float, default 1e-4
         Bound on the error of interpolated windows over their peak, 1e-7 to 1e-1, checked half-way between windows.
-        If energy is 1, what is off beyond the windows sums to no more, or little more, too, but for the finest rings
-        far away: `error` of the blur bounds it, and a warning says where it is more than twice `tol`.
+        With ``energy=1`` also about that on the sum of the errors beyond the windows, but for the finest rings far
+        away: `error` of the blur bounds it, and a warning is given where it exceeds twice `tol`.
     largest : int, optional
         Largest half width of a window, pixels, 1 to 2048; by default half of the smaller side of the image.
     dtype : float32 or float64, default float32
-        Of the sums over light.
+        Type of the sums over light.
     threads : int, optional
-        At most so many; by default as many as there are processors. The result does not depend on it.
+        Maximum number of threads; by default the number of processors. The result does not depend on it.
 
     Raises
     ------

@@ -21,20 +21,19 @@ _SETTLED, _EVERY = 3e-3, 25  # change of the discrepancy over so many steps
 
 @dataclass(frozen=True, kw_only=True)
 class TotalVariation:
-    r"""Restoration as the minimum of ``sum w (m - y ln m) + strength * sum |grad x|``, ``m = A x + s``, ``x >= 0``.
+    r"""Deblurring with total variation, as the minimum of ``sum w (m - y ln m) + strength * sum |grad x|``, ``m = A x + s``, ``x >= 0``.
 
-    The gradient is that of all channels together, so that they share their edges. Its `strength` is found by the
-    noise: such that the discrepancy of the result is `target`.
+    The gradient is that of all channels together, so that they share their edges. The `strength` is found from the
+    noise, such that the discrepancy of the result is `target`.
 
     Parameters
     ----------
     strength : float, optional
-        A number without unit, that depends on the noise: about ``0.15 / sqrt(electrons a pixel)``.
+        Dimensionless weight of the total variation, which depends on the noise: about ``0.15 / sqrt(electrons a pixel)``.
     steps : int, default 150
-        So many for a `strength` that is given, 1 to 100000; for each that is tried, fewer where nothing changes any
-        more.
+        Number of steps for a `strength` that is given, 1 to 100000; fewer for each that is tried, where it converges.
     target : float, default 0.9
-        Discrepancy to be reached, above 0. Less than 1, for what is restored follows some of the noise.
+        Discrepancy to be reached, above 0. Less than 1, since the result follows some of the noise.
 
     Raises
     ------

@@ -172,7 +172,7 @@ def traced_blur(
     ns = Namespace.of(xp)
     validation.choice("precision", precision, ("float32", "float64"))
     if precision == "float64" and not ns.has_double(device):
-        raise ValueError(f'precision must be "float32" here: {ns.name} has no float64, or was not told to use it')
+        raise ValueError(f'precision must be "float32" here: {ns.name} has no float64, or it is switched off')
     found = lens.defocus(distances)
     low, high = float(found.min()), float(found.max())
     low, high = (low, high) if high - low > 0.2 else (low - 0.1, high + 0.1)

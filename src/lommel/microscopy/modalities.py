@@ -34,15 +34,14 @@ def confocal(
     normalize: str = "strehl",
     tol: float = 1e-6,
 ) -> PSF:
-    """Compute the PSF of a confocal microscope: of the spot that excites, and of a pinhole before the detector.
+    """Return the PSF of a confocal microscope: the excitation spot times the image seen through the pinhole.
 
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        The light that excites, whose emitter is a :class:`lommel.Beam`, and that of the emitter, in the same planes,
-        both without aberrations. A :class:`lommel.Dipole` absorbs the part of the field along it; where it wobbles,
-        as if it had turned in the meantime.
-        Colours have their foci apart: with ``z=emission.focus, origin="coverslip"`` the excitation is in the planes
+        Excitation light, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes, both without
+        aberrations. A :class:`lommel.Dipole` absorbs the part of the field along it; where it wobbles, as if it had
+        turned in the meantime. Foci differ by colour: with ``z=emission.focus, origin="coverslip"`` the excitation is in the planes
         of the emission, whatever the origin of these.
     shape : int or (int, int)
     pixel : float
@@ -50,7 +49,7 @@ def confocal(
     pinhole : float, default 1
         Radius of the pinhole in Airy units, ``0.61 lambda / NA`` of the emission.
     integrate : bool, default False
-        Whether pixels average; a beam that stops at each pixel samples their centres.
+        Whether values are pixel-integrated; a scanned beam is point-sampled.
     normalize : {"strehl", "peak"}, default "strehl"
         "strehl": the intensity of the excitation, relative to the focus of a uniform scalar aperture that sends as
         much light through the same plane of the sample, times the share of the collected light that passes the
@@ -63,7 +62,7 @@ def confocal(
     -------
     PSF
         Its pupil is the emission. Its `energy` and `encircled_energy` are those of a thin, even layer in each plane,
-        which tell by how much planes out of focus are suppressed.
+        which show how much planes out of focus are suppressed.
 
     Raises
     ------
@@ -105,7 +104,7 @@ def two_photon(
     normalize: str = "strehl",
     tol: float = 1e-6,
 ) -> PSF:
-    """Compute the PSF of a two-photon microscope: the square of the intensity of what excites.
+    """Return the PSF of a two-photon microscope: the square of the excitation intensity.
 
     Parameters
     ----------
@@ -143,7 +142,7 @@ def bead(
     normalize: str = "energy",
     tol: float = 1e-6,
 ) -> PSF:
-    """Compute the image of a bead that is evenly filled with emitters, as one records it to measure a PSF.
+    """Return the image of a bead uniformly filled with emitters, as recorded to measure a PSF.
 
     Parameters
     ----------
@@ -185,16 +184,16 @@ def light_sheet(
     normalize: str = "energy",
     tol: float = 1e-6,
 ) -> PSF:
-    """Compute the PSF of a light-sheet microscope: that of the emission, of emitters that a sheet lights.
+    """Return the PSF of a light-sheet microscope: that of the emission times the intensity of the sheet.
 
     Parameters
     ----------
     emission : ObjectivePupil
         Of any emitter.
     thickness : float
-        Full width of the sheet at half of its intensity, a Gaussian across; metres in the sample.
+        Full width at half maximum of the sheet, Gaussian across; metres in the sample.
     shape, pixel
-        As of :func:`lommel.psf`; pixels average.
+        As of :func:`lommel.psf`; pixel-integrated.
     offset : array_like, optional
         How far the emitter is from the middle of the sheet in each plane, metres in the sample; broadcasts with the
         stack. By default z of the pupil, as where the sheet stays in the plane that the objective looks at and the
@@ -268,16 +267,16 @@ def sted(
     pinhole: float = 1.0,
     tol: float = 1e-6,
 ) -> PSF:
-    """Compute the PSF of a STED microscope: of a confocal one whose light a doughnut depletes around the axis.
+    """Return the PSF of a STED microscope: confocal, with depletion by a doughnut around the axis.
 
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        As of :func:`lommel.microscopy.confocal`; emitters turn freely.
+        As of :func:`lommel.microscopy.confocal`; emitters are freely rotating dipoles.
     depletion : ObjectivePupil
         ``lm.Beam("vortex")`` of its wavelength, in the same planes.
     shape, pixel
-        As of :func:`lommel.microscopy.confocal`, whose pixels sample their centres.
+        As of :func:`lommel.microscopy.confocal`, point-sampled.
     saturation : float
         The intensity on the crest of the doughnut over that which leaves half of the light, 0 to some hundreds. The
         crest is that of a doughnut without aberrations behind the same interfaces: plane waves keep what these
@@ -295,7 +294,7 @@ def sted(
     ------
     TypeError, ValueError
         If an argument is out of range, if the planes differ, if there are aberrations, if the depletion depends on
-        the direction, or emitters do not turn freely.
+        the direction, or emitters are fixed dipoles.
     ToleranceError
         If the tolerance cannot be met.
 

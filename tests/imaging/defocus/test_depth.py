@@ -228,7 +228,7 @@ def test_progress_and_files(tmp_path):
         ({"photographs": [np.ones((40, 40))]}, "photographs must be as many as lenses, 2, got 1"),
         ({"photographs": [np.ones((40, 40)), np.ones((40, 41))]}, "photographs must be of one shape"),
         ({"photographs": [np.ones(40)] * 2}, r"photographs\[0\] must have the shape"),
-        ({"photographs": [np.full((40, 40), np.nan)] * 2}, "no pixel that all of them know"),
+        ({"photographs": [np.full((40, 40), np.nan)] * 2}, "no pixel that is known in all of them"),
         ({"photographs": [np.zeros((40, 40))] * 2}, "must hold light on average"),
         ({"pixel": 0.0}, "pixel must be"),
         ({"encoding": "log"}, "encoding must be"),

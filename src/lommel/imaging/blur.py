@@ -42,10 +42,10 @@ class Points(NamedTuple):
 class DepthBlur(LinearBlur):
     r"""Blur by depth, a linear operator without occlusion: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
-    K is the pixel-integrated PSF at the defocus of each source point, truncated to a window that holds `energy` of its
-    light and divided by the light in the window, so that light is conserved; with ``energy=1`` it is not truncated,
-    but a window and a smooth remainder without end. Between the windows of a bank it is interpolated by cubics. For
-    occlusion see :class:`lommel.imaging.Occlusion`.
+    K is the pixel-integrated PSF at the defocus of each source point, truncated to a window that holds `energy` of
+    its light and divided by the light in the window, so that light is conserved; with ``energy=1`` it is not
+    truncated, but a window and a smooth remainder without end. Between the windows of a bank it is interpolated by
+    cubics. For occlusion see :class:`lommel.imaging.Occlusion`.
 
     Parameters
     ----------

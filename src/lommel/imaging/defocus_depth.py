@@ -134,16 +134,16 @@ def depth_from_defocus(
     between : (float, float)
         Nearest and farthest distance that is looked for, metres; the farthest may be infinite.
     window : float, default 4.0
-        Rms width of the Gaussian windows in which depth is taken to be constant, pixels, 1 to 64. Larger ones are more
-        precise on flat surfaces, and resolve less.
+        Rms width of the Gaussian windows in which depth is taken to be constant, pixels, 1 to 64. Larger ones are
+        more precise on flat surfaces, and resolve less.
     candidates : int, optional
         Number of candidate distances, equally spaced in 1 / distance. By default 61, or more where defocus would
         change by more than a radian from one to the next. Depth is found between them.
     wavelengths : sequence, optional
         As of :func:`lommel.imaging.depth_of_field`. Channels have textures of their own, and one depth.
     exposures : sequence of float, optional
-        Light of each photograph over that of the first: exposure time over squared f-number, for example. By default the
-        ratio of their means, as with a metered exposure.
+        Light of each photograph over that of the first: exposure time over squared f-number, for example. By default
+        the ratio of their means, as with a metered exposure.
     magnification : {"registered", "lens"}, default "registered"
         Whether points are at the same pixel in all photographs, or each is as large as its lens, thin and of the
         sensor distance that it has, makes it: these are resampled to the scale of the first, about the middle.

@@ -39,11 +39,11 @@ class FieldKeywords(TypedDict, total=False):
 class FieldBlur(LinearBlur):
     """Blur that varies over the field, and with depth, a linear operator: ``out[q] = sum_p image[p] K_p(q - p)``.
 
-    K_p is the pixel-integrated PSF of the source point p, at its place in the field, and at its distance where a depth
-    is given. It is truncated to a window that holds `energy` of its light, of one size for all points, and divided by
-    the light in the window. Between nodes over the field (and over defocus) it is interpolated by splines; the nodes
-    are chosen so that K_p errs by less than `tol`. With ``energy=1`` it is not truncated: the light beyond the
-    windows, which then are as large as needed, is a kernel that all points share, scaled for each.
+    K_p is the pixel-integrated PSF of the source point p, at its place in the field, and at its distance where a
+    depth is given. It is truncated to a window that holds `energy` of its light, of one size for all points, and
+    divided by the light in the window. Between nodes over the field (and over defocus) it is interpolated by splines;
+    the nodes are chosen so that K_p errs by less than `tol`. With ``energy=1`` it is not truncated: the light beyond
+    the windows, which then are as large as needed, is a kernel that all points share, scaled for each.
 
     Parameters
     ----------

@@ -116,8 +116,8 @@ class _Shares(NamedTuple):
 class Occlusion(LinearBlur):
     r"""Blur by depth with occlusion, near points before far ones: a linear operator, with its transpose.
 
-    Points are sorted into layers, within each of which the circle of confusion changes by a pixel (or by a 64th of its
-    range over the scene, if that is more). From the nearest layer to the farthest, the light B and the coverage A
+    Points are sorted into layers, within each of which the circle of confusion changes by a pixel (or by a 64th of
+    its range over the scene, if that is more). From the nearest layer to the farthest, the light B and the coverage A
     (the same for a scene that is white) are spread, each point by its own PSF, and as much is taken of them as the
     layers before have left of the aperture: ``out = sum w B / A``, ``w = min(A, 1 - sum of w before)``.
 
@@ -128,11 +128,11 @@ class Occlusion(LinearBlur):
     where the blur varies. Two separate screens before a third surface cover rather too much of it.
 
     Where a near surface ends before a far one, the lens sees some points behind it that the image does not show:
-    those closer to the edge than their circles of confusion differ in radius. These are given a second point, behind, with light and
-    defocus of the point of the far surface mirrored at the edge. Dividing by the coverage instead would leave a sharp
-    line in the blurred edge of a near object, at the last pixel where the far surface is known; repeating the last
-    point of it would draw streaks out of highlights. What neither covers, behind surfaces hidden twice or at slopes
-    of depth near the limit, is filled by dividing by the sum of w.
+    those closer to the edge than their circles of confusion differ in radius. These are given a second point, behind,
+    with light and defocus of the point of the far surface mirrored at the edge. Dividing by the coverage instead
+    would leave a sharp line in the blurred edge of a near object, at the last pixel where the far surface is known;
+    repeating the last point of it would draw streaks out of highlights. What neither covers, behind surfaces hidden
+    twice or at slopes of depth near the limit, is filled by dividing by the sum of w.
 
     A share w / A is 1 for the layers before the aperture is full, 0 for those after it, and a fraction for the one
     that fills it: one real number a pixel, the layers that it sees, holds the shares of all of them, and light is

@@ -39,16 +39,11 @@ Window = tuple[slice, slice]
 class LazyArray(Protocol):
     """What is needed of a dask array."""
 
-    ndim: int
     shape: tuple[int, ...]
-    dtype: np.dtype[np.generic]
     chunks: tuple[tuple[int, ...], ...]
 
     def compute(self, **options: object) -> Pixels:
         """Return the values."""
-
-    def rechunk(self, chunks: object) -> LazyArray:
-        """Return the array in other chunks."""
 
 
 @dataclass(frozen=True, eq=False)

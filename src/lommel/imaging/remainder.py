@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, Protocol
@@ -436,35 +436,44 @@ class Beyond:
         self, blur: Blur, channels: Sequence[int], planes: Sequence[Values], *, slopes: bool = False
     ) -> list[Values]:
         """Return the light beyond the windows of planes of these channels, or its derivatives by positions."""
-        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         kernels = [self._kernels_of(blur, channel) for channel in channels]
-
         light = [np.ascontiguousarray(plane) for plane in planes]
 
-        def part(each: tuple[int, int]) -> Values:
-            index, r = each
-            return kernels[index].transformed(r, factors[index][r] * light[index])
+        def part(index: int, r: int, factor: Values) -> Values:
+            return kernels[index].transformed(r, factor * light[index])
 
-        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
-        sums = _summed(asked, side_by_side(part, asked, _threads(blur)))
+        sums = self._summed(blur, channels, slopes, part)
         return [each.image(total, _threads(blur)) for each, total in zip(kernels, sums, strict=True)]
 
     def collect(
         self, blur: Blur, channels: Sequence[int], planes: Sequence[Values], *, slopes: bool = False
     ) -> list[Values]:
         """Return the transpose of :meth:`spread` applied to planes."""
-        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         kernels = [self._kernels_of(blur, channel) for channel in channels]
-        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
         known = [each.known(plane, _threads(blur)) for each, plane in zip(kernels, planes, strict=True)]
 
-        def part(each: tuple[int, int]) -> Values:
-            index, r = each
+        def part(index: int, r: int, factor: Values) -> Values:
             taken = kernels[index].taken(r, known[index])
-            taken *= factors[index][r]
+            taken *= factor
             return taken
 
-        return _summed(asked, side_by_side(part, asked, _threads(blur)))
+        return self._summed(blur, channels, slopes, part)
+
+    def _summed(
+        self, blur: Blur, channels: Sequence[int], slopes: bool, part: Callable[[int, int, Values], Values]
+    ) -> list[Values]:
+        """Return for each channel the sum over r of its parts, of its index, r and a_r, made side by side."""
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
+        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
+        sums: list[Values] = []
+        for (_, r), found in zip(
+            asked, side_by_side(lambda at: part(*at, factors[at[0]][at[1]]), asked, _threads(blur)), strict=True
+        ):
+            if r == 0:
+                sums.append(found)
+            else:
+                sums[-1] += found
+        return sums
 
     def _kernels_of(self, blur: Blur, channel: int) -> MirroredKernels:
         """Return the kernels of a channel for images of this shape and border; kept."""
@@ -483,17 +492,6 @@ class Beyond:
         if last is None or last[0] is not positions:
             last = self._factors[id(remainder)] = positions, remainder.factors(positions, blur.dtype)
         return last[1]
-
-
-def _summed(asked: Sequence[tuple[int, int]], parts: Sequence[Values]) -> list[Values]:
-    """Return the sum over r of the parts of each plane."""
-    sums: list[Values] = []
-    for (_, r), found in zip(asked, parts, strict=True):
-        if r == 0:
-            sums.append(found)
-        else:
-            sums[-1] += found
-    return sums
 
 
 def _threads(blur: Blur) -> int:

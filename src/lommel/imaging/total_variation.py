@@ -21,15 +21,17 @@ _SETTLED, _EVERY = 3e-3, 25  # change of the discrepancy over so many steps
 
 @dataclass(frozen=True, kw_only=True)
 class TotalVariation:
-    r"""Deblurring with total variation, as the minimum of ``sum w (m - y ln m) + strength * sum |grad x|``, ``m = A x + s``, ``x >= 0``.
+    r"""Deblurring with total variation, which keeps edges.
 
-    The gradient is that of all channels together, so that they share their edges. The `strength` is found from the
-    noise, such that the discrepancy of the result is `target`.
+    The minimum of ``sum w (m - y ln m) + strength * sum |grad x|`` over ``x >= 0``, with ``m = A x + s``. The
+    gradient is that of all channels together, so that they share their edges. The `strength` is found from the noise,
+    such that the discrepancy of the result is `target`.
 
     Parameters
     ----------
     strength : float, optional
-        Dimensionless weight of the total variation, which depends on the noise: about ``0.15 / sqrt(electrons a pixel)``.
+        Dimensionless weight of the total variation, which depends on the noise: about ``0.15 / sqrt(electrons a
+        pixel)``.
     steps : int, default 150
         Number of steps for a `strength` that is given, 1 to 100000; fewer for each that is tried, where it converges.
     target : float, default 0.9

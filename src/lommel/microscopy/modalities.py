@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -41,8 +40,8 @@ def confocal(
     excitation, emission : ObjectivePupil
         Excitation light, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes, both without
         aberrations. A :class:`lommel.Dipole` absorbs the part of the field along it; where it wobbles, as if it had
-        turned in the meantime. Foci differ by colour: with ``z=emission.focus, origin="coverslip"`` the excitation is in the planes
-        of the emission, whatever the origin of these.
+        turned in the meantime. Foci differ by colour: with ``z=emission.focus, origin="coverslip"`` the excitation is
+        in the planes of the emission, whatever the origin of these.
     shape : int or (int, int)
     pixel : float
         As of :func:`lommel.psf`: metres on the camera, the magnification times those in the sample.
@@ -88,11 +87,10 @@ def confocal(
     >>> print(f"{1e9 * spot.fwhm() / 60:.1f} nm")
     219.5 nm
     """
-    lit, seen = _pupil("excitation", excitation), _pupil("emission", emission)
-    _same_planes("excitation", lit, seen)
-    _relative(normalize)
-    way = Confocal(lit, pinhole, tol)
-    return psf(seen, shape, pixel, method=way, normalize=normalize, integrate=integrate)
+    _same_planes("excitation", excitation, emission)
+    validation.choice("normalize", normalize, ("strehl", "peak"))
+    way = Confocal(excitation, pinhole, tol)
+    return psf(emission, shape, pixel, method=way, normalize=normalize, integrate=integrate)
 
 
 def two_photon(
@@ -127,9 +125,9 @@ def two_photon(
     ToleranceError
         If the tolerance cannot be met.
     """
-    lit = _pupil("excitation", excitation)
-    _relative(normalize)
-    return psf(lit, shape, pixel, method=TwoPhoton(tol), normalize=normalize, integrate=integrate)
+    validation.instance("excitation", excitation, ObjectivePupil)
+    validation.choice("normalize", normalize, ("strehl", "peak"))
+    return psf(excitation, shape, pixel, method=TwoPhoton(tol), normalize=normalize, integrate=integrate)
 
 
 def bead(
@@ -170,8 +168,8 @@ def bead(
     --------
     lommel.methods.Bead : how, and with what proven error
     """
-    way = Bead(diameter, tol)
-    return psf(_pupil("pupil", pupil), shape, pixel, method=way, normalize=normalize, integrate=integrate)
+    validation.instance("pupil", pupil, ObjectivePupil)
+    return psf(pupil, shape, pixel, method=Bead(diameter, tol), normalize=normalize, integrate=integrate)
 
 
 def light_sheet(
@@ -215,7 +213,7 @@ def light_sheet(
     ToleranceError
         If the tolerance cannot be met.
     """
-    seen = _pupil("emission", emission)
+    seen = validation.instance("emission", emission, ObjectivePupil)
     width = validation.real("thickness", thickness, above=0.0, unit="metres")
     validation.choice("normalize", normalize, ("energy", "emitted", "strehl"))
     away = seen.z if offset is None else validation.real_array("offset", offset)
@@ -235,16 +233,10 @@ def light_sheet(
     return replace(made, values=values, scale=made.scale * lit, error_bound=made.error_bound + 1.01 * further)
 
 
-def _pupil(name: str, pupil: Any) -> ObjectivePupil:
-    found: ObjectivePupil = validation.instance(name, pupil, ObjectivePupil)
-    return found
-
-
-def _relative(normalize: str) -> None:
-    validation.choice("normalize", normalize, ("strehl", "peak"))
-
-
 def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
+    """Refuse what are no pupils, or are pupils of other planes."""
+    validation.instance(what, beam, ObjectivePupil)
+    validation.instance("emission", emission, ObjectivePupil)
     if beam.shape != emission.shape:
         raise ValueError(f"{what} must have the planes of the emission, of shape {emission.shape}, got {beam.shape}")
     for name in ("depth", "focus"):
@@ -320,13 +312,9 @@ def sted(
     >>> print(f"{1e9 * spot.fwhm() / 60:.1f} nm")
     72.2 nm
     """
-    lit, depleting, seen = (
-        _pupil(name, given)
-        for name, given in (("excitation", excitation), ("depletion", depletion), ("emission", emission))
-    )
-    _same_planes("excitation", lit, seen)
-    _same_planes("depletion", depleting, seen)
+    _same_planes("excitation", excitation, emission)
+    _same_planes("depletion", depletion, emission)
     factor = validation.real("saturation", saturation, least=0.0)
-    highest = crest(depleting) if depleting.radial else 1.0  # what is no doughnut the method refuses
-    way = Sted(lit, pinhole, tol, depletion=depleting, saturation=factor / highest)
-    return psf(seen, shape, pixel, method=way, normalize="strehl", integrate=False)
+    highest = crest(depletion) if depletion.radial else 1.0  # a beam that is no doughnut is refused by the method
+    way = Sted(excitation, pinhole, tol, depletion=depletion, saturation=factor / highest)
+    return psf(emission, shape, pixel, method=way, normalize="strehl", integrate=False)

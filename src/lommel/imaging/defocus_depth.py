@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -194,7 +194,8 @@ def depth_from_defocus(
     """
     lights = _lenses(lenses)
     if not isinstance(photographs, Sequence | np.ndarray) or len(photographs) != len(lights):
-        raise ValueError(f"photographs must be as many as lenses, {len(lights)}, got {_count(photographs)}")
+        count = len(photographs) if hasattr(photographs, "__len__") else validation.shown(photographs)
+        raise ValueError(f"photographs must be as many as lenses, {len(lights)}, got {count}")
     pitch = validation.pixel(pixel, metric=True)
     for lens in lights:
         validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
@@ -271,10 +272,6 @@ def _lenses(lenses: Sequence[Lens]) -> list[Lens]:
                 "they take little of the light"
             )
     return list(lenses)
-
-
-def _count(photographs: Any) -> str:
-    return str(len(photographs)) if hasattr(photographs, "__len__") else validation.shown(photographs)
 
 
 def _candidates(between: tuple[float, float], count: int | None, lenses: list[Lens], pixel: float) -> Array:

@@ -12,6 +12,7 @@ import numpy as np
 from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.field.maps import FieldMap
+from lommel.imaging.sensor_light import too_large
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
@@ -177,7 +178,7 @@ def build_field_bank(
         held = windows.sum(axis=(1, 2))
         if far is None and held.min() < energy:  # between the places that were looked at
             if half == largest:
-                raise too_large(largest, energy)
+                raise too_large(largest, energy, largest + 1)
             half = min(largest, math.ceil(1.05 * half) + 1)
             continue
         if far is None:
@@ -314,16 +315,8 @@ class PointLight:
             if windows.sum(axis=(1, 2)).min() >= energy:
                 return _smallest(windows, energy), _smallest(windows, min(energy, CORE))
             if half == largest:
-                raise too_large(largest, energy)
+                raise too_large(largest, energy, largest + 1)
             half = math.ceil(1.3 * half) + 1
-
-
-def too_large(largest: int, energy: float) -> ValueError:
-    """Return the error of windows that would be too large."""
-    return ValueError(
-        f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light; stop "
-        f"down, allow larger windows (largest={largest + 1} or more), or ask for less of it (energy=)"
-    )
 
 
 def lattice(ticks: Sequence[Array]) -> Array:

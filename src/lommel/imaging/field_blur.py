@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, TypedDict, Unpack, cast
+from typing import Any, Unpack, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
@@ -21,18 +21,8 @@ from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens
 from lommel.imaging.field_bank import FieldBank, Nodes, PointLight, build_field_bank
 from lommel.imaging.linear import LinearBlur, gathered
-from lommel.imaging.settings import Settings, Spectrum, spectra
+from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
-
-
-class FieldKeywords(TypedDict, total=False):
-    """Options that a blur over the field shares with other blur."""
-
-    border: str
-    energy: float
-    largest: int | None
-    dtype: DTypeLike
-    threads: int | None
 
 
 @shares(FieldKeywords, Settings)

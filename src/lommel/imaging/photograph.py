@@ -119,16 +119,18 @@ def _edges(encoding: str) -> NDArray[np.float32]:
     return to_light("edges", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
 
 
-def output(out: Pixels | None, name: str, image: Pixels, *read: Pixels) -> Pixels:
-    """Return `out`, checked for values like those of the `image` called `name`, or a new array; `read` is kept."""
+def output(
+    out: Pixels | None, name: str, shape: tuple[int, ...], dtype: np.dtype[np.generic], *read: Pixels
+) -> Pixels:
+    """Return `out`, checked for values like those of the image called `name`, or a new array; `read` is kept."""
     if out is None:
-        return np.empty(image.shape, dtype=image.dtype)
+        return np.empty(shape, dtype=dtype)
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out must be an array, got {validation.shown(out)}")
-    if out.shape != image.shape:
-        raise ValueError(f"out must have the shape of the {name}, {image.shape}, got {out.shape}")
-    if out.dtype != image.dtype:
-        raise TypeError(f"out must have the type of the {name}, {image.dtype}, got {out.dtype}")
+    if out.shape != shape:
+        raise ValueError(f"out must have the shape of the {name}, {shape}, got {out.shape}")
+    if out.dtype != dtype:
+        raise TypeError(f"out must have the type of the {name}, {dtype}, got {out.dtype}")
     if not out.flags.writeable or any(np.may_share_memory(out, each) for each in read):
         raise ValueError(f"out must be writeable, and must not share memory with {name} or depth")
     return out
@@ -188,13 +190,12 @@ class FocusPlan:
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
         self.settings = Settings.of(FocusPlan, options, Keywords)
-        self._image = validation.array("image", image)
+        given = validation.array("image", image)
         distances = np.array(fill_missing(depth, self.settings.missing))
-        require_scene("image", self._image.shape, distances.shape)
-        self.lens, self.shape, self.dtype = lens, self._image.shape, self._image.dtype
+        require_scene("image", given.shape, distances.shape)
+        self.lens, self.shape, self.dtype = lens, given.shape, given.dtype
         self._encoding = encoding
-        self._light = to_light("image", self._image, encoding, self.settings.dtype)
-        self._image = np.broadcast_to(np.empty((), self.dtype), self.shape)  # of which only the shape is needed now
+        self._light = to_light("image", given, encoding, self.settings.dtype)
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
         self._pixel = pixel
@@ -252,7 +253,7 @@ class FocusPlan:
             If an argument is out of range, or the blur exceeds the largest window allowed. `out` is then untouched.
         """
         if out is not None:
-            output(out, "image", self._image)
+            output(out, "image", self.shape, self.dtype)
         occlusion = self._at(focus_distance, f_number)
         seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
         values, clipped = stored(seen, self._encoding, self.dtype, self.settings.threads or 0)
@@ -380,14 +381,12 @@ def depth_of_field(
         validation.array(name, cast("ArrayLike", part)) for name, part in (("image", image), ("depth", depth))
     )
     if tile is None and depths is None:
-        if out is not None:
-            output(out, "image", values)
         made = FocusPlan(values, distances, lens, pixel, encoding=encoding, **options)(out=out)
         if progress is not None:
             progress(1, 1)
         return made
     require_scene("image", values.shape, distances.shape)
-    out = output(out, "image", values, values, distances)
+    out = output(out, "image", values.shape, values.dtype, values, distances)
     settings = Settings(**options)
     if settings.missing == "nearest":
         distances = fill_missing(distances, "nearest")

@@ -265,7 +265,7 @@ def restore(
     elif not over_field and any(isinstance(each, np.memmap) for each in (photo, depth, out)):
         tile = TILE
     if out is not None:
-        output(out, "photo", given, given, *([] if depth is None else [validation.array("depth", depth)]))
+        output(out, "photo", given.shape, given.dtype, given, np.asarray(depth))
     if isinstance(lens, FieldMap):
         light, limit = recorded(given, encoding, saturation)
         blur: LinearBlur = _over_the_field(given.shape, depth, lens, pixel, settings, options)
@@ -277,7 +277,7 @@ def restore(
         if tile is not None:
             require_scene("photo", given.shape, distances.shape)
             restored = _Tiles(given, distances, lens, pixel, encoding, noise, saturation, tile, settings)
-            return restored.solve(way, output(out, "photo", given), progress)
+            return restored.solve(way, output(out, "photo", given.shape, given.dtype), progress)
         light, limit = recorded(given, encoding, saturation)
         distances = fill_missing(distances, settings.missing)
         require_scene("photo", given.shape, distances.shape)

@@ -68,17 +68,21 @@ class SensorLight:
         half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
         while True:
             if half > largest:
-                raise ValueError(
-                    f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of "
-                    f"the light; stop down, allow larger windows (largest={half} or more), or ask for less of it "
-                    "(energy=)"
-                )
+                raise too_large(largest, energy, half)
             shares = self.shares(pupil, half)
             sums = sums_of_windows(shares, half)
             if sums[:, -1].min() >= energy:
                 half = int((sums >= energy).argmax(axis=1).max()) + 1
                 return half, Parabola.through(ends, shares.max(axis=1))
             half = math.ceil(1.3 * half) + 1
+
+
+def too_large(largest: int, energy: float, needed: int) -> ValueError:
+    """Return the error of windows that would be too large."""
+    return ValueError(
+        f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light; stop "
+        f"down, allow larger windows (largest={needed} or more), or ask for less of it (energy=)"
+    )
 
 
 def sensor_transfer(

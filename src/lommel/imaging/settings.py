@@ -19,15 +19,20 @@ MISSING = ("raise", "nearest", "infinity")
 Spectrum = float | Sequence[tuple[float, float]]
 
 
-class BlurKeywords(TypedDict, total=False):
-    """Options of the linear operator."""
+class FieldKeywords(TypedDict, total=False):
+    """Options that all blur shares."""
 
     border: str
     energy: float
-    tol: float
     largest: int | None
     dtype: DTypeLike
     threads: int | None
+
+
+class BlurKeywords(FieldKeywords, total=False):
+    """Options of the linear operator."""
+
+    tol: float
 
 
 class Keywords(BlurKeywords, total=False):

@@ -10,7 +10,7 @@ import pytest
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel.core.answers import Images, Wanted
-from lommel.methods.derivatives.scaling import TILTS, growth, tilted
+from lommel.methods.derivatives.scaling import TILTS, scaling_derivative, tilted
 from lommel.methods.pixels.averaging import filtered_by, sloping
 
 PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), obscuration=0.25, apodization=0.4)
@@ -106,7 +106,7 @@ def test_growth_is_that_of_quadrature(integrate, tol):
     exact = np.einsum("iajb,ab->ij", change.reshape(4, rule.size, 5, rule.size), weights)
     made = method.images(PUPIL, grid, Wanted(terms=TILTS))
     tilts = [(slope, error * made.peak) for slope, error in zip(*made.slopes, strict=True)]
-    found, bound = growth(method, PUPIL, grid, tilts)
+    found, bound = scaling_derivative(method, PUPIL, grid, tilts)
     off = np.abs(found[0] - exact).max()
     assert off <= bound[0] + 2e-11
     assert bound[0] <= 20.0 * tol

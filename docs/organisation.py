@@ -38,7 +38,7 @@ ORDER = [
 ]
 # Folders of the compiled core, in the order of their includes.
 CORE_ORDER = [
-    {"question"},
+    {"limits"},
     {"base"},
     {"bounds"},
     {"special"},

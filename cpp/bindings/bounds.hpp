@@ -1,5 +1,5 @@
-// What the compiled core takes its error for, term by term: no answer is made from these, tests hold them against the
-// formulas of docs/certificate.md. A bound that cannot be read cannot be tested.
+// Test-only functions that return each term of the error bounds, so that tests can compare them with the formulas of
+// docs/certificate.md. No image is computed from them.
 #pragma once
 
 #include <nanobind/stl/vector.h>

@@ -1,11 +1,11 @@
-// Bounds of pupils of any wavefront.
+// Error bounds for pupils with arbitrary aberrations.
 #include <algorithm>
 #include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include "lommel/chordal/sharp.hpp"
+#include "lommel/chordal/error_samples.hpp"
 #include "lommel/special/fft.hpp"
 #include "lommel/special/gridding.hpp"
 #include "lommel/zernike/image.hpp"

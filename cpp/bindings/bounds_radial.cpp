@@ -1,9 +1,9 @@
-// Bounds of radially symmetric pupils, and of windows, whatever the pupil.
+// Error bounds for radially symmetric pupils and for windows.
 #include <limits>
 #include <vector>
 
 #include "lommel/base/wide.hpp"
-#include "lommel/pixels/anywhere.hpp"
+#include "lommel/pixels/own_axes.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_images.hpp"
 #include "lommel/radial/field.hpp"

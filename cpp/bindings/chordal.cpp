@@ -1,4 +1,4 @@
-// Pupils of any Zernike terms on small windows, by the chordal rule.
+// Pupils with arbitrary Zernike terms on small windows, by the chordal Gauss rule.
 #include <vector>
 
 #include "lommel/chordal/gradient.hpp"

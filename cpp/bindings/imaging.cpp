@@ -1,4 +1,4 @@
-// Products of matrices, and blur by depth.
+// Matrix products, and blur that depends on depth.
 #include <algorithm>
 #include <cmath>
 #include <optional>

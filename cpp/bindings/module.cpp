@@ -1,4 +1,4 @@
-// The compiled core as Python sees it. Nothing but shapes is checked here and in the files beside this one, a room each.
+// The Python module. The bindings check shapes and release the GIL; all arithmetic is in the headers.
 #include <algorithm>
 #include <iterator>
 #include <string>

@@ -1,4 +1,4 @@
-// Radii of windows, profiles as images, and what averages over pixels take.
+// Radii of a window, images from radial profiles, and averages over pixels.
 #include <algorithm>
 #include <memory>
 #include <vector>

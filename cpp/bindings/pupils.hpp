@@ -1,4 +1,4 @@
-// Pupils as the engines take them, and the images that engines write into arrays of their callers.
+// Conversion of pupils from arrays, and images written into arrays of the caller.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// What the rooms of the bindings share: arrays in and out, the GIL, Ctrl-C. Shapes are checked in these files, and no
-// arithmetic is done.
+// Shared by all bindings: arrays in and out, the GIL, Ctrl-C.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -1,4 +1,4 @@
-// Pupils that are radially symmetric, by their series: images, fields and profiles.
+// Radially symmetric pupils: images, fields and profiles by their series.
 #include <nanobind/stl/optional.h>
 
 #include <algorithm>

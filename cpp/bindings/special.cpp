@@ -1,4 +1,4 @@
-// Functions with a published source each.
+// Special functions, each with a published source.
 #include <vector>
 
 #include "lommel/special/bessel.hpp"

@@ -1,4 +1,4 @@
-// Planes of a microscope through layers: images and profiles.
+// Planes of a microscope through plane layers: images and profiles.
 #include <algorithm>
 #include <memory>
 #include <vector>

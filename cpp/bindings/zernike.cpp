@@ -1,4 +1,4 @@
-// Pupils of any Zernike terms, by their series.
+// Pupils with arbitrary Zernike terms, by their series.
 #include "lommel/zernike/images.hpp"
 
 #include "pupils.hpp"

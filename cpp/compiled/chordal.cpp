@@ -1,4 +1,4 @@
-// Images by the chordal rule, but for its kernels. What comes first is compiled by other units.
+// Compiles the chordal rule except for its kernels. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

@@ -1,4 +1,4 @@
-// Images of planes through layers.
+// Compiles images of planes through layers.
 #include "lommel/stratified/images.hpp"
 #include "lommel/stratified/rings_image.hpp"
 

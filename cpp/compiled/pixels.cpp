@@ -1,4 +1,4 @@
-// The tables of windows, and their values. What comes first is compiled by other units.
+// Compiles the tables of windows and their values. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

@@ -1,4 +1,4 @@
-// Images between circles. What comes first is compiled by other units.
+// Compiles images by the polar non-uniform FFT. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/special/gridding.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 #include "lommel/zernike/field.hpp"

@@ -1,4 +1,4 @@
-// Fields and intensities of radial pupils. What comes first is compiled by other units.
+// Compiles fields and intensities of radial pupils. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

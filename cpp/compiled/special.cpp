@@ -1,4 +1,4 @@
-// What all engines share: threads, bounds, the tables of Bessel functions.
+// Compiles threads, bounds and the Bessel tables, which all engines share.
 #define LOMMEL_DEFINES
 
 #include "lommel/base/parallel.hpp"

@@ -1,4 +1,4 @@
-// Blur by depth in double precision.
+// Compiles blur by depth in double precision.
 #include "lommel/imaging/spread.hpp"
 
 template class lommel::Spreader<double>;

@@ -1,4 +1,4 @@
-// Blur by depth in single precision.
+// Compiles blur by depth in single precision.
 #include "lommel/imaging/spread.hpp"
 
 template class lommel::Spreader<float>;

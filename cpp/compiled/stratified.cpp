@@ -1,4 +1,4 @@
-// Profiles of planes through layers, and circles. What comes first is compiled by other units.
+// Compiles profiles and circles of planes through layers. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/pixels/shift.hpp"
 #include "lommel/radial/average_values.hpp"
 

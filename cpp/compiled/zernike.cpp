@@ -1,4 +1,4 @@
-// The series of any pupil. What comes first is compiled by other units.
+// Compiles the Zernike series. Headers before LOMMEL_DEFINES are compiled by other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

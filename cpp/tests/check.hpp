@@ -1,4 +1,4 @@
-// What programs that exercise the core say where it is wrong.
+// Checks that print where they fail.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// What the page computes with: a pupil in light of one wavelength or several, and its image.
+// Images of a pupil in light of one or several wavelengths, for the live page.
 #pragma once
 
 #include <algorithm>

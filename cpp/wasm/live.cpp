@@ -1,4 +1,4 @@
-// The core as a page calls it: numbers in named blocks of memory, one light at a time, one thread.
+// Interface of the live page: numbers in named blocks of memory, one light at a time, one thread.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Memory for tables that vectors are loaded from.
+// Aligned memory for tables that are loaded into vector registers.
 #pragma once
 
 #include <cstddef>

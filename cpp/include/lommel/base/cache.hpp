@@ -1,4 +1,4 @@
-// Tables that all calls share.
+// Cache of tables shared by all calls, with a size limit.
 #pragma once
 
 #include <atomic>

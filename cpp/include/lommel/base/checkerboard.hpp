@@ -1,4 +1,4 @@
-// Tiles of an image, each written to by its own work and by that of its neighbours.
+// Schedule for tiles of an image whose work also writes to neighbouring tiles.
 #pragma once
 
 #include <algorithm>

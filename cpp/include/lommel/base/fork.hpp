@@ -1,4 +1,4 @@
-// What a fork must not find half done: it copies memory as it is, and of all threads the one that calls it.
+// Protection against fork() while a lock is held: the child has a copy of the memory and only the calling thread.
 #pragma once
 
 #include <vector>

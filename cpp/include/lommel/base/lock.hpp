@@ -1,4 +1,4 @@
-// Locks; and whether there are threads to lock out.
+// Locks, which are empty where the platform has no threads.
 #pragma once
 
 // Defined by whoever wants all work done in the thread that calls, or here where the target has no threads. No header of the

@@ -1,5 +1,5 @@
-// The headers are the whole core. Where LOMMEL_COMPILED is defined, large functions that are no templates are only declared by them:
-// a unit of cpp/compiled defines LOMMEL_DEFINES before the headers whose functions it compiles, for all units.
+// Header-only or compiled once: where LOMMEL_COMPILED is defined, headers only declare large non-template functions, and a unit
+// of cpp/compiled defines LOMMEL_DEFINES before the headers whose functions it compiles.
 #pragma once
 
 #if defined(LOMMEL_COMPILED)

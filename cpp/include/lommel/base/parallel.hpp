@@ -1,4 +1,4 @@
-// Threads that never outnumber the processors, however many callers there are.
+// Thread pool: all callers together never use more threads than there are processors.
 #pragma once
 
 #include <cstddef>

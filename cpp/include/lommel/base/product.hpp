@@ -1,5 +1,5 @@
-// Products of matrices, here because those of libraries start threads of their own, which outnumber the processors where
-// callers are many, and whose sums need not be in the same sequence on any number of them.
+// Matrix products. BLAS libraries start threads of their own, and their sums may depend on the number of threads; these do
+// neither.
 #pragma once
 
 #include <algorithm>

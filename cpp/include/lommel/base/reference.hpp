@@ -1,4 +1,4 @@
-// What can be called, by reference: a kernel that is handed one is compiled once, whoever calls it.
+// Non-owning reference to a callable, so that a kernel that takes one is compiled only once.
 #pragma once
 
 namespace lommel {

@@ -1,4 +1,4 @@
-// Vectors of doubles, compiled for the widest instructions that the processor turns out to have.
+// Vectors of doubles and floats, compiled for several instruction sets and chosen at run time.
 #pragma once
 
 #if defined(__FAST_MATH__)

@@ -1,4 +1,4 @@
-// How work is shared among threads: a stack pupil by pupil, a large image by blocks of rows.
+// Division of work among threads: a stack by pupils, a large image by blocks of rows.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// How a long call is ended from outside: it looks up now and then, at places where it can be left.
+// Interruption of long calls (Ctrl-C), checked at points where a call can be left safely.
 #pragma once
 
 #include <atomic>

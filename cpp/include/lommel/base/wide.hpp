@@ -1,4 +1,4 @@
-// Numbers that tables are made with.
+// Number types in which tables are computed.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,4 @@
-// The amplitude across the pupil, a polynomial of t = rho^2 in the exponent: what is evaluated, and how it grows off [0, 1].
+// Amplitude across the pupil, exp of a polynomial in t = rho^2, and its growth off the interval [0, 1].
 #pragma once
 
 #include <algorithm>

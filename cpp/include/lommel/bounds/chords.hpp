@@ -1,4 +1,4 @@
-// How many nodes the chordal Gauss rule takes, and what is proven about its error; derived in docs/certificate.md.
+// Number of nodes of the chordal Gauss rule for a tolerance, and the bound on its error (docs/certificate.md).
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 #include "lommel/base/wide.hpp"
 #include "lommel/bounds/disk.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 
@@ -166,7 +166,7 @@ class ChordBound {
     }
 
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error) const {
-        throw PhaseTooLarge("phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
+        throw LimitExceeded("phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
                             ") take " + shortened(std::ceil(line.needed(error))) +
                             (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
                             std::to_string(max_chords));

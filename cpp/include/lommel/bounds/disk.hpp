@@ -17,8 +17,8 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
-#include "lommel/bounds/settle.hpp"
-#include "lommel/question.hpp"
+#include "lommel/bounds/refine.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 

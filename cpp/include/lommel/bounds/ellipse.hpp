@@ -18,7 +18,7 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 
 namespace lommel {
 

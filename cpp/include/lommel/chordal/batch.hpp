@@ -1,4 +1,4 @@
-// Pupils side by side in the lanes of vectors, with what they share: tables for the whole disk and for the obscured one.
+// Batches of pupils, one in each vector lane, with the tables they share for the full disk and for the obscured one.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Derivatives of images by the coefficients of Zernike terms: of |U|^2 by that of Z it is -2 Im(conj(U) D), D the field of Z P.
+// Derivatives of images with respect to Zernike coefficients: d|U|^2/dc = -2 Im(conj(U) D), where D is the field of Z P.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/batch.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 

@@ -1,4 +1,4 @@
-// Zernike terms at the nodes, by whose coefficients derivatives are taken: the derivative of P by the coefficient of Z is i Z P.
+// Zernike terms at the nodes, for derivatives: dP/dc = i Z P for the coefficient c of Z.
 #pragma once
 
 #include <algorithm>

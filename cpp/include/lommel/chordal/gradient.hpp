@@ -1,6 +1,5 @@
-// The reverse of derivatives: of a weighted sum of the pixels of an image, by the coefficients of all terms at once. With w the
-// weight of a pixel, G = sum w conj(U) e^(-i v r) at each node is the transform's transpose, and the derivative by the
-// coefficient of Z is -2 Im sum Z P G.
+// Reverse-mode derivatives: the gradient of a weighted sum of pixels with respect to all coefficients at once. With weights w,
+// G = sum w conj(U) e^(-i v r) at each node is the transpose of the transform, and d/dc = -2 Im sum Z P G.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// From any wavefronts to finished small images, each with its proven error, by the chordal Gauss rule on the disk.
+// Small images of pupils with arbitrary Zernike terms by the chordal Gauss rule, each with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/chordal/batch.hpp"
 #include "lommel/chordal/derivatives.hpp"
-#include "lommel/chordal/lines.hpp"
+#include "lommel/chordal/error_curves.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
 #include "lommel/pixels/render.hpp"
@@ -105,7 +105,7 @@ class ChordalRenderer {
     template <class Real>
     ChordalTables<Real> tables(const ChordCount& count, double radius) const {
         if (KernelTable<Real>::bytes(count, rows_.at.size()) > max_table_bytes) {
-            throw PhaseTooLarge("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
+            throw LimitExceeded("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
                                 std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
                                 " nodes, whose tables exceed the limit of 256 MiB");
         }

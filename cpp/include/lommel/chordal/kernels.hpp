@@ -1,4 +1,4 @@
-// The kernels of the chordal rule, compiled once for each real type and level of instructions, whatever they are called for.
+// Kernels of the chordal rule, compiled once for each real type and instruction set.
 #pragma once
 
 #include <cstddef>

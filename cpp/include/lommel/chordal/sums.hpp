@@ -1,4 +1,4 @@
-// Intensities by a rule of a given size, in single precision, for callers who prove what it errs by.
+// Intensities by a rule of given size in single precision; the caller bounds the error.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// The chordal Gauss rule on the unit disk, and what is tabulated at its nodes: Zernike terms for a list of them, and
-// the kernel for a window.
+// The chordal Gauss rule on the unit disk: tables of Zernike terms at its nodes, and of the Fourier kernel for a window.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// The transform of one disk by two matrix products, along y, then along x. Pupils lie side by side in the lanes of
-// vectors, so that tables are read once for all of them.
+// Fourier transform of one disk by two matrix products, along y, then along x, for several pupils in vector lanes.
 #pragma once
 
 #include <cstddef>

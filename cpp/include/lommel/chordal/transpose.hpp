@@ -1,4 +1,4 @@
-// The kernels of the reverse of derivatives: the transform's transpose, and its products with the pupil function.
+// Kernels of reverse-mode derivatives: the transpose of the transform, and its products with the pupil function.
 #pragma once
 
 #include <algorithm>

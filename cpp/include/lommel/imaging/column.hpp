@@ -1,4 +1,4 @@
-// What the points of one column of an image spread or take: rows of their windows, put together beside the column.
+// Contributions of one column of an image to its neighbours, and their transpose (with occlusion).
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A picture convolved with one spread for all of it, edges by reflection.
+// Convolution of an image with one PSF, with reflecting edges.
 #pragma once
 
 #include <algorithm>

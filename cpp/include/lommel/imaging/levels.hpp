@@ -1,4 +1,4 @@
-// Light as the levels of an integer type, by how many rising edges between levels it has reached.
+// Conversion of light to integer levels, by comparison with the edges between levels.
 #pragma once
 
 #include <algorithm>

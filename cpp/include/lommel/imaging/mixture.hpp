@@ -1,4 +1,4 @@
-// Windows of a bank, and the mixtures of four of them that points between them spread.
+// Banks of PSF windows, and interpolation between four of them.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Blur that varies from pixel to pixel: every source pixel spreads its own window, a mixture of four of a bank.
+// Spatially varying blur and its adjoint: each pixel spreads a window interpolated between four of a bank.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Light within circles about the axis, and its mean on them, of any round pupil: from the field itself, without pixels.
+// Encircled energy about the axis, and mean intensity on circles, from the field of any circular or annular aperture.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lommel/bounds/pixels.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/special/chebyshev.hpp"
 
 namespace lommel {

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "lommel/base/simd.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 #include "lommel/special/legendre.hpp"
 #include "lommel/special/sincos.hpp"
 
@@ -57,7 +57,7 @@ class Overlap {
                 continue;
             }
             if (static_cast<std::size_t>(terms[j].n) > most) {
-                throw PhaseTooLarge("transfer functions are made of Zernike terms up to degree " + std::to_string(most));
+                throw LimitExceeded("transfer functions are made of Zernike terms up to degree " + std::to_string(most));
             }
             terms_.push_back(terms[j]);
             edge_.push_back(edge[j]);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lommel/base/watch.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 #include "lommel/special/fresnel.hpp"
 #include "lommel/special/legendre.hpp"
 
@@ -107,7 +107,7 @@ class ClosedFormField {
     template <class Add>
     void integrate(double low, double high, double span, const Add& add) const {
         if (!(span <= 4.0 * (max_phase + max_reach))) {
-            throw PhaseTooLarge("phases and radii this large take more panels of quadrature than there may be");
+            throw LimitExceeded("phases and radii this large take more panels of quadrature than there may be");
         }
         const std::size_t panels = static_cast<std::size_t>(span / 6.0) + 1;
         const double width = (high - low) / static_cast<double>(panels);

@@ -1,4 +1,4 @@
-// Huygens' superposition: every point of the aperture sends a spherical wave to every point of the sensor.
+// Huygens' superposition: a spherical wave from every point of the aperture to every point of the sensor.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Averages over pixels from finer samples, by a filter along rows and along columns.
+// Averages over pixels from finer samples, by a separable filter.
 #pragma once
 
 #include <algorithm>

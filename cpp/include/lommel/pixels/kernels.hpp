@@ -1,4 +1,4 @@
-// The inner loops of windows of averages: making weights, sums of intensities with them, and the harmonics.
+// Inner loops for windows of pixel averages: weights, weighted sums, and azimuthal harmonics.
 #pragma once
 
 #include <algorithm>

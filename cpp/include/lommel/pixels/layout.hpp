@@ -1,4 +1,4 @@
-// Where the pixels are: the distinct radii of a centred grid, and which one each pixel has.
+// Distinct radii of a centred grid, and the index of the radius of each pixel.
 #pragma once
 
 #include <algorithm>

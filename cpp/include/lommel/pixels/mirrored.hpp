@@ -1,4 +1,4 @@
-// Where the pixels are around an axis on a pixel: groups of up to eight that differ in signs and order of |x|, |y| only.
+// Groups of up to eight pixels that differ only in the signs and the order of |x|, |y|.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Where averages over pixels take I: at some radii of a ring, and at some places within a pixel.
+// Quadrature nodes for averages over pixels: radii within a ring, and places within a pixel.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/pixels.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/kernels.hpp"
 #include "lommel/special/bessel_table.hpp"
 #include "lommel/special/chebyshev.hpp"

@@ -1,4 +1,4 @@
-// From a radial profile to a pixel grid, and from intensities to values that are stored.
+// Radial profiles as images, and intensities as stored values.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// How averages over pixels change as the axis moves by a pixel: the difference of the averages along two opposite sides of each, from I
-// at the radii that averages are made of. docs/certificate.md, section 15.
+// Derivatives of pixel averages with respect to the position of the axis: differences of averages along opposite sides of a
+// pixel. docs/certificate.md, section 15.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/bounds/pixels.hpp"
-#include "lommel/bounds/settle.hpp"
-#include "lommel/pixels/anywhere.hpp"
+#include "lommel/bounds/refine.hpp"
+#include "lommel/pixels/own_axes.hpp"
 
 namespace lommel {
 

@@ -1,5 +1,5 @@
-// Windows whose pixels average over their area, or whose axis lies off the pixels: every value is a weighted sum of I at
-// few radii. The weights depend on the window alone, so that one table serves every pupil. docs/certificate.md, section 9.
+// Windows of pixel averages, or with an axis off the pixel centres: each value is a weighted sum of I at few radii.
+// The weights depend on the window only, so one table serves every pupil. docs/certificate.md, section 9.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/pixels.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/kernels.hpp"
 #include "lommel/pixels/layout.hpp"
 #include "lommel/pixels/nodes.hpp"

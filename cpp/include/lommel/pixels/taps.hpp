@@ -1,4 +1,4 @@
-// Filters that average over pixels, designed for their pitch: what pixels/filter.hpp applies.
+// Design of the filters that average over pixels for a given pitch; filter.hpp applies them.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 

@@ -1,4 +1,4 @@
-// The pixels around an axis on a pixel as squares of sixteen, each with those that mirrors and turns by 90 degrees make of it.
+// Tiles of sixteen by sixteen pixels around the axis, with their images under reflections and rotations by 90 degrees.
 #pragma once
 
 #include <algorithm>

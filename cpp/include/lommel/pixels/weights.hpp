@@ -1,4 +1,4 @@
-// The weights by which I at the radii of a ring becomes averages over squares, or coefficients of these.
+// Weights that turn I at the radii of a ring into averages over squares.
 #pragma once
 
 #include <algorithm>

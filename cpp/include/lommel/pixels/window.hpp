@@ -1,4 +1,4 @@
-// Where the pixels of a window are around an axis anywhere, and which of them share one value.
+// Positions of the pixels of a window around an axis anywhere, and which of them share a value.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// From pupils to windows whose pixels average, or whose axis is anywhere, each with its proven error.
+// Images of pixel averages, or with the axis anywhere, each with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "lommel/base/once.hpp"
 #include "lommel/base/tasks.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/radial/average_values.hpp"
 #include "lommel/radial/batch.hpp"
 #include "lommel/radial/intensity.hpp"

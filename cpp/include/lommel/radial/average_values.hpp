@@ -1,4 +1,4 @@
-// Windows from profiles at the radii of their tables, and what is proven about their error.
+// Values of a window from profiles at the radii of its table, with their error bound.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
-#include "lommel/pixels/anywhere.hpp"
+#include "lommel/pixels/own_axes.hpp"
 #include "lommel/pixels/table.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 

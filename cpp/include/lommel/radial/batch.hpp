@@ -1,5 +1,5 @@
-// Many pupils on one small window: the transforms of the Legendre polynomials at the exact distinct radii, once, and
-// one matrix product for the fields of all pupils.
+// Many pupils on one small window: the transforms of the Legendre polynomials at its radii, and one matrix product for all
+// fields.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One disk: how many terms and nodes its Legendre series takes, the series, and what is proven about its error.
+// Legendre series of one disk: number of terms and nodes, coefficients, and error bound.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,7 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
     }
     const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
     if (nodes > max_terms) {
-        throw PhaseTooLarge("aberrations this large take a series of " + std::to_string(nodes) +
+        throw LimitExceeded("aberrations this large take a series of " + std::to_string(nodes) +
                             " nodes, more than the limit of " + std::to_string(max_terms) +
                             "; Geometric, which leaves diffraction out, has none");
     }

@@ -1,4 +1,4 @@
-// The field of one pupil at radii, by pieces of v or by the series itself, and what is proven about its error.
+// Field of one pupil at given radii, by tabulated pieces or by the series, with its error bound.
 #pragma once
 
 #include <algorithm>

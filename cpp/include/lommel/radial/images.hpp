@@ -1,4 +1,4 @@
-// From pupils to finished images, each with its proven error.
+// Images of radially symmetric pupils, each with its error bound.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The intensity of one pupil at radii, its derivatives, and how it comes to be within the tolerance.
+// Intensity of one pupil at given radii and its derivatives, refined until the tolerance is met.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/render.hpp"
 #include "lommel/radial/field.hpp"
 

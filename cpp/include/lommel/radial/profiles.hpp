@@ -1,4 +1,4 @@
-// Fields and intensities at radii of the caller's choice.
+// Fields and intensities at radii that the caller chooses.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Pupils that are radially symmetric, one and many: what is asked of the radial engine, and where its answers go.
+// Stacks of radially symmetric pupils: input and output of the radial engine.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lommel/bounds/amplitude.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 

@@ -1,4 +1,4 @@
-// From values at Chebyshev points to polynomials.
+// Polynomials from values at Chebyshev points.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// e^x from above, for bounds.
+// Upper bound of e^x, for error bounds.
 #pragma once
 
 #include "lommel/base/simd.hpp"

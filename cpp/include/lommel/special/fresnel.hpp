@@ -1,4 +1,4 @@
-// The Fresnel integral's smooth part, which is all that the closed form needs of the error function.
+// Smooth part of the Fresnel integral, as the closed form needs it.
 #pragma once
 
 #include <array>

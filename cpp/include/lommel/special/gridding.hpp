@@ -1,4 +1,4 @@
-// A kernel that interpolates between equal steps, and its transform, by which what is interpolated is divided beforehand.
+// Interpolation kernel of the non-uniform FFT, and its transform, by which the samples are divided beforehand.
 #pragma once
 
 #include <algorithm>

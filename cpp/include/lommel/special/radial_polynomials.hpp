@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 #include "lommel/base/wide.hpp"
 

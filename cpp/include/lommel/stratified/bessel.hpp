@@ -1,4 +1,4 @@
-// J_0 to J_3 as polynomials on pieces of their argument: what tables over angles and radii are filled from.
+// J_0 to J_3 as piecewise polynomials.
 #pragma once
 
 #include <algorithm>

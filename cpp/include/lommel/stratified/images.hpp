@@ -1,4 +1,4 @@
-// From planes to windows of pixels, each with its proven error: docs/certificate.md, section 15.
+// Windows of pixels of planes through layers, each with its error bound: docs/certificate.md, section 15.
 #pragma once
 
 #include <algorithm>
@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "lommel/base/tasks.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/layout.hpp"
-#include "lommel/pixels/anywhere.hpp"
+#include "lommel/pixels/own_axes.hpp"
 #include "lommel/pixels/render.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/pixels/window.hpp"
 #include "lommel/radial/stack.hpp"
-#include "lommel/stratified/between.hpp"
-#include "lommel/stratified/judged.hpp"
+#include "lommel/stratified/interpolation.hpp"
+#include "lommel/stratified/error_check.hpp"
 #include "lommel/stratified/profiles.hpp"
 #include "lommel/stratified/slopes.hpp"
 #include "lommel/stratified/windows.hpp"

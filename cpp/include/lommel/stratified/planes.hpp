@@ -1,4 +1,4 @@
-// Planes of a microscope: the angles of its light, the waves along these, and the forms that make intensities of fields.
+// Planes of a microscope: angles of the light, phases, and the quadratic forms that turn fields into intensities.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lommel/base/simd.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 #include "lommel/special/sincos.hpp"
 
 namespace lommel {

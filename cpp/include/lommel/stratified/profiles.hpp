@@ -1,4 +1,4 @@
-// Intensities of many planes at the radii of one table, by matrix products; and their derivatives.
+// Intensities of many planes at the radii of one table, by matrix products, and their derivatives.
 #pragma once
 
 #include <algorithm>

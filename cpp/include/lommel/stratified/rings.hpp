@@ -1,5 +1,5 @@
-// Intensities of a microscope with any wavefront, on circles: sums over the angles of its light, and Fourier transforms over
-// orders of the azimuth. Eight planes stand side by side in all of it.
+// Intensities of a microscope with aberrations, on circles: sums over angles and Fourier transforms over azimuthal orders, for
+// eight planes at once.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Windows of pixels between the circles of a microscope's planes: the weights of a pixel serve all planes.
+// Windows of pixels interpolated between circles; the weights of a pixel serve all planes.
 #pragma once
 
 #include <algorithm>

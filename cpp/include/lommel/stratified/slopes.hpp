@@ -1,4 +1,4 @@
-// Derivatives of windows of a microscope's planes, as they are stored, each with what it errs by: docs/certificate.md, section 15.
+// Derivatives of windows of a microscope's planes, each with its error bound: docs/certificate.md, section 15.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "lommel/base/simd.hpp"
-#include "lommel/pixels/anywhere.hpp"
+#include "lommel/pixels/own_axes.hpp"
 #include "lommel/pixels/shift.hpp"
-#include "lommel/question.hpp"
-#include "lommel/stratified/judged.hpp"
+#include "lommel/limits.hpp"
+#include "lommel/stratified/error_check.hpp"
 #include "lommel/stratified/planes.hpp"
 #include "lommel/stratified/windows.hpp"
 

@@ -1,4 +1,4 @@
-// Bessel functions of angles and radii, which do not depend on depth and focus: what fields in every plane are summed from.
+// Table of Bessel functions of angle and radius, independent of depth and focus.
 #pragma once
 
 #include <algorithm>

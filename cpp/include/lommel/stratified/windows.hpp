@@ -1,4 +1,4 @@
-// Windows of pixels from the orders of the azimuth at the radii of a table, each with what it errs by, and stored.
+// Windows of pixels from azimuthal orders at the radii of a table, with their error bound.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "lommel/base/simd.hpp"
-#include "lommel/pixels/anywhere.hpp"
+#include "lommel/pixels/own_axes.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_values.hpp"
-#include "lommel/stratified/judged.hpp"
+#include "lommel/stratified/error_check.hpp"
 #include "lommel/stratified/planes.hpp"
 
 namespace lommel {

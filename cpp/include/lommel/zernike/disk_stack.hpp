@@ -1,4 +1,4 @@
-// A stack of wavefronts as the engines of the whole disk take it: on the aperture and, over its own radius, on the obscuration.
+// Stacks of wavefronts for the non-radial engines: on the full disk and, rescaled, on the obscuration.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "lommel/base/once.hpp"
 #include "lommel/bounds/amplitude.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
@@ -73,7 +73,7 @@ struct DiskStack {
                 double& tilt = outer[p * terms.size() + at[axis]];
                 const double given = axis == 0 ? window.row : window.column, here = given + tilt / window.step;
                 if (!(std::abs(here) <= farthest)) {
-                    throw PhaseTooLarge(std::string("tilt and center put the axis at ") + (axis == 0 ? "row " : "column ") +
+                    throw LimitExceeded(std::string("tilt and center put the axis at ") + (axis == 0 ? "row " : "column ") +
                                         shortened(here) + ", more than the limit of " + shortened(farthest) + " pixels away");
                 }
                 const double whole = std::nearbyint(here);

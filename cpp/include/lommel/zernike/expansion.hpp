@@ -1,4 +1,4 @@
-// How far the Zernike series of a disk goes: degrees, orders and quadrature for an error, and what of the series matters.
+// Truncation of the Zernike series of a disk: degrees, orders and quadrature for a tolerance.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/zernike/disk.hpp"
-#include "lommel/zernike/growth.hpp"
+#include "lommel/zernike/pupil_growth.hpp"
 
 namespace lommel {
 
@@ -111,7 +111,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
         exact = count(bounds, reach, error);
     }
     if (degrees > max_degrees || exact > 4 * max_degrees) {
-        throw PhaseTooLarge("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
+        throw LimitExceeded("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
                             " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
                             std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
     }

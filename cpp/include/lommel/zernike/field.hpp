@@ -1,4 +1,4 @@
-// The field of a pupil that is not radially symmetric, made ready for the sum over azimuthal orders, and its proven error.
+// Field of a non-radial pupil as coefficients of its azimuthal orders, with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -125,7 +125,7 @@ class ZernikeField {
         if (static_cast<double>(wanted.others.size() + within.others.size()) *
                 static_cast<double>(orders_.kept().size() * 4 * degree_count) >
             max_coefficients) {
-            throw PhaseTooLarge("aberrations and a window that reaches to v = " + std::to_string(reach_) +
+            throw LimitExceeded("aberrations and a window that reaches to v = " + std::to_string(reach_) +
                                 " take more than 1 GiB of coefficients");
         }
         Tables tables, inner_tables;

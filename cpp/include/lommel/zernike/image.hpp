@@ -1,4 +1,4 @@
-// An image in the making, of a pupil that is not radially symmetric: each piece of v as well as it must be.
+// Image of a non-radial pupil, each radial piece to the accuracy it needs.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "lommel/base/reference.hpp"
 #include "lommel/pixels/mirrored.hpp"
 #include "lommel/zernike/field.hpp"
-#include "lommel/zernike/judged.hpp"
+#include "lommel/zernike/error_check.hpp"
 
 namespace lommel {
 

@@ -1,4 +1,4 @@
-// From pupils that are not radially symmetric to finished images, each with its proven error.
+// Images of non-radial pupils, each with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lommel/base/tasks.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/mirrored.hpp"
 #include "lommel/pixels/render.hpp"
 #include "lommel/zernike/disk_stack.hpp"

@@ -1,4 +1,4 @@
-// Which azimuthal orders matter: in the whole image, and in each piece of v.
+// Selection of the azimuthal orders that matter, for the whole image and for each radial piece.
 #pragma once
 
 #include <algorithm>

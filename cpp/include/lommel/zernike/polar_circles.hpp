@@ -1,4 +1,4 @@
-// The field of any pupil on circles, ready for interpolation: sums over degrees, and Fourier transforms over azimuthal orders.
+// Polar non-uniform FFT, field on circles: sums over degrees, and Fourier transforms over azimuthal orders.
 #pragma once
 
 #include <algorithm>

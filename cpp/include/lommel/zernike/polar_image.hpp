@@ -1,4 +1,4 @@
-// An image of any wavefront, interpolated between circles tile by tile, and the error that is proven of each.
+// Polar non-uniform FFT, image: interpolation between circles tile by tile, each with its error bound.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/pixels/tiles.hpp"
-#include "lommel/zernike/judged.hpp"
+#include "lommel/zernike/error_check.hpp"
 #include "lommel/zernike/polar_zones.hpp"
 
 namespace lommel {

@@ -1,4 +1,4 @@
-// A pupil as it is interpolated between circles, in one of several styles, and the error of U that is proven of each.
+// Polar non-uniform FFT, pupil: parameters of the interpolation between circles, and the bound on the error of U.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v, made ready for interpolation between them.
+// Polar non-uniform FFT, table: the transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v.
 //
 // It depends on the step and on the kernel alone: one table serves every pupil, wavelength and pixel.
 #pragma once

@@ -1,4 +1,4 @@
-// Ranges of distances, each interpolated between circles as the tolerance asks there.
+// Polar non-uniform FFT, zones: ranges of radii, each with the interpolation that the tolerance needs there.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
-#include "lommel/zernike/polar_looks.hpp"
+#include "lommel/zernike/polar_preview.hpp"
 
 namespace lommel {
 

@@ -1,4 +1,4 @@
-// Rings: parts of a piece of v on which 8 coefficients serve, made of the 16 of the piece.
+// Rings: parts of a radial piece on which 8 of its 16 coefficients suffice.
 #pragma once
 
 #include <algorithm>

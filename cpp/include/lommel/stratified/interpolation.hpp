@@ -1,4 +1,4 @@
-// From few radii to all those of a centred window: I is of exponential type 2, and its pieces are polynomials.
+// Interpolation from few radii to all radii of a centred window: I is of exponential type 2, and piecewise polynomials serve.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What is proven about the intensity of a plane at radii, and how its azimuth turns it into pixels.
+// Error bound of the intensity of a plane at given radii, and the dependence of its pixels on the azimuth.
 #pragma once
 
 #include <algorithm>

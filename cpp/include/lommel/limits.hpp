@@ -1,5 +1,4 @@
-// What may be asked of an engine and what may be answered: limits, what is raised beyond them, and what an error of U makes of
-// the values that are stored.
+// Limits of the arguments, the exceptions beyond them, and the effect of an error of the field on stored values.
 #pragma once
 
 #include <cmath>
@@ -17,7 +16,7 @@ constexpr double max_reach = 1e6;        // v; beyond, light is less than 1e-17 
 constexpr std::size_t max_terms = 6000;  // of a Legendre series; its rule takes about 4 n^2 bytes
 constexpr std::size_t max_degree = 200;  // of a Zernike term
 
-struct PhaseTooLarge : std::domain_error {
+struct LimitExceeded : std::domain_error {
     using std::domain_error::domain_error;
 };
 
@@ -34,13 +33,13 @@ inline std::string shortened(double x) {
 
 inline void check_reach(double reach) {
     if (!(reach <= max_reach)) {
-        throw PhaseTooLarge("v up to " + shortened(reach) + " from the axis is more than the limit of " + shortened(max_reach));
+        throw LimitExceeded("v up to " + shortened(reach) + " from the axis is more than the limit of " + shortened(max_reach));
     }
 }
 
 inline void check_phase(double radians) {
     if (!(radians <= max_phase)) {
-        throw PhaseTooLarge("phases of " + shortened(radians) + " rad exceed the limit of 1000000 rad");
+        throw LimitExceeded("phases of " + shortened(radians) + " rad exceed the limit of 1000000 rad");
     }
 }
 

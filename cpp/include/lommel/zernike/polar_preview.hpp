@@ -1,4 +1,4 @@
-// Looks at a pupil's field before it is painted: where it is bright, and which orders matter there.
+// Polar non-uniform FFT, preview: coarse samples of the field that show where it is bright and which orders matter.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "lommel/zernike/judged.hpp"
+#include "lommel/zernike/error_check.hpp"
 #include "lommel/zernike/orders.hpp"
 #include "lommel/zernike/polar_pupil.hpp"
 

@@ -1,5 +1,5 @@
-// How a pupil function grows off the chords of the disk in the mean, by samples: far less than if each term were at its most at
-// one place.
+// Growth of a pupil function off the chords of the disk, averaged by samples: sharper than the sum of the largest values of all
+// terms.
 #pragma once
 
 #include <algorithm>

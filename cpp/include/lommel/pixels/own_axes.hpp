@@ -1,6 +1,5 @@
-// Windows of one pitch whose axis is anywhere, for stacks of pupils each around an axis of its own: samples or averages as
-// polynomials of the distance from the axis, by weights that depend on the pitch and the reach alone. docs/certificate.md,
-// section 9.
+// Windows with an optical axis of their own for each pupil: samples or averages as polynomials of the distance from the axis,
+// with weights that depend on pitch and reach only. docs/certificate.md, section 9.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/bounds/pixels.hpp"
-#include "lommel/bounds/settle.hpp"
+#include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/layout.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/pixels/weights.hpp"

@@ -1,5 +1,5 @@
-// The mean of the integrand's modulus on the curves by which the sums of the chordal rule are bounded, at the worst place of
-// the window: sharper than the largest value that each term may have, and worth its work for strong phases.
+// Mean modulus of the integrand, by samples on the curves of the error bound: sharper for strong phases than the
+// product of the largest values of all terms.
 #pragma once
 
 #include <algorithm>

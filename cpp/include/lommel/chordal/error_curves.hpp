@@ -1,5 +1,5 @@
-// The curves by which the errors of a stack are bounded, each with what the integrand is there: by samples, where these are worth
-// their work.
+// Error bound of the chordal rule for a stack: the curves in the complex plane and the integrand on them, by samples where
+// these pay off.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include "lommel/base/reference.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
-#include "lommel/chordal/sharp.hpp"
+#include "lommel/chordal/error_samples.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 

@@ -1,4 +1,4 @@
-// How an image in the making is judged: by looks at the field beforehand, and part by part by what it turned out to be.
+// Error control of an image: from a preview of the field, and part by part from the values computed.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 

@@ -1,11 +1,10 @@
-// How an answer comes to be within the tolerance: it is computed, its error is bounded from what was found, and if that is too
-// much, more is asked for.
+// Refinement until the error bound meets the tolerance: compute, bound the error, repeat with more terms or nodes.
 #pragma once
 
 #include <cstddef>
 
 #include "lommel/base/watch.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 namespace lommel {
 

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from presets import presets  # beside this file
 
-from lommel.page.state import FIELDS, WHITE
+from lommel.page.state import DIRECTED, FIELDS, WHITE, powers
 
 HERE = Path(__file__).resolve().parent
 # Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said
@@ -100,7 +100,9 @@ def module(entry: str) -> str:
     made = {"packed.js": constants(wasmText=packed(compiled()))}
     made["style.js"] = constants(styleText=(HERE / "live.css").read_text(encoding="utf-8"))
     made["shipped.js"] = constants(SHIPPED=presets())
-    made["fields.js"] = constants(FIELDS={name: field.told() for name, field in FIELDS.items()}, WHITE=WHITE.tolist())
+    terms = [{"name": name, "n": n, "m": m, "powers": powers(n, m)} for name, (n, m) in DIRECTED.items()]
+    fields = {name: field.told() for name, field in FIELDS.items()}
+    made["fields.js"] = constants(FIELDS=fields, DIRECTED=terms, WHITE=WHITE.tolist())
     # The worker gets its own text, and the compiled core from the page.
     worker = joined("worker.js", {**made, "packed.js": constants(wasmText="")}, exports=False)
     made["workertext.js"] = constants(workerText=packed(worker.encode()))

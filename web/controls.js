@@ -5,32 +5,13 @@ import { short } from "./plots.js";
 import { FIELDS } from "./fields.js";
 import { LENGTH_UNITS, WAVES_UNITS, wavesUnit } from "./units.js";
 
-// reach: of the slider; a value beyond it, typed or of a preset, widens it to all that the state takes.
-const ROWS = {
-  defocus: { label: "Defocus", waves: true, reach: [-5, 5], step: 0.01 },
-  spherical: { label: "Spherical", waves: true, reach: [-5, 5], step: 0.01 },
-  coma: { label: "Coma", waves: true, reach: [0, 3], step: 0.01 },
-  coma_angle: { label: "angle", name: "Direction of coma", unit: "°", said: "degrees", reach: [-180, 180], step: 1 },
-  astigmatism: { label: "Astigmatism", waves: true, reach: [0, 3], step: 0.01 },
-  astigmatism_angle: { label: "angle", name: "Direction of astigmatism", unit: "°", said: "degrees", reach: [-90, 90], step: 1 },
-  trefoil: { label: "Trefoil", waves: true, reach: [0, 3], step: 0.01 },
-  trefoil_angle: { label: "angle", name: "Direction of trefoil", unit: "°", said: "degrees", reach: [-60, 60], step: 1 },
-  f_number: { label: "f-number", unit: "", said: "", reach: [1, 32], log: true },
-  obscuration: { label: "Obscuration", unit: "of the radius", said: "of the radius", reach: [0, 0.9], step: 0.01 },
-  wavelength: { label: "Wavelength", unit: "nm", said: "nanometres", reach: [380, 780], step: 1 },
-  pixel: { label: "Pixel of the sensor", unit: "µm", said: "micrometres", reach: [0.5, 20], log: true },
-  focal_length: { label: "Focal length", unit: "mm", said: "millimetres", reach: [1, 10000], log: true },
-  side: { label: "Window", unit: "pixels wide", said: "pixels wide", reach: [64, 1024], step: 16 },
-};
-
-const GROUPS = [
-  [
-    "Wavefront",
-    ["defocus", "spherical", ["coma", "coma_angle"], ["astigmatism", "astigmatism_angle"], ["trefoil", "trefoil_angle"]],
-  ],
-  ["Lens and light", ["f_number", "obscuration", "wavelength"]],
-  ["Sensor", ["pixel", "side", "focal_length"]],
-];
+// [title, rows or pairs of a size and its direction], in the order of FIELDS. What a row says, lommel.page.state lists.
+const GROUPS = [];
+for (const [key, { row }] of Object.entries(FIELDS)) {
+  if (!row || key.endsWith("_angle")) continue;
+  if (GROUPS.at(-1)?.[0] !== row.group) GROUPS.push([row.group, []]);
+  GROUPS.at(-1)[1].push(Object.hasOwn(FIELDS, `${key}_angle`) ? [key, `${key}_angle`] : key);
+}
 
 const LIGHTS = { mono: "one wavelength", white: "white light" };
 
@@ -75,7 +56,7 @@ export class Controls {
   }
 
   row(key, state) {
-    const spec = ROWS[key];
+    const spec = FIELDS[key].row;
     const id = unique(key);
     const name = spec.name ?? spec.label;
     const hint = "Double click, or Delete, for the default";
@@ -89,7 +70,7 @@ export class Controls {
       slider.addEventListener(end, () => (row.dragging = false));
     slider.addEventListener("input", () => {
       const at = slider.valueAsNumber;
-      this.set({ [key]: spec.log ? Number((10 ** at).toPrecision(3)) : at }, true);
+      this.set({ [key]: spec.step === null ? Number((10 ** at).toPrecision(3)) : at }, true);
     });
     slider.addEventListener("dblclick", reset);
     slider.addEventListener("keydown", (event) => {
@@ -127,7 +108,7 @@ export class Controls {
     row.factor = factor;
     const { slider, box, spec } = row;
     if (!row.dragging) this.range(row, value);
-    slider.value = spec.log ? Math.log10(value) : value;
+    slider.value = spec.step === null ? Math.log10(value) : value;
     const text = short(value * factor, 6);
     if (this.edited !== box) box.value = text; // else when the typing is over
     row.unit.textContent = name;
@@ -139,8 +120,8 @@ export class Controls {
   range({ slider, spec, key }, value) {
     const { low, high } = FIELDS[key];
     const [from, to] = value < spec.reach[0] || value > spec.reach[1] ? [low, high] : spec.reach;
-    const [least, most] = spec.log ? [Math.log10(from), Math.log10(to)] : [from, to];
-    const wanted = { min: least, max: most, step: spec.log ? (most - least) / 400 : spec.step };
+    const [least, most] = spec.step === null ? [Math.log10(from), Math.log10(to)] : [from, to];
+    const wanted = { min: least, max: most, step: spec.step === null ? (most - least) / 400 : spec.step };
     // The step counts from the least: a value between two steps would be moved to one of them, on the screen only.
     for (const [name, number] of Object.entries(wanted)) if (slider[name] !== String(number)) slider[name] = number;
   }

@@ -1,7 +1,7 @@
 // From what the controls say to what the core is asked: the only place with physics. Lengths in micrometres. White light is lines
 // of equal energy, whose paths of light are the same.
 
-import { WHITE } from "./fields.js";
+import { DIRECTED, WHITE } from "./fields.js";
 
 const TURN = 2 * Math.PI;
 
@@ -29,13 +29,23 @@ export function linesOf(state) {
   return state.light === "white" ? WHITE.map((w) => [state.wavelength / w, 1 / WHITE.length]) : [[1, 1]];
 }
 
-// Terms that depend on the direction, {n, m, size, angle}, waves at the edge and degrees.
+// Terms that depend on the direction, {n, m, powers, size, angle}, waves at the edge and degrees; powers of rho with factors.
 export function directed(state) {
-  return [
-    { n: 3, m: 1, size: state.coma, angle: state.coma_angle },
-    { n: 2, m: 2, size: state.astigmatism, angle: state.astigmatism_angle },
-    { n: 3, m: 3, size: state.trefoil, angle: state.trefoil_angle },
-  ].filter((term) => term.size !== 0);
+  return DIRECTED.map((term) => ({ ...term, size: state[term.name], angle: state[`${term.name}_angle`] })).filter(
+    (term) => term.size !== 0,
+  );
+}
+
+// The radial part of a term at rho, over rho, and its derivative.
+function radialOf({ powers }, rho) {
+  let over = 0;
+  let slope = 0;
+  for (const [power, factor] of powers) {
+    const part = factor * rho ** (power - 1);
+    over += part;
+    slope += power * part;
+  }
+  return { over, slope };
 }
 
 // Zernike terms [n, m, radians at the edge].
@@ -58,10 +68,7 @@ export function waves(state) {
   return (rho, theta) => {
     const t = rho * rho;
     let sum = (state.defocus + state.spherical * t) * t;
-    for (const { n, m, size, turn } of others) {
-      const radial = n === 2 ? t : m === 1 ? (3 * t - 2) * rho : t * rho;
-      sum += size * radial * Math.cos(m * (theta - turn));
-    }
+    for (const term of others) sum += term.size * radialOf(term, rho).over * rho * Math.cos(term.m * (theta - term.turn));
     return sum;
   };
 }
@@ -69,18 +76,17 @@ export function waves(state) {
 // How far from the axis rays arrive at most, in v: the longest gradient of the phase, by samples, a little too small.
 export function rayReach(state) {
   let most = 0;
-  const others = directed(state).map((term) => ({ ...term, turn: (term.angle * Math.PI) / 180 }));
-  const angles = others.length ? 48 : 1;
+  const terms = directed(state).map((term) => ({ ...term, turn: (term.angle * Math.PI) / 180 }));
+  const angles = terms.length ? 48 : 1;
   for (let i = 0; i <= 24; i++) {
     const rho = state.obscuration + ((1 - state.obscuration) * i) / 24;
     const t = rho * rho;
+    const others = terms.map((term) => ({ ...term, ...radialOf(term, rho) }));
     for (let k = 0; k < angles; k++) {
       const theta = (TURN * k) / angles;
       let outward = (2 * state.defocus + 4 * state.spherical * t) * rho;
       let around = 0;
-      for (const { n, m, size, turn } of others) {
-        const over = n === 2 ? rho : m === 1 ? 3 * t - 2 : t; // of the radial part, over rho
-        const slope = n === 2 ? 2 * rho : m === 1 ? 9 * t - 2 : 3 * t;
+      for (const { m, size, turn, over, slope } of others) {
         outward += size * slope * Math.cos(m * (theta - turn));
         around -= size * over * m * Math.sin(m * (theta - turn));
       }

@@ -17,12 +17,31 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 
 
+class Row(NamedTuple):
+    """A row of the controls: a label, a number box and a slider."""
+
+    group: str
+    label: str
+    reach: tuple[float, float]
+    """Of the slider; a typed value may lie beyond it, anywhere in the range of the field."""
+    step: float | None = 0.01
+    """Of the slider; None where it is logarithmic."""
+    unit: str = ""
+    said: str = ""
+    """The unit in words."""
+    waves: bool = False
+    """Whether the number is shown in the unit of the wavefront instead: waves, radians or nanometres."""
+    name: str | None = None
+    """For screen readers, where the label does not say enough."""
+
+
 class Real(NamedTuple):
     """A control of numbers in a range."""
 
     initial: float
     low: float
     high: float
+    row: Row
 
     def accepted(self, name: str, value: object) -> float:
         """Return the number, which is in the range."""
@@ -31,9 +50,9 @@ class Real(NamedTuple):
             raise ValueError(f"{name} must be from {self.low:g} to {self.high:g}, got {validation.shown(value)}")
         return number
 
-    def told(self) -> dict[str, float]:
+    def told(self) -> dict[str, object]:
         """Return the description for the page."""
-        return self._asdict()
+        return self._asdict() | {"row": self.row._asdict()}
 
 
 class Whole(Real):
@@ -63,23 +82,31 @@ class Word(tuple[str, ...]):
         return validation.choice(name, value, self)
 
 
+# Aberrations with a direction, by their Zernike term; each has a slider for its size and one for its direction.
+DIRECTED = {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}
+
+
+def _aberration(name: str) -> dict[str, Real | Word]:
+    size = Row("Wavefront", name.capitalize(), (0, 3), waves=True)
+    half = 180 // DIRECTED[name][1]
+    angle = Row("Wavefront", "angle", (-half, half), 1, "°", "degrees", name=f"Direction of {name}")
+    return {name: Real(0, 0, 10, size), f"{name}_angle": Real(0, -half, half, angle)}
+
+
 FIELDS: dict[str, Real | Word] = {
-    "defocus": Real(0.6, -50, 50),
-    "spherical": Real(0, -25, 25),
-    "coma": Real(0, 0, 10),
-    "coma_angle": Real(0, -180, 180),
-    "astigmatism": Real(0, 0, 10),
-    "astigmatism_angle": Real(0, -90, 90),
-    "trefoil": Real(0, 0, 10),
-    "trefoil_angle": Real(0, -60, 60),
-    "f_number": Real(4, 0.7, 100),
-    "obscuration": Real(0, 0, 0.9),
-    "wavelength": Real(550, 200, 2000),
+    "defocus": Real(0.6, -50, 50, Row("Wavefront", "Defocus", (-5, 5), waves=True)),
+    "spherical": Real(0, -25, 25, Row("Wavefront", "Spherical", (-5, 5), waves=True)),
+    **{key: field for name in DIRECTED for key, field in _aberration(name).items()},
+    "f_number": Real(4, 0.7, 100, Row("Lens and light", "f-number", (1, 32), None)),
+    "obscuration": Real(
+        0, 0, 0.9, Row("Lens and light", "Obscuration", (0, 0.9), 0.01, "of the radius", "of the radius")
+    ),
+    "wavelength": Real(550, 200, 2000, Row("Lens and light", "Wavelength", (380, 780), 1, "nm", "nanometres")),
     "light": Word(("mono", "white")),
-    "pixel": Real(2, 0.05, 50),
+    "pixel": Real(2, 0.05, 50, Row("Sensor", "Pixel of the sensor", (0.5, 20), None, "µm", "micrometres")),
     "view": Word(("fine", "sampled", "averaged")),
-    "side": Whole(512, 16, 1024),
-    "focal_length": Real(50, 0.1, 1e6),
+    "side": Whole(512, 16, 1024, Row("Sensor", "Window", (64, 1024), 16, "pixels wide", "pixels wide")),
+    "focal_length": Real(50, 0.1, 1e6, Row("Sensor", "Focal length", (1, 10000), None, "mm", "millimetres")),
     "stretch": Word(("sqrt", "linear", "log")),
     "map": Word(("inferno", "viridis", "cividis", "gray")),
     "waves_unit": Word(("waves", "rad", "nm")),
@@ -91,7 +118,15 @@ micrometres, pixels and, for the focal length, millimetres."""
 
 # White light on the page: lines of equal energy, nanometres.
 WHITE = np.linspace(450.0, 650.0, 7)
-DIRECTED = {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}
+
+
+def powers(n: int, m: int) -> list[tuple[int, int]]:
+    """Return the powers of rho in the radial polynomial of a Zernike term, each with its factor."""
+    f = math.factorial
+    return [
+        (n - 2 * k, (-1) ** k * f(n - k) // (f(k) * f((n + m) // 2 - k) * f((n - m) // 2 - k)))
+        for k in range((n - m) // 2 + 1)
+    ]
 
 
 def complete(given: Mapping[str, object]) -> dict[str, Any]:
@@ -186,12 +221,13 @@ def _fine_pixel(state: Mapping[str, Any]) -> float:
     """Return the pixel of the page's own window, which holds the geometric blur and some rings."""
     # The same samples and steps of sqrt(2) as in fineReach() of the page.
     rho = state["obscuration"] + (1.0 - state["obscuration"]) * np.arange(25)[:, None] / 24.0
-    theta, t = math.tau * np.arange(48) / 48.0, rho * rho
-    outward = (2.0 * state["defocus"] + 4.0 * state["spherical"] * t) * rho + 0.0 * theta
+    theta = math.tau * np.arange(48) / 48.0
+    outward = (2.0 * state["defocus"] + 4.0 * state["spherical"] * rho * rho) * rho + 0.0 * theta
     around = np.zeros_like(outward)
-    radial = {"coma": (9.0 * t - 2.0, 3.0 * t - 2.0), "astigmatism": (2.0 * rho, rho), "trefoil": (3.0 * t, t)}
-    for name, (slope, over) in radial.items():
-        m = DIRECTED[name][1]
+    for name, (n, m) in DIRECTED.items():
+        over, slope = np.zeros_like(rho), np.zeros_like(rho)  # the radial part over rho, and its derivative
+        for power, factor in powers(n, m):
+            over, slope = over + factor * rho ** (power - 1), slope + factor * power * rho ** (power - 1)
         turned = m * (theta - math.radians(state[f"{name}_angle"]))
         outward += state[name] * slope * np.cos(turned)
         around -= state[name] * over * m * np.sin(turned)

@@ -7,7 +7,7 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/fork.hpp"
 #include "lommel/base/simd.hpp"
-#include "lommel/question.hpp"
+#include "lommel/limits.hpp"
 
 #include "python.hpp"
 
@@ -77,7 +77,7 @@ NB_MODULE(_core, m) {
         try {
             std::rethrow_exception(thrown);
         } catch (const lommel::Stopped&) {
-        } catch (const lommel::PhaseTooLarge& failure) {
+        } catch (const lommel::LimitExceeded& failure) {
             PyErr_SetString(nb::module_::import_("lommel.core.answers").attr("Declined").ptr(), failure.what());
         }
     });

@@ -1,4 +1,4 @@
-"""Twins in PyTorch, where it is installed (make test-torch): autograd, functional transforms, modules."""
+"""Traced plans in PyTorch, where it is installed (make test-torch): autograd, functional transforms, modules."""
 
 from __future__ import annotations
 

@@ -108,10 +108,11 @@ def depth(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Estimate a depth map from photos with different focus or aperture (depth from defocus).
+    """Estimate a depth map from photos (depth from defocus).
 
-    PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place, neither denoised nor
-    sharpened. LENS is a lens file. Areas without texture have no depth: NaN, with an infinite standard deviation.
+    PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
+    aperture, neither denoised nor sharpened. LENS is a lens file. Areas without texture have no depth: NaN, with an
+    infinite standard deviation.
 
     Examples
     --------
@@ -263,11 +264,11 @@ def precision(
     figure: Path | None,
     as_json: bool,
 ) -> None:
-    """Compute the depth precision that photos of different focus can achieve (Cramer-Rao bound).
+    """Compute the achievable depth precision (Cramer-Rao bound).
 
-    The bound holds for every unbiased estimator that compares photos with one another and does not know the texture;
-    it is an average over the textures of natural scenes. Use it to choose aperture, focus distances and exposure
-    before taking the photos.
+    It is that of photos with different focus. The bound holds for every unbiased estimator that compares photos with
+    one another and does not know the texture; it is an average over the textures of natural scenes. Use it to choose
+    aperture, focus distances and exposure before taking the photos.
 
     Examples
     --------

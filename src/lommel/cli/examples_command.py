@@ -24,9 +24,10 @@ _KINDS = {"lenses": "lens", "objectives": "objective"}
     JSON,
 )  # fmt: skip
 def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bool) -> None:
-    """List example files of real lenses and objectives, or copy those with these NAMES.
+    """List example files of lenses and objectives, or copy them.
 
-    Each file states the source of its numbers. Existing files are not overwritten.
+    NAMES are those of the files to copy. They describe real instruments, and each file states the source of its
+    numbers. Existing files are not overwritten.
 
     Examples
     --------

@@ -59,7 +59,7 @@ def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> Non
     plot_option("Figure of the PSFs, square root of the values, and of slices through them", "--figure"), JSON,
 )  # fmt: skip
 def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> None:
-    """Compare the accuracy and the speed of all methods for the PSF of a lens.
+    """Compare the accuracy and speed of all methods for a lens.
 
     The reference is direct quadrature (Hankel) for radially symmetric wavefronts, the series with a proven error
     bound at a tolerance of 1e-9 for other wavefronts, and the non-uniform FFT at 1e-11 for other apertures. Methods
@@ -139,10 +139,11 @@ def _default(item: dataclasses.Field[Any]) -> str:
     JSON,
 )  # fmt: skip
 def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
-    """Reproduce the figures and numbers of the paper in about half a minute.
+    """Reproduce the figures and numbers of the paper.
 
-    Each figure is written to OUTDIR as figure-N.png, its data as figure-N.npz, its curves as figure-N.csv. table.md
-    and table.json compare each number of the paper with the computed one, for Eq. (12) as printed and as corrected.
+    This takes about half a minute. Each figure is written to OUTDIR as figure-N.png, its data as figure-N.npz, its
+    curves as figure-N.csv. table.md and table.json compare each number of the paper with the computed one, for Eq.
+    (12) as printed and as corrected.
 
     Examples
     --------

@@ -22,10 +22,11 @@ from lommel.page.state import state_of
     Option("--save", "saved", type=FILE, metavar="FILE", help="Write the page to a stand-alone HTML file instead."),
 )
 def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | None) -> None:
-    """Open an interactive page with the PSF, its curves and a test image, and sliders for every parameter.
+    """Open an interactive page of the PSF in the browser.
 
-    It starts with the lens of a lens file, or with a defocused one. The page computes in the browser, is served to
-    this machine only until Ctrl-C, and sends nothing.
+    It shows the PSF, its curves and a test image, with sliders for every parameter, and starts with the lens of a
+    lens file, or with a defocused one. The page computes in the browser, is served to this machine only until Ctrl-C,
+    and sends nothing.
 
     Examples
     --------

@@ -119,7 +119,7 @@ def blur(
     as_json: bool,
     **given: Any,
 ) -> None:
-    """Blur a sharp photograph according to its depth map, or pull the focus through it.
+    """Blur a photo by its depth map, or pull the focus through it.
 
     PHOTO is a PNG, JPEG or TIFF, grey or RGB. DEPTH is a depth map of the same size, the distance of each point from
     the lens in metres: a grey TIFF, NPY, PFM or PNG. Without the lens file LENS, focal length and f-number come from

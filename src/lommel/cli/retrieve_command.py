@@ -117,11 +117,11 @@ def retrieve(
     as_json: bool,
     **changes: object,
 ) -> None:
-    """Estimate a wavefront from images of a star or another point source (phase retrieval).
+    """Estimate a wavefront from star images (phase retrieval).
 
-    IMAGES are TIFF (one image per page), NPY, FITS or 16-bit PNG files of one size, linear in light (no JPEG, no
-    sRGB). LENS is a lens file with aperture, wavelength, f-number and pixel pitch; its wavefront is the starting
-    point. Several images need the --defocus of each (phase diversity).
+    IMAGES, of a star or another point source, are TIFF (one image per page), NPY, FITS or 16-bit PNG files of one
+    size, linear in light (no JPEG, no sRGB). LENS is a lens file with aperture, wavelength, f-number and pixel pitch;
+    its wavefront is the starting point. Several images need the --defocus of each (phase diversity).
 
     Coefficients are of Noll's Zernike terms, rms, with their standard errors. chi2 is about 1 where pupil, pixel
     pitch and noise are right.

@@ -49,9 +49,10 @@ def stack(
     as_json: bool,
     **given: object,
 ) -> None:
-    """Compute PSFs over a range of object distances into a store, which may be larger than memory.
+    """Compute PSFs over a range of object distances to a store.
 
-    An interrupted command can be given again: it computes only the missing chunks.
+    The store may be larger than memory. An interrupted command can be given again: it computes only the missing
+    chunks.
 
     Examples
     --------

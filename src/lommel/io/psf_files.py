@@ -96,17 +96,11 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
 def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
     """Read a PSF of this kind; FileError if the file is damaged or was not written by this package."""
-    return load_described(path, kind)[0]
-
-
-def load_described(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Made, Description]:
-    """Read a PSF and the whole description in its file, which may hold more than the PSF."""
     form, source = find(path, verb="read"), Path(path)
     data = [reading.contents(place) for place in form.places(source)]
     with told(source, "a PSF"):
         arrays, text = form.read(*data)
-        description = reading.json(text)
-        return rebuild(arrays, description, kind), description
+        return rebuild(arrays, reading.json(text), kind)
 
 
 @contextmanager

@@ -26,8 +26,8 @@ _KINDS = {"lenses": "lens", "objectives": "objective"}
 def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bool) -> None:
     """List example files of lenses and objectives, or copy them.
 
-    NAMES are those of the files to copy. They describe real instruments, and each file states the source of its
-    numbers. Existing files are not overwritten.
+    NAMES are those of the files to copy. The files describe real instruments and state the source of
+    their numbers. Existing files are not overwritten.
 
     Examples
     --------

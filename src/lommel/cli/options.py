@@ -139,8 +139,9 @@ def command(
     """Return what makes a command of a function: its docstring is the help, its errors are one line."""
 
     def made(function: Callable[..., None]) -> Command:
-        # A line of \b keeps the lines of examples as they are; there is no docstring with python -OO.
-        text = inspect.cleandoc(function.__doc__ or "").replace("\n\nExample", "\n\n\b\nExample")
+        # Help has a colon where docstrings have a line of dashes; a line of \b keeps the lines of examples as they are.
+        text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
+        text = text.replace("\n\nExample", "\n\n\b\nExample")
         called = name or function.__name__.replace("_", "-")
         return kind(called, params=list(params), help=text, callback=one_line_errors(function))
 

@@ -139,7 +139,7 @@ def command(
     """Return what makes a command of a function: its docstring is the help, its errors are one line."""
 
     def made(function: Callable[..., None]) -> Command:
-        # Help has a colon where docstrings have a line of dashes; a line of \b keeps the lines of examples as they are.
+        # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
         text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
         text = text.replace("\n\nExample", "\n\n\b\nExample")
         called = name or function.__name__.replace("_", "-")

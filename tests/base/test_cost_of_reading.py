@@ -57,7 +57,7 @@ ARGUED = {
     ("stacks/hdf5_store.py", "fromfile"): "a part of it",
     ("stacks/hdf5_store.py", "File"): "to write, in memory",
     ("stacks/zarr_store.py", "open"): "an array of a folder whose files were looked at",
-    ("stacks/request.py", "loads"): "of what was just written as JSON",
+    ("stacks/compute.py", "loads"): "of what was just written as JSON",
     ("optics/aperture/obstructions.py", "decompressobj"): "piece by piece, up to the side of the mask",
 }
 # What opens or parses a file, whatever it is called on.

@@ -107,7 +107,7 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
         stack = lm.open_stack(path)
         return stack[:].values.tobytes(), repr(stack[:]), repr(stack[0].pupil.to_dict()), stack.done, stack.dask.shape
 
-    for suffix in (".tif", ".npy", ".npz", ".png", ".fits", ".fits.gz", ".h5", ".mat", ".raw", ".json"):
+    for suffix in (".tif", ".npy", ".npz", ".png", ".fits", ".fits.gz", ".h5", ".mat", ".raw"):
         psf.save(folder / f"psf{suffix}")
         found[f"psf{suffix}"] = (folder / f"psf{suffix}", of_psf, True)
     (folder / "objective.toml").write_text(OBJECTIVE)
@@ -249,7 +249,6 @@ KINDS = [
     "psf.h5",
     "psf.mat",
     "psf.raw",
-    "psf.json",
     "stack.tif",
     "stack.npz",
     "objective.toml",

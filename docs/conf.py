@@ -105,7 +105,7 @@ warnings.filterwarnings("error", module=r"lommel(\.|$)")
 
 # conventions.md names the tests of its conventions, and api.md every public name.
 _named = set(re.findall(r"`(test_\w+)`", (HERE / "conventions.md").read_text(encoding="utf-8")))
-_names = ("test_conventions.py", "test_zernike_conventions.py", "optics/test_wavefront.py")
+_names = ("test_conventions.py", "test_zernike_conventions.py", "optics/wavefront/test_wavefront.py")
 _tests = [HERE.parent / "tests" / name for name in _names]
 _there = re.findall(r"def (test_\w+)", "".join(path.read_text(encoding="utf-8") for path in _tests))
 if _named - set(_there):

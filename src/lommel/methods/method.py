@@ -207,7 +207,7 @@ class RadialMethod(Method[P]):
         return self.profile(pupil, grid.v(pupil))
 
     def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
@@ -362,7 +362,7 @@ def once_stored(made: Intensities, wanted: Wanted) -> Array | None:
 
 
 def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
-    """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`Method.images`."""
+    """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`lommel.Method.images`."""
     largest = made.values.reshape(len(made.values), -1).max(axis=1)
     if wanted.scale is None and not np.all(largest > 0):
         raise ValueError('normalize="peak" is impossible: no light falls into the window')

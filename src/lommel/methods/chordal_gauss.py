@@ -88,7 +88,7 @@ class ChordalGauss(Method[Pupil]):
         return answer
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if wanted.terms and wanted.scale is None:

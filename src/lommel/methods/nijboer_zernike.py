@@ -98,7 +98,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
         return answer
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.terms:
             raise ValueError("derivatives by Zernike terms are not available from NijboerZernike; use ChordalGauss")
         if pupil.radial:

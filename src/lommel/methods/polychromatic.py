@@ -205,7 +205,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         return self._recorded(pupil, grid, threads, self.tol)
 
     def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError(
                 "derivatives of white light are sums of those of its components; ask lommel.psf for them"

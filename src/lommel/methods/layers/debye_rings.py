@@ -95,7 +95,7 @@ class DebyeRings(LayeredMethod):
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError("derivatives by phases are not available of the pupils of an Objective")
         if grid.integrate:

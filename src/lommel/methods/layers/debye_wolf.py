@@ -72,7 +72,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return self._centres(pupil, grid, self.tol)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if pupil.radial or not grid.integrate or wanted.terms or wanted.powers:
             return super().images(pupil, grid, wanted)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)

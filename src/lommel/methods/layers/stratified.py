@@ -81,7 +81,7 @@ class Stratified(DebyeWolf):
         return super().profile(pupil, v) if made is None else made
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.terms or wanted.powers or (grid.integrate and not pupil.radial):
             return super().images(pupil, grid, wanted)
         made = _made(pupil, grid, self.tol, wanted)

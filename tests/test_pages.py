@@ -51,8 +51,9 @@ def blocks(path: Path, language: str) -> list[tuple[str, str]]:
 
 
 def commands(path: Path) -> list[str]:
-    """Return the command lines of a page."""
-    return [line for code, _ in blocks(path, "sh") for line in code.replace("\\\n", " ").splitlines()]
+    """Return the command lines of a page, in README.md also those within the text and its table."""
+    within = re.findall(r"`(lommel [^`]+)`", path.read_text(encoding="utf-8")) if path.name == "README.md" else []
+    return within + [line for code, _ in blocks(path, "sh") for line in code.replace("\\\n", " ").splitlines()]
 
 
 HELP = [
@@ -169,6 +170,8 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
                 assert extra in extras, (name, words)
         elif "_LOMMEL_COMPLETE" in " ".join(words):
             assert re.search(r"=(bash|zsh|fish)_source( |$)", words[-1] if words[0] == "eval" else words[0])
+        elif words[0] in ("git", "cd"):
+            assert words[:2] in (["git", "clone"], ["cd", "lommel"]), (name, words)
         elif words[0] != "lommel":
             assert words[0] == ".venv/bin/python", (name, words)
             assert words[1] == "-m" or (ROOT / words[1]).exists(), (name, words)

@@ -110,7 +110,8 @@ def test_every_fragment_of_the_changelog_has_a_known_type():
 
 @pytest.mark.skipif(shutil.which("make") is None, reason="no make")
 def test_help_lists_every_target_that_has_a_text():
-    shown = subprocess.run(["make", "--no-print-directory", "help"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    command = ["make", "--no-print-directory", "help"]
+    shown = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
     described = re.findall(r"^([a-z-]+):.*## (.*)$", MAKEFILE, re.MULTILINE)
     assert [re.match(r"make (\S+) +(.*)", line).groups() for line in shown.splitlines()] == described
     (phony,) = re.findall(r"^\.PHONY: (.*)$", MAKEFILE, re.MULTILINE)

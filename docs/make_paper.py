@@ -47,32 +47,32 @@ numbers come from it. "Corrected" has the factor. All other misprints are correc
 """
 
 NOTES = {
-    1: "The paper shows the formation of a PSF and the cost of ray tracing, O(n^2), and of the FFT, O(n log n), "
+    "1": "The paper shows the formation of a PSF and the cost of ray tracing, O(n^2), and of the FFT, O(n log n), "
     "in one dimension. Here every method makes an image of n x n pixels of the same pitch, on one thread; "
     "times are ratios to one complex FFT of n x n. The FFT of the pupil is more than that one transform: the "
     "pupil has to be sampled, and |U|^2 taken. Both forms of the CFIS cost more than the FFT at these sizes: "
     "they are written in NumPy, and the error function is evaluated four times at every distinct radius. The "
     "ratio does fall as n grows.",
-    2: "Eq. (6) with three terms, Eq. (7), the two joined at a = 1 as in Eq. (8), and what Eq. (12) makes of "
+    "2": "Eq. (6) with three terms, Eq. (7), the two joined at a = 1 as in Eq. (8), and what Eq. (12) makes of "
     "them with the tangent line (9). As printed, the form is close up to a = 20, where the tangent line, too "
     "low there, makes up for the missing sqrt(2/pi); corrected, it is close where the tangent line is, near a "
     "= 100.",
-    3: "As printed, error is largest near the axis, as in the paper, and the PSF is too bright; corrected, it is "
+    "3": "As printed, error is largest near the axis, as in the paper, and the PSF is too bright; corrected, it is "
     "too dark at the rings, which lie where the tangent line is too low.",
-    4: "As the paper says, the outer rings fade with N: Eq. (14) holds for |Im z| < N/2 - 3 or so, hence up to a "
+    "4": "As the paper says, the outer rings fade with N: Eq. (14) holds for |Im z| < N/2 - 3 or so, hence up to a "
     "radius that grows with N.",
-    5: "Red is too bright, blue too dark; the scale is linear up to 0.01 and logarithmic beyond. At N = 40 no "
+    "5": "Red is too bright, blue too dark; the scale is linear up to 0.01 and logarithmic beyond. At N = 40 no "
     "rings are left in this window, and what remains is the error of Eq. (8) and (9).",
-    6: "As printed, error grows with defocus from C_d = 10 on, as the paper says. Corrected, it hardly does, for "
+    "6": "As printed, error grows with defocus from C_d = 10 on, as the paper says. Corrected, it hardly does, for "
     "a wider PSF has more of its light where the tangent line is good.",
-    7: "C_d = 22 and a window of 185, where the two errors of the table come closest. As printed, error falls as "
+    "7": "C_d = 22 and a window of 185, where the two errors of the table come closest. As printed, error falls as "
     "the centre grows, up to about 200, and the inner rings get worse, as the paper says; corrected, it "
     "rises.",
-    17: "Five pieces of exp(i C_s rho^4), without a constant as Eq. (17) is printed, and with one on optimal "
+    "eq17": "Five pieces of exp(i C_s rho^4), without a constant as Eq. (17) is printed, and with one on optimal "
     "segments, on which errors are equal. MSE is the mean of the squared error over the radius.",
-    100: "The error over the peak of each PSF, of the paper's form at TLC = 100 and N = 30 as printed and corrected, "
-    "with the exact error function, and of the form tuned to 1e-4, whose errors stay far below its bound. Dashed: "
-    "the edge of the geometric shadow. Eq. (14) fails beyond the v that its 30 terms carry.",
+    "validity": "The error over the peak of each PSF, of the paper's form at TLC = 100 and N = 30 as printed "
+    "and corrected, with the exact error function, and of the form tuned to 1e-4, whose errors stay far below "
+    "its bound. Dashed: the edge of the geometric shadow. Eq. (14) fails beyond the v that its 30 terms carry.",
 }
 
 
@@ -97,12 +97,12 @@ IMPLEMENTATION = """\
 """
 
 
-def small(picture: bytes, number: int) -> bytes:
+def small(picture: bytes, figure: str) -> bytes:
     """Return a PNG of fewer bytes; few colours suffice where there are no curves."""
     buffer = io.BytesIO()
     with Image.open(io.BytesIO(picture)) as image:
         plain = image.convert("RGB")
-        if number in (4, 5, 6, 7):
+        if figure in ("4", "5", "6", "7"):
             plain = plain.quantize(256, dither=Image.Dither.NONE)
         plain.save(buffer, format="png", optimize=True)
     return buffer.getvalue()
@@ -132,14 +132,14 @@ def main() -> None:
     parts = [INTRODUCTION]
     with tempfile.TemporaryDirectory() as folder:
         made = reproduce(Path(folder), started=print, dpi=85)
-        for number in FIGURES:
-            picture = (Path(folder) / f"figure-{number}.png").read_bytes()
-            atomic.write(HERE / "paper" / f"figure-{number}.png", small(picture, number))
+        for figure in FIGURES:
+            picture = (Path(folder) / f"figure-{figure}.png").read_bytes()
+            atomic.write(HERE / "paper" / f"figure-{figure}.png", small(picture, figure))
     parts.append(numbers.markdown(made["table"]))
-    for number, plan in FIGURES.items():
-        name = {17: "Eq. 17", 100: "Beyond the paper"}.get(number, f"Fig. {number}")
-        shown = f"![{plan.caption}](paper/figure-{number}.png)"
-        parts.append(f"\n## {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[number], 118)}\n")
+    for figure, plan in FIGURES.items():
+        name = {"eq17": "Eq. 17", "validity": "Beyond the paper"}.get(figure, f"Fig. {figure}")
+        shown = f"![{plan.caption}](paper/figure-{figure}.png)"
+        parts.append(f"\n## {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[figure], 118)}\n")
     parts.append(
         "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
         "equations\n(18) to (20) are correct as printed.\n\n" + errata() + "\n" + IMPLEMENTATION

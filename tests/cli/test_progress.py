@@ -39,7 +39,7 @@ LONG = {
     ),
     "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
     "compare": ("compare", "lens.toml", "--shape", "5"),
-    "paper": ("paper", "out", "--figure", "2", "--figure", "17"),
+    "paper": ("paper", "out", "--figure", "2", "--figure", "eq17"),
 }  # fmt: skip
 
 

@@ -133,9 +133,9 @@ def _default(item: dataclasses.Field[Any]) -> str:
 
 @command(
     click.Argument(["outdir"], type=click.Path(path_type=Path)),
-    Option("--figure", "figures", multiple=True, type=click.Choice([*"1234567", "17", "100"]),
-           help="Only this figure, without the table; may be repeated. 17: Eq. (17); 100: validity of the closed "
-           "forms."),
+    Option("--figure", "figures", multiple=True, type=click.Choice([*"1234567", "eq17", "validity"]),
+           help="Compute only this figure, without the table; may be repeated. eq17: piecewise quadratic phase of "
+           "Eq. (17); validity: where the closed forms hold."),
     JSON,
 )  # fmt: skip
 def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
@@ -152,7 +152,7 @@ def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
     """
     from lommel.paper.write import FIGURES, reproduce
 
-    wanted = [int(number) for number in figures] or None
+    wanted = list(figures) or None
     with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
         made = reproduce(outdir, wanted, started)
     if as_json:

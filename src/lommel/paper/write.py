@@ -29,41 +29,41 @@ class _Plan:
 
 
 FIGURES = {
-    1: _Plan("Methods and cost against n", methods_cost.compute, methods_cost.draw),
-    2: _Plan("Comparison of various forms of J0(a)", bessel_forms.compute, bessel_forms.draw),
-    3: _Plan("PSF comparison between FFT and CFIS", families.compare_with_fft, families.draw_comparison),
-    4: _Plan("CFIS PSF for varying N", families.by_terms, families.draw_intensity),
-    5: _Plan("Error of the CFIS PSF for varying N", families.by_terms, families.draw_error),
-    6: _Plan("Error of the CFIS PSF for varying defocus", families.by_defocus, families.draw_error),
-    7: _Plan(
+    "1": _Plan("Methods and cost against n", methods_cost.compute, methods_cost.draw),
+    "2": _Plan("Comparison of various forms of J0(a)", bessel_forms.compute, bessel_forms.draw),
+    "3": _Plan("PSF comparison between FFT and CFIS", families.compare_with_fft, families.draw_comparison),
+    "4": _Plan("CFIS PSF for varying N", families.by_terms, families.draw_intensity),
+    "5": _Plan("Error of the CFIS PSF for varying N", families.by_terms, families.draw_error),
+    "6": _Plan("Error of the CFIS PSF for varying defocus", families.by_defocus, families.draw_error),
+    "7": _Plan(
         "Error of the CFIS PSF for varying tangent-line centres (TLC)", families.by_tangent, families.draw_error
     ),
-    17: _Plan("The piecewise quadratic phase of Eq. (17)", spherical.compute, spherical.draw),
-    100: _Plan("Where the closed forms hold, over C_d and v", validity.compute, validity.draw),
+    "eq17": _Plan("The piecewise quadratic phase of Eq. (17)", spherical.compute, spherical.draw),
+    "validity": _Plan("Where the closed forms hold, over C_d and v", validity.compute, validity.draw),
 }
-"""Every figure by its number in the paper; 17 is the equation, 100 goes beyond the paper."""
+"""Figures by their numbers in the paper; eq17 is of Eq. (17), validity is not in the paper."""
 
 TABLE = ("table.md", "table.json")
 
 
-def names(number: int) -> tuple[str, str, str]:
+def names(figure: str) -> tuple[str, str, str]:
     """Return the file names of a figure: picture, all data, one-dimensional data."""
-    return f"figure-{number}.png", f"figure-{number}.npz", f"figure-{number}.csv"
+    return f"figure-{figure}.png", f"figure-{figure}.npz", f"figure-{figure}.csv"
 
 
 def reproduce(
     folder: Path,
-    figures: Iterable[int] | None = None,
+    figures: Iterable[str] | None = None,
     started: Callable[[str], object] = str,
     *,
     dpi: float = 130.0,
 ) -> Facts:
-    """Write figures by their numbers, or all of them and the table; return files, facts of figures, and the table."""
+    """Write figures by their names, or all of them and the table; return files, facts of figures, and the table."""
     wanted = list(FIGURES) if figures is None else list(dict.fromkeys(figures))
-    for number in wanted:
-        if number not in FIGURES:
-            raise ValueError(f"there is no figure {number}; there are {', '.join(map(str, FIGURES))}")
-    targets = [name for number in wanted for name in names(number)] + ([*TABLE] if figures is None else [])
+    for figure in wanted:
+        if figure not in FIGURES:
+            raise ValueError(f"there is no figure {figure}; there are {', '.join(FIGURES)}")
+    targets = [name for figure in wanted for name in names(figure)] + ([*TABLE] if figures is None else [])
     _prepare(folder, targets)
     files: list[str] = []
 
@@ -72,14 +72,14 @@ def reproduce(
         files.append(str(folder / name))
 
     facts = {}
-    for number in wanted:
-        started(f"Fig. {number}: {FIGURES[number].caption}")
-        data = FIGURES[number].compute()
+    for figure in wanted:
+        started(f"figure {figure}: {FIGURES[figure].caption}")
+        data = FIGURES[figure].compute()
         # All three are made before the first is written.
-        made = (picture(FIGURES[number].draw(data), dpi), archive(data), spreadsheet(data))
-        for name, content in zip(names(number), made, strict=True):
+        made = (picture(FIGURES[figure].draw(data), dpi), archive(data), spreadsheet(data))
+        for name, content in zip(names(figure), made, strict=True):
             keep(name, content)
-        facts[str(number)] = {"caption": FIGURES[number].caption} | data.facts
+        facts[figure] = {"caption": FIGURES[figure].caption} | data.facts
     table = None
     if figures is None:
         started("the numbers")

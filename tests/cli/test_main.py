@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 from contextlib import redirect_stdout
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,7 +17,8 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.units import format_length
-from lommel.cli.main import main
+from lommel.cli.examples_command import files
+from lommel.cli.main import commands, main
 from lommel.methods import METHODS
 from lommel.show.drawing import HOW
 
@@ -239,10 +241,10 @@ def test_methods_and_their_options_are_chosen_by_name(call_lommel, lenses, tmp_p
 @pytest.mark.parametrize(
     ("command", "example"),
     [
-        ([], "  lommel psf     lens.toml -o psf.tif -o psf.png    # compute the PSF: data and a picture"),
-        (["psf"], '  lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz'),
-        (["info"], '  lommel info camera.toml --object-distance "3 m"'),
-        (["compare"], "  lommel compare camera.toml --figure methods.png"),
+        ([], "  lommel psf     phone.toml -o psf.tif -o psf.png   # compute the PSF: data and a picture"),
+        (["psf"], "  lommel psf phone.toml --object-distance 1.2m --tol 1e-9 -o phone.npz"),
+        (["info"], "  lommel info phone.toml --object-distance 3m"),
+        (["compare"], "  lommel compare phone.toml --figure methods.png"),
     ],
     ids=["lommel", "psf", "info", "compare"],
 )
@@ -254,6 +256,19 @@ def test_the_help_of_every_command_shows_its_examples_each_on_its_line(call_lomm
     assert f"Usage: lommel {' '.join([*command, '[OPTIONS]', 'LENS' if command else 'COMMAND'])}" in result.stdout
     assert example in [line[2:] for line in result.stdout.splitlines()]
     assert "\\b" not in result.stdout
+
+
+def test_lens_files_in_the_help_are_examples_that_lommel_examples_copies():
+    texts = [main.help or "", *(command.help or "" for command in commands().values())]
+    named = {name for text in texts for name in re.findall(r"[\w.-]+\.toml", text)}
+    assert named
+    assert {Path(name).stem for name in named} <= set(files())
+
+
+def test_each_command_is_listed_with_one_whole_sentence_of_a_line():
+    for name, command in commands().items():
+        assert (command.help or "").partition(".")[0] + "." == command.get_short_help_str(200), name
+        assert len(command.get_short_help_str(200)) <= 61, name
 
 
 def test_the_version_is_that_of_the_package(run_lommel, tmp_path):

@@ -1,4 +1,4 @@
-"""The commands for depth from defocus: ``lommel depth``, and ``lommel precision`` for the achievable precision."""
+"""The commands ``lommel depth`` (depth from defocus) and ``lommel precision`` (its Cramér-Rao bound)."""
 
 from __future__ import annotations
 
@@ -55,26 +55,29 @@ def _length(metres: float) -> str:
 @command(
     click.Argument(["photos"], type=FILE, nargs=-1, required=True),
     LENS,
-    Option("--between", type=Length(), nargs=2, required=True, help="Nearest and farthest distance to search."),
+    Option("--between", type=Length(), nargs=2, required=True, metavar="NEAR FAR",
+           help="Nearest and farthest distance to search, such as 1m 3m or 1m inf."),
     Option("-o", "--output", "outputs", type=FILE, multiple=True,
-           help=f"The depth map in metres; given twice, also its standard deviation: {suffixes('depth map')}."),
-    Option("--sharp", type=FILE, help=f"The all-in-focus image: {suffixes('photo')}."),
+           help=f"Depth map in metres; given a second time, its standard deviation: {suffixes('depth map')}."),
+    Option("--sharp", type=FILE, help=f"All-in-focus image: {suffixes('photo')}."),
     plot_option("Figure of depth map, standard deviation and all-in-focus image"),
     JSON,
     *under(
         "Camera",
         Option("--focus", "foci", type=Length(), multiple=True,
-               help='Focus distance, such as "1.35 m": once, or for each photo in turn; overrides the lens file.'),
+               help="Focus distance, such as 1.35m: once for all photos, or repeated for each; overrides the lens "
+               "file."),
         Option("--f-number", "f_numbers", type=float, multiple=True,
-               help="F-number: once, or for each photo in turn; overrides the lens file."),
+               help="F-number: once for all photos, or repeated for each; overrides the lens file."),
         Option("--exposure", "exposures", type=float, multiple=True,
-               help="Exposure of each photo relative to the first; by default measured."),
+               help="Exposure of each photo relative to the first (1); repeat for each photo, the first too. By "
+               "default the ratio of their mean values."),
         SQUARE_PIXEL,
         Option("--encoding", type=click.Choice(["srgb", "linear"]),
                help="Encoding of the photos' values; by default integers are sRGB and floats are linear."),
         documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
-                   help="registered: points are at the same pixels in all photos; lens: they are magnified as by a "
-                   "thin lens."),
+                   help="registered: points are at the same pixels in all photos; lens: they are magnified as "
+                   "by a thin lens at each focus distance, and resampled to the first photo."),
     ),
     *under(
         "Noise",
@@ -88,7 +91,8 @@ def _length(metres: float) -> str:
         "Estimation",
         documented(depth_from_defocus, "window", type=float),
         documented(depth_from_defocus, "candidates", type=int,
-                   help="Number of candidate distances, equally spaced in 1 / distance; by default 61 or more."),
+                   help="Number of candidate distances, equally spaced in 1 / distance; by default enough to resolve "
+                   "the blur, at least 61."),
     ),
 )  # fmt: skip
 def depth(
@@ -116,8 +120,8 @@ def depth(
 
     Examples
     --------
-      lommel depth near.tif far.tif lens.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3
-      lommel depth near.tif far.tif lens.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3
+      lommel depth near.tif far.tif phone.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3
+      lommel depth near.tif far.tif phone.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3
     """
     if len(outputs) > 2:
         raise ValueError(f"--output takes the depth map and its standard deviation, got {len(outputs)} files")
@@ -235,12 +239,17 @@ def _print(facts: Facts, options: Facts) -> None:
 @command(
     LENS,
     Option("--focus", "foci", type=Length(), multiple=True,
-           help='Focus distances of two photos or more; or once, with --pair or --best: "1.5 m".'),
-    Option("--pair", type=float, help="Two photos, focused this many dioptres (1/m) before and behind --focus."),
-    Option("--best", is_flag=True, help="The two focus distances that measure the distance of --focus best."),
-    documented(depth_precision, "photons", type=float, required=True, help="Mean number of electrons per pixel."),
+           help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
+           "--best."),
+    Option("--pair", type=float,
+           help="Two photos, focused this many dioptres (1/m) nearer and farther than --focus (each)."),
+    Option("--best", is_flag=True,
+           help="Find the two focus distances with the best precision at the distance given by --focus."),
+    documented(depth_precision, "photons", type=float, required=True,
+               help="Mean signal per pixel, in detected photons (electrons)."),
     Option("--f-number", type=float, help="F-number; overrides the lens file."),
-    Option("--between", type=Length(), nargs=2, help="Nearest and farthest distance; by default around the foci."),
+    Option("--between", type=Length(), nargs=2, metavar="NEAR FAR",
+           help="Nearest and farthest distance to list; by default around the focus distances."),
     SQUARE_PIXEL,
     documented(Noise, "read", type=float, default=3.0, required=False),
     documented(depth_precision, "contrast", type=float, help="Texture contrast: rms over mean of structures of 2 to "
@@ -266,15 +275,16 @@ def precision(
 ) -> None:
     """Compute the achievable depth precision (Cramer-Rao bound).
 
-    It is that of photos with different focus. The bound holds for every unbiased estimator that compares photos with
-    one another and does not know the texture; it is an average over the textures of natural scenes. Use it to choose
-    aperture, focus distances and exposure before taking the photos.
+    The bound is the least standard deviation of the distance of a textured surface, estimated from photos with
+    different focus. It holds for every unbiased estimator that does not know the texture, and for random textures
+    with the power spectrum of natural scenes; strong edges allow better precision. Use it to choose aperture, focus
+    distances and exposure before taking the photos.
 
     Examples
     --------
-      lommel precision lens.toml --focus "1.5 m" --pair 0.1 --photons 1e4 --plot precision.png
-      lommel precision lens.toml --focus "1.5 m" --best --f-number 4 --photons 5000
-      lommel precision lens.toml --focus "1.35 m" --focus "1.8 m" --photons 1e4 --between "1.2 m" "2.5 m"
+      lommel precision phone.toml --focus 1.5m --pair 0.1 --photons 1e4 --plot precision.png
+      lommel precision phone.toml --focus 1.5m --best --f-number 4 --photons 5000
+      lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
     if figure is not None:
         figure_format(figure)

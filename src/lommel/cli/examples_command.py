@@ -1,4 +1,4 @@
-"""The example files of lenses and objectives that come with the package: ``lommel examples``."""
+"""The command ``lommel examples``: list and copy the example files of lenses and objectives."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ _KINDS = {"lenses": "lens", "objectives": "objective"}
 @command(
     click.Argument(["names"], nargs=-1),
     Option("-o", "--output", "folder", default=".", type=click.Path(file_okay=False, path_type=Path),
-           show_default="this one", help="Folder to copy to, created if needed."),
+           show_default="current folder", help="Folder to copy to, created if needed."),
     Option("--all", "everything", is_flag=True, help="Copy all examples."),
     JSON,
 )  # fmt: skip
 def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bool) -> None:
     """List example files of lenses and objectives, or copy them.
 
-    NAMES are those of the files to copy. The files describe real instruments and state the source of
-    their numbers. Existing files are not overwritten.
+    NAMES are the names of the files to copy. The files describe real instruments and state the source of their
+    numbers. Existing files are not overwritten.
 
     Examples
     --------
       lommel examples                      # list them
-      lommel examples phone                # copy phone.toml here
+      lommel examples phone                # copy phone.toml to the current folder
       lommel examples --all -o lenses
     """
     there = files()

@@ -1,4 +1,4 @@
-"""The commands that describe a lens or compare methods: ``info``, ``compare``, ``methods`` and ``paper``."""
+"""The commands ``lommel info``, ``compare``, ``methods`` and ``paper``."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from lommel.cli.options import (
     PIXEL,
     SHAPE,
     Option,
+    Shape,
     command,
     figure_format,
     instrument_of,
@@ -30,21 +31,28 @@ from lommel.cli.progress import progress
 from lommel.methods import ERFS, METHODS, ClosedForm
 
 
-@command(LENS, OBJECT_DISTANCE, PIXEL, SHAPE, JSON, DEPTH)
+@command(
+    LENS, OBJECT_DISTANCE, PIXEL,
+    Option("--shape", type=Shape(),
+           help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
+           "(height x width); overrides the file."),
+    JSON, DEPTH,
+)  # fmt: skip
 def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> None:
-    """Describe a lens or a microscope without computing a PSF.
+    """Print the image quality of a lens or a microscope.
 
     Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,
     full width at half maximum (FWHM), MTF at the Nyquist frequency and frequency of 50 % contrast (circular apertures
-    only), and encircled energy, also that of the unaberrated aperture.
+    only), encircled energy, also that of the unaberrated aperture, and the difference between the paraxial and the
+    aplanatic model of the lens.
 
     Microscope (a file with a section [objective]): focus position, width and peak against the depth of the emitter,
     collected light, critical angle, and Nyquist sampling.
 
     Examples
     --------
-      lommel info camera.toml --object-distance "3 m"
-      lommel info objective.toml --depth "10 um"
+      lommel info phone.toml --object-distance 3m
+      lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
     microscope = microscope_of(lens, depth=depth, **given)
     if microscope is not None:
@@ -56,7 +64,7 @@ def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> Non
 
 @command(
     LENS, OBJECT_DISTANCE, PIXEL, SHAPE, INTEGRATE,
-    plot_option("Figure of the PSFs, square root of the values, and of slices through them", "--figure"), JSON,
+    plot_option("Figure of the PSFs (square-root scale) and of slices through them", "--figure"), JSON,
 )  # fmt: skip
 def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> None:
     """Compare the accuracy and speed of all methods for a lens.
@@ -66,13 +74,13 @@ def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> 
     that do not support the pupil are listed with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. For a
-    paraxial lens the error of HuygensFresnel is the Fresnel approximation that all other methods make; it is computed
-    at pixel centres. ClosedForm uses the tangent-line centre and the erf with the least MSE in this window. Times are
-    those of a second call, or of the first if that takes more than a second. The last line compares the paraxial and
-    the aplanatic model of the lens.
+    paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other methods
+    make; HuygensFresnel is computed at pixel centres. ClosedForm uses those of its options `tangent` and `erf` (see
+    `lommel methods`) that give the least MSE in this window. Times are those of a second call, or of the first if
+    that takes more than a second. The last line compares the paraxial and the aplanatic model of the lens.
 
     Example:
-      lommel compare camera.toml --figure methods.png
+      lommel compare phone.toml --figure methods.png
     """
     if figure is not None:
         figure_format(figure)
@@ -141,14 +149,16 @@ def _default(item: dataclasses.Field[Any]) -> str:
 def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
     """Reproduce the figures and numbers of the paper.
 
-    This takes about half a minute. Each figure is written to OUTDIR as figure-N.png, its data as figure-N.npz, its
-    curves as figure-N.csv. table.md and table.json compare each number of the paper with the computed one, for Eq.
-    (12) as printed and as corrected.
+    The paper is "Bridging ray tracing and wave optics: a computationally efficient model for defocus and spherical
+    aberration", the source of the method closed-form. This takes about half a minute.
+
+    Each figure is written to OUTDIR as figure-N.png, its data as figure-N.npz, its curves as figure-N.csv. table.md
+    and table.json compare each number of the paper with the computed one, for Eq. (12) as printed and as corrected.
 
     Examples
     --------
       lommel paper out
-      lommel paper out --figure 3 --figure 5
+      lommel paper out --figure 3 --figure eq17
     """
     from lommel.paper.write import FIGURES, reproduce
 

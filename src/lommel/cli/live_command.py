@@ -1,4 +1,4 @@
-"""The command for the live page: ``lommel live``."""
+"""The command ``lommel live``: the interactive page of a PSF."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ from lommel.page.state import state_of
 
 @command(
     click.Argument(["lens"], type=FILE, required=False),
-    Option("--port", type=click.IntRange(0, 65535), help="Port of the page; by default any that is free."),
+    Option("--port", type=click.IntRange(0, 65535), help="Port of the page; by default any free port."),
     Option("--no-browser", is_flag=True, help="Print the address without opening a browser."),
     Option("--save", "saved", type=FILE, metavar="FILE", help="Write the page to a stand-alone HTML file instead."),
 )
 def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | None) -> None:
     """Open an interactive page of the PSF in the browser.
 
-    It shows the PSF, its curves and a test image, with sliders for every parameter, and starts with the lens of a
-    lens file, or with a defocused one. The page computes in the browser, is served to this machine only until Ctrl-C,
-    and sends nothing.
+    The page shows the PSF, its curves and a test image, with sliders for every parameter. It starts with the lens
+    file LENS, or without one with a defocused lens. All computation is done in the browser; the page is served to
+    this machine only, stops at Ctrl-C, and sends no data.
 
     Examples
     --------
       lommel live
-      lommel live hubble.toml --port 8000 --no-browser
-      lommel live hubble.toml --save hubble.html
+      lommel live hubble-1990.toml --port 8000 --no-browser
+      lommel live hubble-1990.toml --save hubble.html
     """
     state: dict[str, float] = {}
     title = "lommel"

@@ -1,4 +1,4 @@
-"""The command ``lommel``: its list of commands, each imported when it is called or listed."""
+"""The command ``lommel`` and the list of its commands, each imported when it is called or listed."""
 
 from __future__ import annotations
 
@@ -76,21 +76,21 @@ def main() -> None:
     """Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.
 
     Lenses and microscopes are described by TOML files; `lommel examples` lists those that come with lommel.
-    Lengths have units: "550 nm", "3.45 um", "1.5 m".
+    Lengths have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m".
 
     \b
     Examples:
-      lommel examples phone                             # copy an example lens file
-      lommel info    lens.toml                          # wavefront, Strehl ratio, MTF, encircled energy
-      lommel psf     lens.toml -o psf.tif -o psf.png    # compute the PSF: data and a picture
-      lommel psf     objective.toml -o stack.ome.tif    # PSF stack of a microscope
-      lommel compare lens.toml --figure compare.png     # accuracy and speed of every method
-      lommel stack   lens.toml --between 1m 3m --count 500 --shape 17 -o depths.zarr
-      lommel live    lens.toml                          # interactive PSF in the browser
-      lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg
-      lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 -o sharp.jpg
-      lommel depth   near.tif far.tif lens.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3
-      lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2    # phase retrieval
+      lommel examples phone zeiss-63x-1.4-oil           # copy an example lens and an objective
+      lommel info    phone.toml                         # wavefront, Strehl ratio, MTF, encircled energy
+      lommel psf     phone.toml -o psf.tif -o psf.png   # compute the PSF: data and a picture
+      lommel psf     zeiss-63x-1.4-oil.toml -o stack.ome.tif    # PSF stack of a microscope
+      lommel compare phone.toml --figure compare.png    # accuracy and speed of every method
+      lommel stack   phone.toml --between 1m 3m --count 500 --shape 17 -o depths.zarr
+      lommel live    phone.toml                         # interactive PSF in the browser
+      lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
+      lommel restore photo.jpg depth.tif phone.toml --white 5000 --read 3 -o sharp.jpg
+      lommel depth   near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3
+      lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2   # phase retrieval
       lommel paper   out                                # figures and numbers of the paper
     """  # noqa: D301 (\b is meant)
 

@@ -1,4 +1,4 @@
-"""Commands, options and errors: what every command of ``lommel`` shares."""
+"""Commands, options and error messages shared by the commands of ``lommel``."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ Pitch: TypeAlias = float | tuple[float, ...]
 Window: TypeAlias = int | tuple[int, int]
 
 FILE = click.Path(dir_okay=False, path_type=Path)
-"""A file, which need not exist."""
+"""Path of a file, which need not exist."""
 
 
 class Length(click.ParamType[float]):
@@ -101,7 +101,7 @@ class Option(click.Option):
 
 
 def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **more: Any) -> Option:
-    """Return the option that sets an argument of a function or class, with its default and its docstring's words."""
+    """Return the option for an argument of a function or class, with its default and the help from its docstring."""
     entry = options.sentence(source, name)  # type: ignore[arg-type]
     plain = re.sub(r":\w+:`(?:[^`<]*\.)?([^`]+)`|`{1,2}([^`]+)`{1,2}", r"\1\2", entry)
     said = " ".join(re.split(r"(?<=[.]) (?=[A-Z])", plain)[:sentences])
@@ -136,7 +136,7 @@ class Command(click.Command):
 def command(
     *params: click.Parameter, name: str | None = None, kind: type[Command] = Command
 ) -> Callable[[Callable[..., None]], Command]:
-    """Return what makes a command of a function: its docstring is the help, its errors are one line."""
+    """Return a decorator that makes a command of a function: its docstring is the help, its errors are one line."""
 
     def made(function: Callable[..., None]) -> Command:
         # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
@@ -150,11 +150,15 @@ def command(
 
 LENS = click.Argument(["lens"], type=FILE)
 OBJECT_DISTANCE = Option(
-    "--object-distance", type=Length(), help='Object distance, such as "1.5 m" or "inf"; overrides the file.'
+    "--object-distance", type=Length(), help="Object distance, such as 1.5m or inf; overrides the file."
 )
-PIXEL = Option("--pixel", type=Sides(), help='Pixel pitch, such as "3.45 um", or height x width; overrides the file.')
-SQUARE_PIXEL = Option("--pixel", type=Length(), help='Pixel pitch, such as "3.45 um"; overrides the file.')
-SHAPE = Option("--shape", type=Shape(), help="Window in pixels, such as 65 or 64x128 (height x width).")
+PIXEL = Option(
+    "--pixel", type=Sides(), help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file."
+)
+SQUARE_PIXEL = Option("--pixel", type=Length(), help="Pixel pitch, such as 3.45um; overrides the file.")
+SHAPE = Option(
+    "--shape", type=Shape(), help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
+)
 INTEGRATE = Option(
     "--integrate/--sample", default=None,
     help="Pixel-integrated values, as a sensor records them, or values at the pixel centres; overrides the file.",
@@ -249,7 +253,7 @@ def print_json(facts: Facts) -> None:
 
 
 def instrument_of(lens: Path, **given: object) -> Instrument:
-    """Return the instrument of a lens file, changed as the options of a command say."""
+    """Return the instrument of a lens file, changed by the options of a command."""
     from lommel.lensfiles.lens_files import load_instrument
 
     changes: Facts = {name: value for name, value in given.items() if value is not None}
@@ -298,14 +302,20 @@ def picture_size(psf: PSF, path: Path) -> str:
 
 
 DEPTH = Option(
-    "--depth", type=Length(), heading="Microscopes", help='Depth of the emitter below the cover glass: "2 um".'
+    "--depth",
+    type=Length(),
+    heading="Microscopes",
+    help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.",
 )
 STACK = under(
     "Microscopes",
     Option(
-        "--stack", type=click.IntRange(1, 4096), metavar="PLANES", help="Number of planes along the optical axis."
+        "--stack",
+        type=click.IntRange(1, 4096),
+        metavar="PLANES",
+        help="Number of planes along the optical axis; by default that of the file.",
     ),
-    Option("--step", type=Length(), help='Stage step between planes, such as "100 nm".'),
+    Option("--step", type=Length(), help="Stage step between planes, such as 100nm; by default that of the file."),
     DEPTH,
 )
 
@@ -318,7 +328,7 @@ _OF_LENSES = {
 
 
 def microscope_of(lens: Path, **given: object) -> Microscope | None:
-    """Return the microscope of a file, changed as the options of a command say, or None for the file of a lens."""
+    """Return the microscope of a file, changed by the options of a command, or None for a lens file."""
     from lommel.lensfiles.microscope_files import describes_microscope, load_microscope, stage_step
 
     changes: Facts = {name: value for name, value in given.items() if value is not None}

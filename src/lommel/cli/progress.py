@@ -1,4 +1,4 @@
-"""The bar on standard error: what is done now, what share is done, and how long the rest takes."""
+"""Progress bar on standard error: current step, fraction done and remaining time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command ``lommel psf``: PSFs of a lens, over its field of view, in colour, and of a microscope."""
+"""The command ``lommel psf``: PSFs of a lens, over its field of view or in colour, and of a microscope."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class _Product(Generic[Made]):
            help=f"Output file; may be repeated. Formats: {suffixes('psf', described=True)}. "
            f"With --field: {suffixes('field')}. "
            f"With --colour: {suffixes('colours')}."),
-    plot_option("Figure with axes and a colour bar, square root of the values"),
+    plot_option("Figure with axes and a colour bar (square-root scale)"),
     OBJECT_DISTANCE,
     PIXEL,
     SHAPE,
@@ -97,13 +97,15 @@ class _Product(Generic[Made]):
                type=click.Choice(("auto", *METHODS)),
                help="How to evaluate the diffraction integral; `lommel methods` lists the methods."),
         documented(compute, "tol", type=float,
-                   help="Tolerance, relative to the peak; by default that of the method, 1e-6."),
+                   help="Tolerance, relative to the peak; by default that of the method (1e-6 for most)."),
         Option("--set", "settings", multiple=True, metavar="NAME=VALUE",
                help="Option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated."),
         Option("--normalize", default="energy", type=click.Choice(psf_files.NORMALIZE),
-               help="Fraction of all light per pixel; of the light a microscope would collect from an emitter far "
-               "from the glass; 1 = peak of the unaberrated PSF; or 1 = largest value."),
-        Option("--dtype", type=click.Choice(["float32", "float64"]), help="Type of the values."),
+               help="energy: fraction of all light per pixel; emitted: fraction of the light that a microscope would "
+               "collect from an emitter far from the cover glass; strehl: 1 = peak of the unaberrated PSF; "
+               "peak: 1 = largest value."),
+        Option("--dtype", type=click.Choice(["float32", "float64"]),
+               help="Type of the values; by default float64 for a --tol below 1e-6, else float32."),
     ),
 )  # fmt: skip
 def psf(
@@ -125,13 +127,13 @@ def psf(
 
     Examples
     --------
-      lommel psf hubble.toml -o hubble.tif -o hubble.png
-      lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
-      lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
-      lommel psf camera.toml --field 5x7 --plot field.png -o field.tif
-      lommel psf camera.toml --field 5x7 --colour --mtf
-      lommel psf camera.toml --colour -o camera.png -o camera.npz
-      lommel psf objective.toml --stack 64 --step "100 nm" --depth "2 um" -o psf.ome.tif -o psf.png
+      lommel psf hubble-1990.toml -o hubble.tif -o hubble.png
+      lommel psf phone.toml --object-distance 1.2m --tol 1e-9 -o phone.npz
+      lommel psf phone.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
+      lommel psf camera-field.toml --field 5x7 --plot field.png -o field.tif
+      lommel psf camera-field.toml --field 5x7 --colour --mtf
+      lommel psf phone.toml --colour -o phone.png -o phone.npz
+      lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
     options: Facts = {name: given.pop(name) for name in ("tol", "normalize", "dtype")}
     options["method"] = build_method(method_name, settings)

@@ -1,4 +1,4 @@
-"""Phase retrieval, the wavefront from images of a star: ``lommel retrieve``."""
+"""The command ``lommel retrieve``: phase retrieval, the wavefront from star images."""
 
 from __future__ import annotations
 
@@ -70,21 +70,23 @@ def _is_number(word: str) -> bool:
     click.Argument(["images"], type=FILE, nargs=-1, required=True),
     LENS,
     Option("--defocus", default="0", metavar="NUMBERS",
-           help="Known defocus C_d of each image in radians, such as -4 0 4; positive where the sensor was moved "
-           "towards the lens."),
+           help="Known defocus C_d of each image, radians at the pupil edge, such as -4 0 4; positive where the "
+           "sensor was moved towards the lens."),
     Option("--terms", default="15",
            help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
            '"noll 5, noll 6".'),
     Option("--also", default="center",
            help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
-    Option("-o", "--output", type=FILE, help="The wavefront as Noll's Zernike terms: .json, .toml or .csv."),
+    Option("-o", "--output", type=FILE,
+           help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
     plot_option("Figure of images, model, residuals and terms"),
     Option("--unit", type=click.Choice(_UNITS), default="radians", help="Unit of the printed coefficients."),
     JSON,
     *under(
         "Camera and noise",
         Option("--white", type=float,
-               help="Electrons at the value 1 of an image; of images in counts, the gain in electrons per count."),
+               help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
+               "By default 1, images in electrons."),
         documented(Noise, "read", type=float, required=True),
         Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
         Option("--saturation", type=float,
@@ -121,15 +123,16 @@ def retrieve(
 
     IMAGES, of a star or another point source, are TIFF (one image per page), NPY, FITS or 16-bit PNG files of one
     size, linear in light (no JPEG, no sRGB). LENS is a lens file with aperture, wavelength, f-number and pixel pitch;
-    its wavefront is the starting point. Several images need the --defocus of each (phase diversity).
+    its wavefront is the starting point. Several images need the --defocus of each (phase diversity). One image leaves
+    the sign of even terms (defocus, astigmatism, spherical) undetermined.
 
-    Coefficients are of Noll's Zernike terms, rms, with their standard errors. chi2 is about 1 where pupil, pixel
-    pitch and noise are right.
+    Coefficients are of Zernike terms in Noll's order, normalized to rms, and printed with standard errors. The
+    reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right.
 
     Examples
     --------
-      lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
-      lommel retrieve spot.tif lens.toml --terms "defocus, spherical" --also "center, f_number" --read 2
+      lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
+      lommel retrieve star-1.tif star-2.tif phone.toml --defocus 0 4 --terms "defocus, spherical" --read 2
     """
     if output is not None:
         zernike_tables.find(output, "--output")

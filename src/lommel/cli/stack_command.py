@@ -1,4 +1,4 @@
-"""The command for many PSFs over the object distance: ``lommel stack``."""
+"""The command ``lommel stack``: many PSFs over object distance, in a store on disk."""
 
 from __future__ import annotations
 
@@ -28,14 +28,15 @@ from lommel.stacks.compute import psf_to
 
 @command(
     LENS,
-    Option("--between", type=Length(), nargs=2, required=True,
+    Option("--between", type=Length(), nargs=2, required=True, metavar="NEAR FAR",
            help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
     Option("--count", type=click.IntRange(2, 10**9), required=True,
            help="Number of distances, equally spaced in defocus."),
-    Option("-o", "--output", type=click.Path(path_type=Path), required=True, help="The store: .zarr or .h5."),
+    Option("-o", "--output", type=click.Path(path_type=Path), required=True,
+           help="Store to write: a .zarr folder or a .h5 file."),
     SQUARE_PIXEL,
     SHAPE,
-    documented(psf, "tol", type=float, help="Tolerance, relative to the peak; 1e-6 by default."),
+    documented(psf, "tol", type=float, help="Tolerance, relative to the peak; by default 1e-6."),
     Option("--chunk", type=int, help="Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB."),
     JSON,
 )  # fmt: skip
@@ -49,14 +50,13 @@ def stack(
     as_json: bool,
     **given: object,
 ) -> None:
-    """Compute PSFs over a range of object distances to a store.
+    """Compute PSFs over a range of object distances, on disk.
 
-    The store may be larger than memory. An interrupted command can be given again: it computes only the missing
-    chunks.
+    The PSFs are written to a store on disk, which may be larger than memory. An interrupted command can be repeated:
+    it computes only the missing chunks.
 
-    Examples
-    --------
-      lommel stack lens.toml --between 1m inf --count 200 --shape 17 -o stack.zarr
+    Example:
+      lommel stack phone.toml --between 1m inf --count 200 --shape 17 -o stack.zarr
     """
     near, far = between
     if not 0.0 < near < far:

@@ -1,4 +1,4 @@
-"""Richardson-Lucy deconvolution, stopped by the noise."""
+"""Richardson-Lucy deconvolution, stopped at the noise level (discrepancy principle)."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class RichardsonLucy:
     steps : int, default 200
         Maximum number of steps, 1 to 100000.
     target : float, default 0.9
-        Discrepancy to stop at. Less than 1, since the result follows some of the noise. 0 takes all `steps`.
+        Discrepancy to stop at; below 1, since the result follows some of the noise. 0 takes all `steps`.
     accelerate : bool, default True
         Whether steps are extrapolated, which saves about two of three.
 

@@ -1,4 +1,4 @@
-"""Options of photographs, each with its default, its check and its text."""
+"""Options of depth-of-field rendering and deblurring, with their defaults and checks."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Spectrum = float | Sequence[tuple[float, float]]
 
 
 class FieldKeywords(TypedDict, total=False):
-    """Options that all blur shares."""
+    """Options of every blur operator."""
 
     border: str
     energy: float
@@ -30,13 +30,13 @@ class FieldKeywords(TypedDict, total=False):
 
 
 class BlurKeywords(FieldKeywords, total=False):
-    """Options of the linear operator."""
+    """Options of the depth-dependent blur operator."""
 
     tol: float
 
 
 class Keywords(BlurKeywords, total=False):
-    """Options of a photograph."""
+    """Options of depth-of-field rendering."""
 
     occlusion: bool
     wavelengths: Channels | Sequence[Spectrum] | None
@@ -45,33 +45,33 @@ class Keywords(BlurKeywords, total=False):
 
 @dataclass(frozen=True)
 class Settings:
-    """How a photograph is made, checked.
+    """Options of depth-of-field rendering and deblurring, validated.
 
     Parameters
     ----------
     occlusion : bool, default True
-        Whether near points occlude far ones. Without occlusion it is faster, and light from behind a near object
-        bleeds over its edges.
+        Whether near objects occlude far ones. Without occlusion it is faster, but light from behind bleeds over the
+        edges of near objects.
     wavelengths : Channels or sequence, optional
         :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel. By
         default that of the lens for a grey image, and 600, 540 and 460 nm for one of three channels.
     missing : {"raise", "nearest", "infinity"}, default "raise"
-        Meaning of a NaN in the depth: an error, the nearest known depth, or no object.
+        Depth of a point whose depth is NaN: an error, that of the nearest known point, or infinity.
     border : {"reflect", "extend", "zero"}, default "reflect"
-        Continuation of the image beyond its edges: mirrored, its last pixels, or dark. Depth is mirrored or extended
-        alike; light that leaves the image is lost.
+        Continuation of the image beyond its edges: mirrored, the last pixels repeated, or dark. Depth is mirrored or
+        extended alike; light that leaves the image is lost.
     energy : float, default 0.98
-        Share of the light of a point that its window must hold, 0.5 to 0.9999; the rest is spread over the window.
-        1 is without truncating the PSF, which is a window and a smooth remainder all over the image, at 1.7 times the
-        cost; not by tiles or chunks.
+        Fraction of a point's light that its window must hold, 0.5 to 0.9999, or 1. Below 1 the rest is spread over
+        the window. With 1 the PSF is not truncated (a window plus a smooth remainder over the whole image), at 1.7
+        times the cost. Tiles and dask chunks need a value below 1.
     tol : float, default 1e-4
-        Bound on the error of interpolated windows over their peak, 1e-7 to 1e-1, checked half-way between windows.
-        With ``energy=1`` also about that on the sum of the errors beyond the windows, but for the finest rings far
-        away: `error` of the blur bounds it, and a warning is given where it exceeds twice `tol`.
+        Tolerance of the interpolation between PSFs, relative to their peak, 1e-7 to 1e-1; checked half-way between
+        them. With ``energy=1`` also the approximate bound on the sum of the errors beyond the windows, except for the
+        finest rings far away: `error` of the blur bounds it, and a warning is given where it exceeds twice `tol`.
     largest : int, optional
-        Largest half width of a window, pixels, 1 to 2048; by default half of the smaller side of the image.
+        Maximum half width of a PSF window, pixels, 1 to 2048; by default half of the shorter side of the image.
     dtype : float32 or float64, default float32
-        Type of the sums over light.
+        Type in which light is summed.
     threads : int, optional
         Maximum number of threads; by default the number of processors. The result does not depend on it.
 
@@ -116,7 +116,7 @@ class Settings:
 
     @property
     def of_blur(self) -> BlurKeywords:
-        """The options of the linear operator."""
+        """The options of the depth-dependent blur operator."""
         return cast("BlurKeywords", {name: getattr(self, name) for name in BlurKeywords.__annotations__})
 
     def channels(self, shape: tuple[int, ...], wavelength: float | None) -> Sequence[Spectrum]:

@@ -1,4 +1,4 @@
-"""PSFs to files and back; every file holds a description of how its values were computed."""
+"""Files of PSFs; each describes how its values were computed."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ registry.register(
     _hdf5((".mat",), psf_hdf5.write_mat, psf_hdf5.read_mat,
           what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
     _form((".raw",), psf_numpy.raw, psf_numpy.read_raw, beside=".json",
-          what="bare little-endian numbers, described by a .json beside", readers="any program"),
+          what="bare little-endian numbers, described by a .json beside it", readers="any program"),
 )  # fmt: skip
 find = partial(registry.find, "psf")
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class NijboerZernike(FieldMethod["Pupil"]):
-    r"""Series of Bessel functions, exact to a tolerance: the default.
+    r"""Legendre-Bessel series, accurate to a tolerance: the default.
 
     Supports every circular aperture, obscured or not, and every wavefront, up to about 5000 radians of phase if it is
     radially symmetric and some hundred if not.

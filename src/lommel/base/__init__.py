@@ -1,4 +1,4 @@
-"""Validation, units, encodings, and files read and written with care."""
+"""Validation, units, encodings, and safe reading and writing of files."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Types of arrays, and numbers that are one for each of a stack."""
+"""Array types, and parameters with one value for each PSF of a stack."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Atomic writes of files and folders: under a temporary name beside the place, then moved into it."""
+"""Atomic writes of files and folders: written under a temporary name beside the target, then renamed."""
 
 from __future__ import annotations
 

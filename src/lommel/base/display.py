@@ -1,4 +1,4 @@
-"""Draw, tabulate and write things of lower modules by functions that higher modules register for their class."""
+"""Dispatch of plots, notebook tables and files of objects to functions that other modules register."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Imports and forks: a process is not forked while another of its threads imports a module.
+"""Imports and forks: a process does not fork while another of its threads imports a module.
 
 A child has the thread that forked and no other. A module that another thread was importing stays locked in it (by
 the import system, module by module), and whatever needs that module waits for ever. Python keeps forks out of the

@@ -1,4 +1,4 @@
-"""The one place where files are opened and parsed: what each may cost is looked up before anything is decoded.
+"""Reading and parsing of files: the memory and time of each is checked before anything is decoded.
 
 Reading a file takes at most ten times its size or 256 MB of memory, whichever is more, and a second of processor time
 a megabyte. Of compressed files, which may well hold pictures a hundred times as large, it is a hundred times.

@@ -1,4 +1,4 @@
-"""A task for several things on several threads."""
+"""A function applied to several items on several threads."""
 
 from __future__ import annotations
 

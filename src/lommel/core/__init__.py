@@ -1,1 +1,1 @@
-"""The compiled core, and what it answers."""
+"""Interface to the compiled core: functions, results and caches."""

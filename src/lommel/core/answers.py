@@ -1,4 +1,4 @@
-"""What the compiled core and the methods answer: fields, intensities, images, and what is raised in their stead."""
+"""Results of the compiled core and of the methods: fields, intensities, images; and their exceptions."""
 
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 

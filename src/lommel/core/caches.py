@@ -1,4 +1,4 @@
-"""What is kept between calls, and how to let go of it."""
+"""Caches that persist between calls, and how to clear them."""
 
 from __future__ import annotations
 

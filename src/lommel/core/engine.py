@@ -1,4 +1,4 @@
-"""The compiled core behind names, results and exceptions of Python; nothing else imports it.
+"""Functions of the compiled core with results and exceptions of Python; no other module imports the core.
 
 Functions of arrays, so that others may stand in their place. Where the core says 0 for "divide by the largest value"
 or "met", and a negative bound for "not met", these say None, and raise a ToleranceError.

@@ -1,4 +1,4 @@
-"""Planes through the layers of a microscope as the compiled core takes them, and what it says of them."""
+"""Arguments and results of the compiled core for microscope stacks through plane layers."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What images tell: how well at best, by Fisher's information, and what it is."""
+"""Estimation from images: Fisher information, Cramér-Rao bounds and phase retrieval."""

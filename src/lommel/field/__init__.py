@@ -1,1 +1,1 @@
-"""The field of a lens: what varies over the sensor."""
+"""Field of view of a lens: aberrations, vignetting and PSFs that vary over the sensor."""

@@ -1,4 +1,4 @@
-"""Blur by depth as a linear operator, every point spreading the PSF of its own distance, and its derivatives."""
+"""Depth-dependent blur as a linear operator, with its adjoint and derivatives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Depth from defocus: the depth map of a scene from several photographs, by the blur of each part."""
+"""Depth from defocus: the depth map of a scene from photographs with different focus or aperture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Blur that varies over the field, and with depth: every point spreads the PSF of its own place and distance."""
+"""Blur that varies over the field of view and with depth, as a linear operator."""
 
 from __future__ import annotations
 

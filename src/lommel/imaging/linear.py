@@ -1,4 +1,4 @@
-"""Blur as a linear operator: what all kinds share, their face to solvers, and sums over copies of the edges."""
+"""Base class of blur operators, their conversion to SciPy, and sums over mirrored edges."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A photograph as counted light, and the likelihood of a model of it."""
+"""A photograph in electrons, and the Poisson likelihood of a model of it."""
 
 from __future__ import annotations
 

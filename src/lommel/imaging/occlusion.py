@@ -1,4 +1,4 @@
-"""Occlusion: a scene cut into layers of similar defocus, laid over each other from the front."""
+"""Occlusion: a scene cut into layers of similar defocus, composited from front to back."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Photographs with depth of field: of arrays, at once or by tiles, of dask arrays, and of a changing focus."""
+"""Depth-of-field rendering of arrays, memory maps (by tiles) and dask arrays, and of focus pulls."""
 
 from __future__ import annotations
 

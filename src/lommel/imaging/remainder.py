@@ -1,4 +1,4 @@
-"""The light beyond the windows of a bank, without truncating the PSF: a sum of few products of defocus and place.
+"""Light beyond the windows of a bank, so that PSFs are not truncated: a low-rank sum over defocus and position.
 
 References
 ----------

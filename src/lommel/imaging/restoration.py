@@ -1,4 +1,4 @@
-"""Deblurring: the sharp scene behind a photograph whose depth, lens and noise are known."""
+"""Deblurring: the sharp scene from a photograph with known depth map, lens and noise."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The light of a point on the pixels of a sensor at any defocus, with a proven error, and its windows."""
+"""Pixel-integrated PSFs at any defocus with a proven error bound, and their windows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Deblurring with total variation, which keeps edges and smooths the rest, as strong as the noise asks for."""
+"""Deblurring with total variation, which preserves edges; its weight is chosen from the noise."""
 
 from __future__ import annotations
 

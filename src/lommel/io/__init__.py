@@ -1,1 +1,1 @@
-"""Files: PSFs, grids of them, photographs, depths and frames, each kind in formats that a registry knows."""
+"""Files: PSFs, PSF grids, photographs, depth maps and frames, in registered formats."""

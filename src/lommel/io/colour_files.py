@@ -1,4 +1,4 @@
-"""PSFs in colour channels to files and back, and pictures of them."""
+"""Files and pictures of PSFs in colour channels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Depth maps in metres from and to files: TIFF, NPY, PFM, and from 16-bit PNG."""
+"""Files of depth maps in metres: TIFF, NPY, PFM, and 16-bit PNG for reading."""
 
 from __future__ import annotations
 

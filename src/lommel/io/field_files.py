@@ -1,4 +1,4 @@
-"""Grids of PSFs over the field to files and back, with their positions."""
+"""Files of PSF grids over the field, with their positions."""
 
 from __future__ import annotations
 

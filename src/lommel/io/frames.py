@@ -1,4 +1,4 @@
-"""Frames of a focus pull to files: numbered photographs, an animation or a stack."""
+"""Files of focus pulls: numbered photographs, an animation or a stack."""
 
 from __future__ import annotations
 

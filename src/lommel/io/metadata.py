@@ -1,4 +1,4 @@
-"""Metadata that other programs read: axes, wavelengths, the angle of a pixel, and OME-XML of a microscope."""
+"""Metadata for other programs: axes, wavelengths, angle per pixel, and OME-XML of a microscope."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Maps of optical path differences (OPD) from and to files: FITS, Zygo, Code V, NPY and CSV."""
+"""Files of optical path difference (OPD) maps: FITS, Zygo, Code V, NPY and CSV."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Photographs from and to files, PNG, JPEG and TIFF, and images of stars; with the lens data of the EXIF."""
+"""Files of photographs (PNG, JPEG, TIFF) with the lens data of the EXIF, and of star images."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""PSFs as FITS: the values, the header that programs of astronomers read, and the description beside."""
+"""PSFs as FITS: the values, the header keywords that astronomy programs read, and the description."""
 
 from __future__ import annotations
 

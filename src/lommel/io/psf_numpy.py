@@ -1,4 +1,4 @@
-"""PSFs as plain arrays: .npy with the description behind the array, .npz, and .raw with a .json beside."""
+"""PSFs as plain arrays: .npy with the description after the array, .npz, and .raw with a .json file beside it."""
 
 from __future__ import annotations
 

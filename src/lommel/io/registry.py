@@ -1,4 +1,4 @@
-"""The file formats: what each holds, how its files are recognized, and what writes and reads them."""
+"""Registry of file formats: contents, signatures, readers and writers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables of Zernike coefficients in JSON, TOML, CSV and the listings of lens design programs; nothing is guessed."""
+"""Tables of Zernike coefficients in JSON, TOML, CSV and listings of lens design programs."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Lenses and tables of coefficients, from files that people write."""
+"""Lens files, microscope files, and tables of Zernike coefficients and spectra."""

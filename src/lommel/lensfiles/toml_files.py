@@ -1,4 +1,4 @@
-"""TOML files that describe optics: their kinds of entries, and their checks, with all errors reported together."""
+"""TOML files of optics: types of entries and their checks, with all errors reported together."""
 
 from __future__ import annotations
 

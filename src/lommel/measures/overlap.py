@@ -1,4 +1,4 @@
-r"""The autocorrelation of the pupil function P: two apertures, one shifted against the other.
+r"""Autocorrelation of the pupil function P, over the overlap of two shifted apertures.
 
 With f in units of the cutoff ``1 / (lambda N)`` and pupil coordinates over the radius of the aperture,
 

@@ -1,4 +1,4 @@
-"""The attributes of a PSF, of one in channels and of a grid of them that measures, files and pictures take."""
+"""Protocols of a PSF, of PSFs in colour channels and of a PSF grid, for measures, files and plots."""
 
 # ruff: noqa: D102 (the classes that have these attributes say what they are)
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The ways to evaluate the diffraction integral, one file each."""
+"""Methods of evaluating the diffraction integral, one module each."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-r"""How many quadrature nodes an accuracy takes: bounds on Bernstein ellipses.
+r"""Number of quadrature nodes for a tolerance, from bounds on Bernstein ellipses.
 
 In t = rho^2 the integrand ``exp(i Phi(t)) J0(v sqrt t)`` is entire. On the ellipse
 ``t = c + h cos(theta + i eta)`` around ``[c - h, c + h]`` it is at most ``exp g(eta)`` with

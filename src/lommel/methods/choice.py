@@ -1,4 +1,4 @@
-"""The choice of a method: by the pupil and the window where none was named, and what is tried next."""
+"""Automatic choice of a method by pupil and window, and of the methods tried next."""
 
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 

@@ -1,4 +1,4 @@
-r"""By what images may be differentiated: names, and the parts that methods compute of which each is a sum.
+r"""Names of derivatives of images, and the derivatives that methods compute of which each is a sum.
 
 An image is ``scale I``, I at ``v = pi x / (lambda N)``. All names come down to derivatives of I by coefficients of
 the phase, to how it changes as the image grows around its axis, ``v . grad I``, and to how it changes as the

@@ -1,4 +1,4 @@
-"""The Hankel transform by plain quadrature: the reference every other method is judged by."""
+"""Hankel transform by direct quadrature: the reference for all other methods."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every method has: the pupils it supports, the intensity it computes, and finished images with their bounds."""
+"""Base classes of the methods: supported pupils, intensities, and images with error bounds."""
 
 from __future__ import annotations
 

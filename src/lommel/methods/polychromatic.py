@@ -1,4 +1,4 @@
-"""Light of several wavelengths: the weighted sum of what each makes, by any method."""
+"""Polychromatic images: the weighted sum over wavelengths, by any method."""
 
 from __future__ import annotations
 

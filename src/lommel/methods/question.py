@@ -1,4 +1,4 @@
-"""What is asked of methods about pupils that nothing but their phase tells apart: all else is decided once."""
+"""Prepared computations: checks and choices shared by all pupils that differ only in their phase."""
 
 from __future__ import annotations
 

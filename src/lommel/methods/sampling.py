@@ -1,4 +1,4 @@
-"""What the methods on a Cartesian lattice share: the transmission of its cells, and how fine it must be."""
+"""Pupils sampled on a Cartesian lattice: transmission of the cells, and number of samples needed."""
 
 from __future__ import annotations
 

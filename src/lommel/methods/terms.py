@@ -1,4 +1,4 @@
-"""Pupils and windows as the compiled core takes them."""
+"""Pupils and windows in the form that the compiled core takes."""
 
 from __future__ import annotations
 

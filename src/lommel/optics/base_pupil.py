@@ -1,4 +1,4 @@
-"""What pupils of lenses and of microscope objectives share: their stack, scale and light; distances of a lens."""
+"""Base class of the pupils of lenses and microscope objectives, and object and sensor distances."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Long stacks of pupils as arrays, for files: what differs between them, and once what they share."""
+"""Stacks of pupils as arrays for files: varying parameters as arrays, shared ones once."""
 
 from __future__ import annotations
 

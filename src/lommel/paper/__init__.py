@@ -1,1 +1,1 @@
-"""The paper that this package stands on, regenerated: every figure and every number of it."""
+"""Reproduction of the figures and numbers of the paper that this package started from."""

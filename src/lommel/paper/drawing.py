@@ -1,4 +1,4 @@
-"""What the figures share: pictures of one scale beside each other, and slices."""
+"""Plotting functions of the figures: images on a common scale, and slices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fig. 1: the methods, and what an image of n x n pixels costs by each."""
+"""Fig. 1: cost of an image of n x n pixels by each method."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers of the paper beside those computed, the parameters that it leaves out stated and searched."""
+"""Numbers of the paper beside the computed ones; parameters that the paper does not state are searched."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Beyond the paper: where in C_d and v each of the closed forms holds."""
+"""Beyond the paper: validity of the closed forms over C_d and v."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Labels, units, scales of brightness and axes that all plots share."""
+"""Labels, units, brightness scales and axes of all plots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What notebooks show: a table of numbers, beside a small picture where matplotlib is installed.
+"""Notebook display: a table of numbers, beside a small picture where matplotlib is installed.
 
 Nothing here may take long or raise: of large stacks and windows a part is shown, and an error as its message.
 """

@@ -1,4 +1,4 @@
-"""How much of a rectangle a disk covers: grey pupil edges and exact pixel averages."""
+"""Area of a rectangle covered by a disk, for grey pupil edges and exact pixel averages."""
 
 from __future__ import annotations
 

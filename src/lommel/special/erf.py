@@ -1,4 +1,4 @@
-"""Three ways to the error function on the rays of +-45 degrees, where the closed form needs it.
+"""Error function on the rays of +-45 degrees, as the closed form needs it, in three ways.
 
 ``erf(e^{-i pi/4} s)`` with real s is a pair of real Fresnel integrals:
 ``int_0^s exp(i tau^2) d tau = (sqrt(pi)/2) e^{i pi/4} erf(e^{-i pi/4} s)`` (DLMF 7.5.8).

@@ -1,4 +1,4 @@
-"""Zernike circle polynomials and their three ways of counting."""
+"""Zernike circle polynomials and their index orders (Noll, ANSI, Fringe)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Array namespaces (NumPy, JAX, PyTorch, CuPy), typed, and the operations that each needs in a way of its own."""
+"""Array namespaces (NumPy, JAX, PyTorch, CuPy) and the operations that differ between them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""Phases at the nodes from coefficients, in float64, or in float32 without losing whole turns, and their waves.
+r"""Phases at quadrature nodes and their cosines and sines, in float64, or in float32 at full accuracy.
 
 In float32 a phase of 100 rad would be off by 6e-6. So coefficients are split,
 ``c = n / s + r`` with a whole number n, and terms in turns, ``B / (2 pi s) = B_1 + B_2`` with B_1 a multiple of

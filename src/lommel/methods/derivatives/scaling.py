@@ -1,4 +1,4 @@
-r"""How images change as they grow around their axis: ``v . grad I``, at the pixels or as they average.
+r"""Derivatives of images with respect to their scale, ``v . grad I``, point-sampled or pixel-integrated.
 
 In a pixel around ``v_c`` the place is ``v_c + u``, and the average of ``v . grad I`` is ``v_c`` times the average of
 ``grad I``, which derivatives by tilts are, and the average of ``u . grad I``: what the average changes by as the

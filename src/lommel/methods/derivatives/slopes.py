@@ -1,8 +1,8 @@
-"""Images and their derivatives by what :mod:`lommel.methods.derivative_names` names, each with a proven bound.
+"""Images and the derivatives of :mod:`lommel.methods.derivative_names`, each with a proven error bound.
 
-Phases that are radially symmetric, of pupils that are too, are differentiated by the radial series, whose samples
-tell of shifts and of growth as well; all else by the chordal rule. White light is the sum of what each wavelength
-makes.
+Radially symmetric phases of circular and annular pupils are differentiated by the radial series, which also gives
+the derivatives with respect to position and scale; all others by the chordal rule. Polychromatic derivatives are sums
+over the wavelengths.
 """
 
 from __future__ import annotations

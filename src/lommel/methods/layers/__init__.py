@@ -1,1 +1,1 @@
-"""Methods for light through the plane layers of a microscope."""
+"""Methods for microscope objectives: light through plane layers."""

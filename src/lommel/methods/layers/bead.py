@@ -1,4 +1,4 @@
-"""Beads that are filled with emitters: what a microscope sees of what is no point."""
+"""Images of beads filled with emitters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What STED microscopes see: light that a first beam excites and a second one puts out around the axis."""
+"""STED microscopes: fluorescence excited by one beam and depleted around the axis by a second."""
 
 from __future__ import annotations
 

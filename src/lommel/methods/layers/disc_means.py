@@ -1,4 +1,4 @@
-r"""Means over discs of light that is known along the radius, from few of its values, with a proven error.
+r"""Means of radial intensities over discs, from few samples, with a proven error bound.
 
 An intensity between 0 and 1 whose spatial frequencies end at 2 (in v) is within 1/2 of a constant, and its
 continuation to complex places ``x + i y`` within ``exp(2 abs(y)) / 2`` of it (Plancherel and Polya). That bounds:

@@ -1,4 +1,4 @@
-r"""Light as orders of the azimuth at radii: from an objective, its products, and on pixels.
+r"""Intensities as azimuthal Fourier orders at given radii: of an objective, of products, and on pixels.
 
 Whatever the emitter, light is ``sum_m F_m(r) exp(i m phi)``, m from -2 to 2 and ``F_-m = conj(F_m)``; what is made of
 several such has a few orders more. Where it does not depend on the direction there is the order 0 alone.

@@ -1,4 +1,4 @@
-"""Light that is made of an objective's at few radii, whatever its azimuth, to a tolerance over its peak."""
+"""Base class of microscope methods that interpolate azimuthal orders along the radius, to a tolerance."""
 
 from __future__ import annotations
 

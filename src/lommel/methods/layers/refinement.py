@@ -1,4 +1,4 @@
-"""What methods for the pupils of objectives share: a tolerance, and how it is met over peaks yet unknown."""
+"""Base class of the methods for microscope objectives, and refinement to a tolerance relative to the peak."""
 
 from __future__ import annotations
 

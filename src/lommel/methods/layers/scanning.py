@@ -1,4 +1,4 @@
-"""What scanning microscopes see: light that is excited in one spot, once or twice, through a pinhole or not."""
+"""Scanning microscopes: confocal with a pinhole of any size, and two-photon excitation."""
 
 from __future__ import annotations
 

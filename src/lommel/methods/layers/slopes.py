@@ -1,4 +1,4 @@
-r"""Derivatives of stacks through layers, each with a bound: by stage, depth, wavelength and place of the axis.
+r"""Derivatives of microscope stacks by stage, depth, wavelength and position, with error bounds.
 
 Fields are sums of ``exp(i psi)``, so that derivatives by what psi is linear in are sums over the same angles with a
 factor ``i dpsi/dx``. Phases are proportional to the wavenumber, and so is v at a place in metres. Samples move with

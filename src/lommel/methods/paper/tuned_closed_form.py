@@ -1,4 +1,4 @@
-"""The paper's closed form, finished: its future work of "further optimizing parameters" done."""
+"""The paper's closed form, refined until a tolerance is met."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Averages over the area of pixels."""
+"""Pixel integration: averages over the area of pixels."""

@@ -1,4 +1,4 @@
-r"""Averages over the pixels of a sensor for any pupil: finer samples, filtered.
+r"""Pixel integration for any pupil: finer samples and a filter.
 
 A pixel averages the intensity over its square, which multiplies the transfer function by ``sinc(a wx / 2)`` and
 ``sinc(a wy / 2)``, a the pitch in v. The transfer function vanishes beyond ``|w| = 2``, so any taps c_k on samples

@@ -1,9 +1,9 @@
 """Imports and forks: a process does not fork while another of its threads imports a module.
 
-A child has the thread that forked and no other. A module that another thread was importing stays locked in it (by
-the import system, module by module), and whatever needs that module waits for ever. Python keeps forks out of the
-tables of the import system, not out of the import of a module, and most of this package is imported when it is first
-asked for. So a fork waits until no import is under way.
+A child process has only the thread that forked. A module that another thread was importing stays locked in the child
+(the import system has a lock for each module), and any import of it waits for ever. Python protects the tables of the
+import system from forks, but not the import of a module, and most of this package is imported on first use. So a fork
+waits until no import is under way.
 """
 
 from __future__ import annotations

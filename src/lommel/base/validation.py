@@ -1,4 +1,4 @@
-"""Validation of arguments: each error names the argument, the value and what is allowed."""
+"""Validation of arguments: each error names the argument, its value and the values allowed."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 r"""Convolution of sampled images with blur, by FFT on a lattice that is proven wide enough.
 
-Two kinds of kernels. Jitter, diffusion and motion end, but for less than any tolerance, at their `reach`; of these
-the response ``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the lattice, and what wraps around or
-is missing at the edges is what lies beyond the reach. Seeing has a halo: its kernel is tabulated, the lattice has
-room for all of it, and what is missing is the light beyond the lattice times the kernel there (turbulence.py).
+There are two kinds of kernels. Jitter, diffusion and motion are negligible beyond their `reach`: the response
+``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the lattice, and the errors by wrapping around and
+by truncation are those of the kernel beyond the reach. Seeing has a wide halo: its kernel is tabulated, the lattice
+holds all of it, and the error is the light beyond the lattice times the kernel there (turbulence.py).
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@ r"""Values of pixels of any size and position from samples on a square lattice, 
 The transform of ``box(w) exp(-(w / s)^2 / 2)``, boxes being convolved with the Gaussian, is
 ``g(x) = sin(m x) / (pi x) exp(-(s x)^2 / 2)``: a gate from ``-m`` to ``m`` whose fall is an error function. So
 ``h sum_k g(x - k h) exp(i w k h) = exp(i w x)`` for ``abs(w) <= 2`` but for the error of the gate (Poisson's sum),
-and g averaged over a pixel averages. What is left out beyond some samples is an exponential integral.
+and g averaged over a pixel gives averages. The sum truncated after some samples errs by an exponential integral.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Functions of the compiled core with results and exceptions of Python; no other module imports the core.
 
-Functions of arrays, so that others may stand in their place. Where the core says 0 for "divide by the largest value"
-or "met", and a negative bound for "not met", these say None, and raise a ToleranceError.
+These are functions of arrays, so that another implementation can replace them. The core returns 0 for "divide by the
+largest value" or "met", and a negative bound for "not met"; here these are None and a ToleranceError.
 """
 
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.

@@ -1,7 +1,7 @@
 """Transfer functions of lens and pixels: discrete Fourier transforms of pixel-integrated PSFs, aliasing included.
 
-Beyond a window the light of a round aperture falls as ``r^-3`` on average, whatever the defocus; what the window
-lacks is added so.
+Beyond a window the intensity of a circular aperture falls as ``r^-3`` on average at any defocus; the light outside
+the window is added by this law.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@ r"""Averages over the aperture: rms wavefront error, Strehl ratio, centroid and 
 
 All are integrals over the clear aperture. On discs and annuli these are in polar coordinates, by Gauss-Legendre nodes
 in ``t = rho^2`` and equal steps in theta; on others by the rule of :meth:`lommel.Pupil.rule`. An average over theta
-is even in rho, hence smooth in t: convergence is spectral. What is polynomial in the phase is exact with finitely
-many nodes; what oscillates is refined until it stays.
+is even in rho, hence smooth in t: convergence is spectral. Polynomials of the phase are exact with finitely
+many nodes; oscillating integrands are refined until the result converges.
 """
 
 from __future__ import annotations

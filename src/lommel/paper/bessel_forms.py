@@ -1,4 +1,4 @@
-"""Fig. 2: the forms of J0 that the closed form is made of, and their errors."""
+"""Fig. 2: approximations of J0 in the closed form, and their errors."""
 
 from __future__ import annotations
 

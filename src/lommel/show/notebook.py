@@ -1,6 +1,6 @@
 """Notebook display: a table of numbers, beside a small picture where matplotlib is installed.
 
-Nothing here may take long or raise: of large stacks and windows a part is shown, and an error as its message.
+A display must neither take long nor raise: large stacks and windows are shown in part, and an error as its message.
 """
 
 from __future__ import annotations

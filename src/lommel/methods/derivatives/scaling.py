@@ -1,9 +1,9 @@
 r"""Derivatives of images with respect to their scale, ``v . grad I``, point-sampled or pixel-integrated.
 
-In a pixel around ``v_c`` the place is ``v_c + u``, and the average of ``v . grad I`` is ``v_c`` times the average of
-``grad I``, which derivatives by tilts are, and the average of ``u . grad I``: what the average changes by as the
-pixel itself grows. Along x it multiplies the transfer function by ``cos(a w / 2) - sinc(a w / 2)``, the derivative of
-the sinc by ln a, and along y by the sinc; there are two such terms.
+In a pixel around ``v_c`` the position is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the average of
+``grad I``, given by derivatives by tilts, plus the average of ``u . grad I``, the change of the average as the pixel
+itself grows. Along x the latter multiplies the transfer function by ``cos(a w / 2) - sinc(a w / 2)``, the derivative
+of the sinc by ln a, and along y by the sinc; there are two such terms.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 r"""Intensities as azimuthal Fourier orders at given radii: of an objective, of products, and on pixels.
 
-Whatever the emitter, light is ``sum_m F_m(r) exp(i m phi)``, m from -2 to 2 and ``F_-m = conj(F_m)``; what is made of
-several such has a few orders more. Where it does not depend on the direction there is the order 0 alone.
+The intensity of any emitter is ``sum_m F_m(r) exp(i m phi)``, m from -2 to 2 and ``F_-m = conj(F_m)``; products of
+several have a few more orders. Radially symmetric intensities have the order 0 alone.
 """
 
 from __future__ import annotations

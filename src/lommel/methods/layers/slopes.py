@@ -1,9 +1,9 @@
 r"""Derivatives of microscope stacks by stage, depth, wavelength and position, with error bounds.
 
-Fields are sums of ``exp(i psi)``, so that derivatives by what psi is linear in are sums over the same angles with a
-factor ``i dpsi/dx``. Phases are proportional to the wavenumber, and so is v at a place in metres. Samples move with
-the axis by ``dI/dv``, averages by the difference of those along two sides of each pixel. Light that an emitter near
-the glass loses changes with its depth and with the wavelength.
+Fields are sums of ``exp(i psi)``, so that derivatives by a parameter in which psi is linear are sums over the same
+angles with a factor ``i dpsi/dx``. Phases are proportional to the wavenumber, and so is v at a position in metres.
+When the axis moves, samples change by ``dI/dv``, and averages by the difference of line averages along two sides of
+each pixel. The light lost by an emitter near the cover glass depends on its depth and on the wavelength.
 """
 
 from __future__ import annotations

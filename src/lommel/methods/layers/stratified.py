@@ -1,7 +1,7 @@
 r"""Stacks through the layers of a microscope, interpolated with a proven error bound: the default.
 
-All planes share their angles and radii, so that their fields are products of matrices; what depends on the objective
-and the pixels alone is kept. See docs/certificate.md, section 15, for what is proven.
+All planes share their angles and radii, so that their fields are products of matrices; tables that depend only on
+the objective and the pixels are cached. The proof is in docs/certificate.md, section 15.
 """
 
 from __future__ import annotations

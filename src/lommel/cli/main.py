@@ -36,7 +36,7 @@ COMMANDS = {
 
 
 class _Commands(click.Group):
-    """All commands; errors are short, however long the command line was."""
+    """The group of all commands, which shortens long errors."""
 
     def make_context(self, *args: object, **extra: object) -> click.Context:
         with _brief():
@@ -61,7 +61,7 @@ class _Commands(click.Group):
 
 @contextmanager
 def _brief() -> Iterator[None]:
-    """Shorten what Click repeats of a command line."""
+    """Shorten the parts of a command line that Click repeats in its errors."""
     try:
         yield
     except click.ClickException as error:

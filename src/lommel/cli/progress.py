@@ -11,16 +11,7 @@ if TYPE_CHECKING:
 
 
 class Steps:
-    """How far a command is: each call begins the next of `total` steps, or tells a share.
-
-    Parameters
-    ----------
-    bar : Progress, optional
-        None where nobody looks.
-    description : str
-    total : int, optional
-        Steps; without it there is a share only where one is told.
-    """
+    """Progress of a command in `total` steps or as a fraction done; `bar` is None where there is no terminal."""
 
     def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
         self._bar, self._total = bar, total
@@ -28,11 +19,11 @@ class Steps:
         self._task = None if bar is None else bar.add_task(description, total=total)
 
     def __call__(self, name: str, share: float | None = None) -> None:
-        """Say what is done now: the next step, or what has this share, 0 to 1, of the work behind it."""
+        """Show the name of the next step, or of the current one with the fraction done, 0 to 1."""
         if self._bar is None or self._task is None:
             return
         if share is not None:
-            self._shown = min(max(share, self._shown), 1.0)  # estimates may take back what they said
+            self._shown = min(max(share, self._shown), 1.0)  # estimates of the remaining time may increase
             self._bar.update(self._task, description=name, total=1.0, completed=self._shown)
             return
         if self._total is None:
@@ -44,7 +35,7 @@ class Steps:
 
 @contextmanager
 def progress(description: str, total: int | None = None) -> Iterator[Steps]:
-    """Show a bar on standard error, if that is a terminal; yields what announces each step."""
+    """Show a bar on standard error if that is a terminal; yield the function that announces each step."""
     from rich.console import Console
 
     console = Console(stderr=True)

@@ -59,7 +59,7 @@ Made = TypeVar("Made", bound=PSF | ColourPSF | PSFGrid)
 
 @dataclass(frozen=True, kw_only=True)
 class _Product(Generic[Made]):
-    """What the command computes, and how it is described, drawn and stored."""
+    """Functions that compute, describe, draw and store one kind of PSF."""
 
     size: str
     find: Callable[[Path, str], Format]

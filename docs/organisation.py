@@ -137,7 +137,7 @@ def package() -> Layout:
     about = {
         package_of(name): ast.get_docstring(tree)
         for name, tree in trees.items()
-        if name.endswith("__init__") or "/" not in name
+        if "/" not in name.removesuffix("/__init__")
     }
     about["cli"] = ast.get_docstring(trees["cli/__init__"])
     pairs = [(name, other) for name, tree in trees.items() for other in {other for _, other in imported(tree)}]
@@ -166,8 +166,8 @@ def picture(layout: Layout, title: str) -> str:
     left, width, line = 120, 640, 17
     texts = {
         name: [
-            *textwrap.wrap(re.sub(r":\w+:`(\w+)`", r"\1", layout.about.get(name, "")), 76),
-            *textwrap.wrap(" \u00b7 ".join(layout.files[name]), 76, break_on_hyphens=False),
+            *textwrap.wrap(re.sub(r":\w+:`(\w+)`", r"\1", layout.about.get(name, "")), 70),
+            *textwrap.wrap(" \u00b7 ".join(layout.files[name]), 70, break_on_hyphens=False),
         ]
         for name in layout.packages
     }

@@ -461,7 +461,7 @@ class TileBlur:
         if settings.energy == 1.0:
             raise ValueError(
                 "energy must be below 1 for tiles and chunks, since with all of its light a point reaches the whole "
-                "image: give a smaller energy such as 0.99, or the whole image at once as an array, such as np.array(image)"
+                "image: give a smaller energy such as 0.99, or the whole image at once, such as np.array(image)"
             )
         # Where it is "nearest" the whole depth has been filled before it was cut.
         self.missing = "raise" if settings.missing == "nearest" else settings.missing

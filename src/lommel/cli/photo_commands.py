@@ -209,13 +209,13 @@ _METHODS = ("richardson-lucy", "total-variation")
         "Noise",
         Option("--white", type=float, required=True, help="Electrons of a white pixel, such as 5000."),
         documented(Noise, "read", type=float, required=True),
-        Option("--offset", type=float, default=0.0, help="Black level; white is 1."),
+        Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
         Option("--saturation", type=float, help="Level at which pixels saturate; white is 1."),
     ),
     *under(
         "Restoration",
         Option("--method", type=click.Choice(_METHODS), default=_METHODS[0],
-               help="Richardson-Lucy maximizes the likelihood; total variation also smooths and preserves edges: "
+               help="Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: "
                "usually less noise at the same sharpness, but ten to forty times slower."),
         Option("--steps", type=int,
                help=f"Maximum number of steps; by default {RichardsonLucy.steps}, with total-variation "

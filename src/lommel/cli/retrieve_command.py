@@ -70,8 +70,8 @@ def _is_number(word: str) -> bool:
     click.Argument(["images"], type=FILE, nargs=-1, required=True),
     LENS,
     Option("--defocus", default="0", metavar="NUMBERS",
-           help="Known defocus C_d of each image, radians at the pupil edge, such as -4 0 4; positive where the "
-           "sensor was moved towards the lens."),
+           help="Known defocus coefficient C_d of each image in radians (pi is one wave), such as -4 0 4; "
+           "positive where the sensor was moved towards the lens."),
     Option("--terms", default="15",
            help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
            '"noll 5, noll 6".'),
@@ -126,7 +126,7 @@ def retrieve(
     its wavefront is the starting point. Several images need the --defocus of each (phase diversity). One image leaves
     the sign of even terms (defocus, astigmatism, spherical) undetermined.
 
-    Coefficients are of Zernike terms in Noll's order, normalized to rms, and printed with standard errors. The
+    Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The
     reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right.
 
     Examples

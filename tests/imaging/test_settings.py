@@ -36,7 +36,7 @@ def test_a_door_shows_every_setting_with_its_default_and_its_text(door):
     text = inspect.getdoc(door)
     assert "{options}" not in text
     assert [name for name in wanted if text.count(f"\n{name} : ") != 1] == []
-    assert "Share of the light of a point that its window must hold, 0.5 to 0.9999;" in text
+    assert "Fraction of a point's light that its window must hold, 0.5 to 0.9999, or 1." in text
 
 
 @pytest.mark.parametrize(("command", "needed"), [(blur, ""), (restore, "--white 1 --read 1")])

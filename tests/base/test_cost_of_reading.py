@@ -40,6 +40,7 @@ ARGUED = {
     ("__init__.py", "open"): "the package's own list of names",
     ("page/module.py", "read_text"): "the package's own live page",
     ("page/server.py", "read_bytes"): "the package's own live page",
+    ("cli/main.py", "read_text"): "the package's own commands",
     ("cli/examples_command.py", "read_bytes"): "the package's own examples",
     ("cli/options.py", "open"): "the null device, to write to",
     ("cli/live_command.py", "open"): "a browser",

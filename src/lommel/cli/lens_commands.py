@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from lommel.cli import reports, tables
+from lommel.cli import tables
 from lommel.cli.options import (
     DEPTH,
     INTEGRATE,
@@ -54,6 +54,8 @@ def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> Non
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
+    from lommel.cli import reports  # what it needs takes longer to import than the list of commands
+
     microscope = microscope_of(lens, depth=depth, **given)
     if microscope is not None:
         facts, show = reports.describe_microscope(microscope), tables.print_microscope
@@ -82,6 +84,8 @@ def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> 
     Example:
       lommel compare phone.toml --figure methods.png
     """
+    from lommel.cli import reports  # what it needs takes longer to import than the list of commands
+
     if figure is not None:
         figure_format(figure)
     instrument = instrument_of(lens, **given)

@@ -94,6 +94,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     exif[0x8769] = {0x829D: 1.8, 0x920A: 4.0}  # f-number and focal length, millimetres
     photo.save("photo.jpg", exif=exif)
     photo.save("photo.png")
+    photo.save("photo.tif")
     distance = np.where(x < 32, 1.9, 2.1)
     tifffile.imwrite("depth.tif", distance.astype(np.float32))
     Image.fromarray((1e3 * distance).astype(np.uint16)).save("depth.png")

@@ -252,8 +252,8 @@ def restore(
 
     Examples
     --------
-      lommel restore photo.jpg depth.tif phone.toml --white 5000 --read 3 -o sharp.jpg
-      lommel restore photo.jpg depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
+      lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
+      lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     request = Request.of(given)
     find(output, "--output")

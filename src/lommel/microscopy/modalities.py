@@ -46,7 +46,7 @@ def confocal(
     pixel : float
         As of :func:`lommel.psf`: metres on the camera, the magnification times those in the sample.
     pinhole : float, default 1
-        Radius of the pinhole in Airy units, ``0.61 lambda / NA`` of the emission.
+        Diameter of the pinhole in Airy units, ``1.22 lambda / NA`` of the emission.
     integrate : bool, default False
         Whether values are pixel-integrated; a scanned beam is point-sampled.
     normalize : {"strehl", "peak"}, default "strehl"

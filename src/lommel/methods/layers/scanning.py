@@ -18,7 +18,7 @@ from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 AIRY = 2.0 * math.pi * 0.61
-"""``0.61 lambda / NA``, the Airy unit, in v."""
+"""``0.61 lambda / NA``, half an Airy unit, in v."""
 _PINHOLE_MOST = 100.0
 
 
@@ -46,7 +46,7 @@ class Confocal(_Scanning):
     excitation : ObjectivePupil
         The light that excites, whatever its planes.
     pinhole : float, default 1
-        Its radius in Airy units, ``0.61 lambda / NA`` of the emission.
+        Its diameter in Airy units, ``1.22 lambda / NA`` of the emission.
     tol : float, default 1e-6
         Tolerance over the peak of each plane.
 

@@ -77,9 +77,9 @@ def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> 
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. For a
     paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other methods
-    make; HuygensFresnel is computed at pixel centres. ClosedForm uses those of its options `tangent` and `erf` (see
-    `lommel methods`) that give the least MSE in this window. Times are those of a second call, or of the first if
-    that takes more than a second. The last line compares the paraxial and the aplanatic model of the lens.
+    make; HuygensFresnel is computed at pixel centres. ClosedForm uses the values of its options `tangent` and `erf`
+    (see `lommel methods`) that give the least MSE in this window. Times are those of the second call, or of the first
+    if that takes more than 1 s. The last line compares the paraxial and the aplanatic model of the lens.
 
     Example:
       lommel compare phone.toml --figure methods.png

@@ -25,8 +25,8 @@ def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | No
     """Open an interactive page of the PSF in the browser.
 
     The page shows the PSF, its curves and a test image, with sliders for every parameter. It starts with the lens
-    file LENS, or without one with a defocused lens. All computation is done in the browser; the page is served to
-    this machine only, stops at Ctrl-C, and sends no data.
+    file LENS or, if none is given, with a defocused lens. All computation is done in the browser; the page is served
+    to this machine only, stops at Ctrl-C, and sends no data.
 
     Examples
     --------

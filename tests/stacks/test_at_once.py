@@ -20,7 +20,7 @@ import pytest
 import lommel as lm
 from lommel.base import atomic
 from lommel.io.psf_files import FileError
-from lommel.stacks import stack
+from lommel.stacks import store as stores
 
 pytest.importorskip("h5py")
 
@@ -166,7 +166,7 @@ def test_a_store_that_is_another_at_the_end_is_not_returned(suffix, side, tmp_pa
 @pytest.mark.parametrize("when", ["before", "after"])
 @pytest.mark.parametrize("begun", [False, True], ids=["new", "begun"])
 def test_of_two_calls_that_begin_a_store_one_gives_way(suffix, side, when, begun, tmp_path, monkeypatch):
-    path, kind = tmp_path / f"a{suffix}", stack.kind(tmp_path / f"a{suffix}")
+    path, kind = tmp_path / f"a{suffix}", stores.kind(tmp_path / f"a{suffix}")
     create, two = kind.create, []
     if begun:
         begin(path)

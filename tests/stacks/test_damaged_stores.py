@@ -17,7 +17,8 @@ import lommel as lm
 from lommel.base.checksums import sealed
 from lommel.io import zarr_folders
 from lommel.io.psf_files import FileError
-from lommel.stacks import hdf5_store
+from lommel.io.zarr_folders import Layout
+from lommel.stacks import store as stores
 
 SUFFIX = pytest.mark.parametrize("suffix", [".zarr", ".h5"])
 PUPILS = lm.Pupil(lm.Wavefront(np.linspace(0.0, 1.0, 6), nonradial={(3, 1): 0.2}))
@@ -58,12 +59,12 @@ def resealed(path: Path, change) -> None:
         (path / "zarr.json").write_text(json.dumps(whole))
         return
     with path.open("r+b") as file:
-        *_, identity, count = file.read(hdf5_store._HEAD).split()
+        *_, identity, count = file.read(stores._HEAD).split()
         said = json.loads(file.read(int(count)))
         change(said)
         text = json.dumps(sealed(said, {})).encode()
         file.seek(0)
-        file.write(hdf5_store._MARK % (identity, len(text)) + text)
+        file.write(stores._MARK % (identity, len(text)) + text)
 
 
 @pytest.mark.parametrize("count", [1 << 28, 1 << 32])
@@ -156,10 +157,10 @@ def test_a_damaged_store_with_a_new_seal_is_a_fault_of_the_file(suffix, change, 
 
 
 def test_an_array_that_is_stored_another_way_is_refused(tmp_path):
-    array = zarr_folders.ZarrArray(tmp_path / "a.zarr" / "values", (4, 6), (2, 3), "<f8")
+    array = zarr_folders.ZarrArray(tmp_path / "a.zarr" / "values", Layout((4, 6), (2, 3), "<f8", ("y", "x")))
     values = np.arange(24.0).reshape(4, 6)
     zarr_folders.write_group(tmp_path / "a.zarr", {})
-    array.create(["y", "x"], values=values)
+    array.create(values=values)
     np.testing.assert_array_equal(zarr_folders.ZarrArray.open(array.folder).read(), values)
     meta = array.folder / "zarr.json"
     known = json.loads(meta.read_text())
@@ -188,9 +189,10 @@ def test_zarr_reads_what_is_written_plainly_and_it_what_zarr_writes(separator, d
     zarr = pytest.importorskip("zarr")
     values = np.arange(35).reshape(5, 7).astype(dtype)
     zarr_folders.write_group(tmp_path / "a.zarr", {"said": 1})
-    array = zarr_folders.ZarrArray(tmp_path / "a.zarr" / "group" / "values", (5, 7), (2, 3), dtype, separator)
+    layout = Layout((5, 7), (2, 3), dtype, ("y", "x"))
+    array = zarr_folders.ZarrArray(tmp_path / "a.zarr" / "group" / "values", layout, separator)
     if separator == ".":
-        array.create(["y", "x"], values=values, fill=-1 if dtype[1] == "i" else 0, attributes={"units": "m"})
+        array.create(values=values, fill=-1 if dtype[1] == "i" else 0, attributes={"units": "m"})
         found = zarr.open_group(tmp_path / "a.zarr", mode="r")["group/values"]
         np.testing.assert_array_equal(found[...], values)
         assert (found.dtype, found.chunks, found.attrs["units"]) == (values.dtype, (2, 3), "m")
@@ -201,4 +203,4 @@ def test_zarr_reads_what_is_written_plainly_and_it_what_zarr_writes(separator, d
     )
     opened = zarr_folders.ZarrArray.open(tmp_path / "b.zarr" / "values")
     np.testing.assert_array_equal(opened.read(), made[...])
-    assert (opened.shape, opened.chunks, opened.separator) == ((5, 7), (2, 3), separator)
+    assert (opened.layout.shape, opened.layout.chunks, opened.separator) == ((5, 7), (2, 3), separator)

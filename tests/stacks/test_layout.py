@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lommel.stacks.store import Layout, cut, layouts
+from lommel.io.zarr_folders import Layout
+from lommel.stacks.store import cut, layouts
 
 SHAPES = st.lists(st.integers(1, 9), min_size=1, max_size=4).map(tuple)
 

@@ -138,13 +138,13 @@ KILLED = """
     sys.path.insert(0, sys.argv[2])
     import zarr, h5py
     import test_psf_to as test
-    from lommel.stacks import stack, store
+    from lommel.stacks import store
 
     def die(*_):
         os.kill(os.getpid(), signal.SIGKILL)
 
     def case(path, when):
-        put, count = stack.kind(path).put, [0]
+        put, count = store.kind(path).put, [0]
 
         def dying(self, parts, index):
             mark = store.MARKS in parts
@@ -160,7 +160,7 @@ KILLED = """
                 die()
             put(self, parts, index)
 
-        stack.kind(path).put = dying
+        store.kind(path).put = dying
         test.run(path, threads=1, progress=lambda done, _: when == "after a chunk" and done == 2 and die())
 
     for when in test.WHEN:

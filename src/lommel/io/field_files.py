@@ -26,7 +26,7 @@ from lommel.io import (
 )
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Arrays, Description, Format
-from lommel.io.zarr_folders import ZarrArray
+from lommel.io.zarr_folders import Layout, ZarrArray
 from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, is_psf
 from lommel.optics.colour.spectrum import Channels
 
@@ -87,14 +87,14 @@ def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> No
         zarr_folders.write_group(folder, {"lommel": said})
         places: Description = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
         places |= {"depth": grid.depths, "channel": np.arange(values.shape[-3])}
-        dimensions = {name: places[name] for name in grid.dims}
         units = {"depth": "m", "channel": "1"}
         chunk = (*[1] * (values.ndim - 2), *values.shape[-2:])  # for each PSF: what is read together
-        ZarrArray(folder / "values", values.shape, chunk, values.dtype.str).create(list(dimensions), values=values)
-        for name, positions in dimensions.items():
-            said_of = {"units": units.get(name, grid.unit)}
-            place = ZarrArray(folder / name, positions.shape, positions.shape, positions.dtype.str)
-            place.create([name], attributes=said_of, values=positions)
+        layout = Layout(values.shape, chunk, values.dtype.str, grid.dims)
+        ZarrArray(folder / "values", layout).create(values=values)
+        for name in grid.dims:
+            at = places[name]
+            place = ZarrArray(folder / name, Layout(at.shape, at.shape, at.dtype.str, (name,)))
+            place.create(attributes={"units": units.get(name, grid.unit)}, values=at)
 
     atomic.write_folder(target, fill)
 

@@ -12,96 +12,36 @@ from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent import futures
 from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike
 
-from lommel.base import options as shared
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.base.checksums import crc32
 from lommel.base.optional import version
-from lommel.base.options import shares
-from lommel.blur.blurs import Blur
+from lommel.base.options import near
 from lommel.channel_psf import PSFKeywords
 from lommel.io.psf_files import FileError
+from lommel.io.zarr_folders import Layout
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method
 from lommel.methods.question import for_axes
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
-from lommel.optics.stacked import apart, together
-from lommel.psf import PSF, Plan
+from lommel.psf import Plan
 from lommel.stacks import store as stores
-from lommel.stacks.stack import PSFStack, kind
-from lommel.stacks.store import Arrays, Center, Description, Index, Layout, Store, layouts
+from lommel.stacks.stack import PSFStack, apart, together
+from lommel.stacks.store import Arrays, Center, Description, Index, Store, kind, layouts
 
 # Errors of file systems without locks, such as some network drives.
 _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
 _METRES = ("object_distance", "depth", "z", "wavelength")
 _TAKEN = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")
 _MOST_AXES = 8
-
-
-@dataclass(frozen=True)
-class Options:
-    """Options of :func:`psf_to` with their defaults.
-
-    Parameters
-    ----------
-    method, tol, normalize, dtype, integrate, fill, blur : optional
-        As of :func:`lommel.psf`.
-    center : (float, float) or (array_like, array_like), optional
-        As of :func:`lommel.psf`; arrays broadcast with the stack.
-    threads : int, optional
-        Maximum number of threads, by default one for each processor; each computes a chunk. Not with a client.
-    """
-
-    method: Method | None = None
-    tol: float | None = None
-    normalize: str = "energy"
-    dtype: DTypeLike | None = None
-    center: tuple[ArrayLike, ArrayLike] | None = None
-    integrate: bool | None = None
-    fill: float | tuple[float, float] = 1.0
-    blur: Blur | Sequence[Blur] = ()
-    threads: int | None = None
-
-
-@dataclass(frozen=True)
-class Question:
-    """All of a request but the pupils, as it is sent to workers."""
-
-    window: tuple[int, int]
-    pixel: float | tuple[float, float]
-    integrate: bool
-    fill: tuple[float, float]
-    blur: tuple[Blur, ...]
-    normalize: str
-    dtype: str
-
-    def answer(self, pupil: BasePupil, center: Center, ways: tuple[Method, ...]) -> PSF:
-        """Return the PSFs of a stack around `center`, by the first of the methods that proves its tolerance."""
-
-        def ask(way: Method) -> PSF:
-            plan = Plan(
-                self.window,
-                self.pixel,
-                method=way,
-                normalize=self.normalize,
-                dtype=self.dtype,
-                center=center,
-                integrate=self.integrate,
-                fill=self.fill,
-                blur=self.blur,
-                threads=1,  # sums of transforms by several threads differ in their last bits
-            )
-            return plan(pupil)
-
-        return first_proven(ways, ask)[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,8 +52,12 @@ class Request:
     ----------
     pupils : tuple of Pupil or ObjectivePupil
         One stack, or, where more than the phase differs and `listed`, one for each of the first axis.
+    prepare : partial of Plan
+        All that is asked but the pupils, their center and their method, as it is sent to workers.
     ways : tuple
         The methods for each of the pupils, in order: chosen for all of a stack, whatever the chunks.
+    methods : list
+        All of them, each once.
     said : dict
         The description, in plain types.
     arrays : dict of str to ndarray
@@ -122,10 +66,11 @@ class Request:
 
     pupils: tuple[BasePupil, ...]
     listed: bool
-    question: Question
+    prepare: partial[Plan]
     ways: tuple[tuple[Method, ...], ...]
     grid: Grid
     axes: dict[str, Array]
+    methods: list[Method]
     said: Description
     arrays: dict[str, Array] = field(repr=False)
 
@@ -147,33 +92,29 @@ class Request:
         return crc32({}, parts)
 
     @cached_property
-    def methods(self) -> list[Method]:
-        """All methods of the stack, each once."""
-        return _different(self.ways)
-
-    @cached_property
     def layouts(self) -> dict[str, Layout]:
         """The arrays of its store."""
         return layouts(self.said)
 
 
 def requested(
-    pupils: BasePupil | Sequence[BasePupil],
-    shape: int | tuple[int, int],
-    pixel: float | tuple[float, float],
-    axes: Mapping[str, Any] | None,
-    chunk: int | None,
-    options: Options,
+    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Any] | None, chunk: int | None
 ) -> Request:
     """Return a checked request; see :func:`lommel.psf_to`."""
-    plan = Plan(shape, pixel, **{name: value for name, value in vars(options).items() if name != "threads"})
     stacks, listed, grid = _stacks(pupils, plan)
     stack = (len(stacks), *stacks[0].shape) if listed else stacks[0].shape
     if not 1 <= len(stack) <= _MOST_AXES:
         raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}; psf computes one")
     ways = tuple(candidates(one, grid, plan.tol) if plan.method is None else (plan.method,) for one in stacks)
+    flat = [way for each in ways for way in each]
+    methods = [way for k, way in enumerate(flat) if way not in flat[:k]]
     dtype = np.dtype(plan.dtype)
-    question = Question(grid.shape, grid.pixel, grid.integrate, grid.fill, plan.blur, plan.normalize, dtype.name)
+    # Sums of transforms by several threads differ in their last bits.
+    asked: PSFKeywords = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
+    asked |= {"integrate": grid.integrate, "fill": grid.fill}
+    prepare = partial(Plan, grid.shape, grid.pixel, **asked)
+    fit = max(1, stores.DEFAULT // (dtype.itemsize * math.prod(grid.shape)))
+    most = fit if chunk is None else validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
     shared, arrays = _differences(stacks, listed)
     if grid.stack:
         arrays |= {"row": np.asarray(grid.center[0]), "column": np.asarray(grid.center[1])}
@@ -191,15 +132,15 @@ def requested(
         "fill": list(grid.fill),
         "blur": [one.to_dict() for one in plan.blur],
         "center": None if grid.stack else list(grid.axis),
-        "methods": [way.to_dict() for way in _different(ways)],
+        "methods": [way.to_dict() for way in methods],
         "normalize": plan.normalize,
         "dtype": dtype.name,
-        "chunks": _chunks(chunk, stack, listed, dtype.itemsize * math.prod(grid.shape)),
+        "chunks": [1, *stores.cut(stack[1:], most)] if listed else stores.cut(stack, most),
         "pupils": shared,
         "arrays": {name: [list(at.shape[len(stack) :]), crc32({}, {name: at})] for name, at in arrays.items()},
     }
     plain = json.loads(json.dumps(said, allow_nan=False))
-    return Request(stacks, listed, question, ways, grid, places, plain, arrays)
+    return Request(stacks, listed, prepare, ways, grid, places, methods, plain, arrays)
 
 
 def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[BasePupil, ...], bool, Grid]:
@@ -225,21 +166,6 @@ def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[
         stacks = (for_axes(stacks[0], grid.stack),)
         grid = grid.broadcast(stacks[0].shape)
     return stacks, listed, grid
-
-
-def _chunks(chunk: int | None, stack: tuple[int, ...], listed: bool, nbytes: int) -> list[int]:
-    """Return the shape of chunks of at most so many PSFs, or of 16 MiB; listed pupils are in chunks of their own."""
-    fit = max(1, stores.DEFAULT // nbytes)
-    most = fit if chunk is None else validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
-    return [1, *stores.cut(stack[1:], most)] if listed else [*stores.cut(stack, most)]
-
-
-def _different(ways: tuple[tuple[Method, ...], ...]) -> list[Method]:
-    found: list[Method] = []
-    for way in (way for each in ways for way in each):
-        if way not in found:
-            found.append(way)
-    return found
 
 
 def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
@@ -297,7 +223,6 @@ def _found(stack: tuple[int, ...], arrays: Mapping[str, Array]) -> Arrays:
     return dict((left | names)[axis] for axis in range(len(stack)))
 
 
-@shares(PSFKeywords, Options)
 def psf_to(
     store: str | os.PathLike[str],
     pupils: BasePupil | Sequence[BasePupil],
@@ -338,7 +263,10 @@ def psf_to(
     client : distributed.Client or concurrent.futures.Executor, optional
         Computes the chunks; by default threads of this process do. Workers write into a ``.zarr`` themselves, under
         the same path; an HDF5 file is written by this process.
-    {options}
+    **options
+        ``method``, ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill`` and ``blur`` as of
+        :func:`lommel.psf`; ``threads``, by default one for each processor, each of which computes a chunk, not with a
+        client.
 
     Returns
     -------
@@ -366,17 +294,16 @@ def psf_to(
     >>> lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
     >>> stack = lm.psf_to("depths.zarr", lens.pupil(np.linspace(1.0, 3.0, 5000)), 33, 3e-6)  # doctest: +SKIP
     """
-    shared.require_known(psf_to, options, PSFKeywords)
-    given = Options(**options)
+    if stray := [name for name in options if name not in PSFKeywords.__annotations__]:
+        raise TypeError(f"psf_to() has no option {stray[0]!r}; {near(stray[0], PSFKeywords.__annotations__)}")
     place, path = kind(validation.path("store", store)), Path(os.path.realpath(store))
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
-    threads = None if given.threads is None else validation.integer("threads", given.threads, least=1, most=1024)
-    pool, slots = _pool(client)
-    if pool is not None and threads is not None:
-        raise ValueError(f"threads must be left out with a client, which has its own, got {threads}")
+    plan, (pool, slots) = Plan(shape, pixel, **options), _pool(client)
+    if pool is not None and plan.threads:
+        raise ValueError(f"threads must be left out with a client, which has its own, got {plan.threads}")
     there = place.open(path) if path.exists() else None
-    request = requested(pupils, shape, pixel, axes, chunk, given)
+    request = requested(plan, pupils, axes, chunk)
     if there is not None and chunk is None:
         same = replace(request, said=request.said | {"chunks": there.said["chunks"]})
         request = request if _difference(there.said, same.said) else same
@@ -384,13 +311,13 @@ def psf_to(
     marks = opened.marks()
     todo = [tuple(int(i) for i in index) for index in np.argwhere(~marks)]
     if pool is None:
-        slots = min(threads or os.cpu_count() or 1, max(1, len(todo)))
+        slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
     with _held(opened) if todo else nullcontext():
         _require_room(opened, len(todo))
         by_caller = client is not None and opened.one_file
-        tasks = ((index, request.seal(index), request.question, *request.part(index)) for index in todo)
-        found = _computed(pool, slots, None if by_caller else opened, tasks, request.methods)
-        with closing(found):
+        work = partial(_work, None if by_caller else opened, request.methods, request.prepare)
+        tasks = ((index, request.seal(index), *request.part(index)) for index in todo)
+        with closing(_computed(pool, slots, work, tasks)) as found:
             for done, (index, seal, made) in enumerate(found, marks.size - len(todo) + 1):
                 if made is not None:
                     opened.keep(index, made, seal)
@@ -499,12 +426,11 @@ def _pool(client: Any) -> tuple[futures.Executor | None, int]:
     raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
 
-_Task = tuple[Index, int, Question, BasePupil, Center, tuple[Method, ...]]
 _Made = tuple[Index, int, Arrays | None]
 
 
 def _computed(
-    pool: futures.Executor | None, slots: int, store: Store | None, tasks: Iterator[_Task], methods: list[Method]
+    pool: futures.Executor | None, slots: int, work: Callable[..., _Made], tasks: Iterator[tuple[object, ...]]
 ) -> Generator[_Made]:
     """Yield chunks as they are done, a few at a time; after an error no other is begun."""
     own = futures.ThreadPoolExecutor(slots) if pool is None else None
@@ -514,7 +440,7 @@ def _computed(
             if len(under_way) > slots:
                 done, under_way = futures.wait(under_way, return_when=futures.FIRST_COMPLETED)
                 yield from (one.result() for one in done)
-            under_way.add((own or pool).submit(_work, store, methods, *task))  # type: ignore[union-attr]
+            under_way.add((own or pool).submit(work, *task))  # type: ignore[union-attr]
         yield from (one.result() for one in futures.as_completed(under_way))
     finally:
         for one in under_way:
@@ -526,15 +452,15 @@ def _computed(
 def _work(
     store: Store | None,
     methods: list[Method],
+    prepare: partial[Plan],
     index: Index,
     seal: int,
-    question: Question,
     pupil: BasePupil,
     center: Center,
     ways: tuple[Method, ...],
 ) -> _Made:
     """Compute a chunk, and write it if a store is given."""
-    made = question.answer(pupil, center, ways)
+    _, made = first_proven(ways, lambda way: prepare(method=way, center=center)(pupil))
     bound = np.nan if made.error_bound is None else made.error_bound
     parts: Arrays = {
         "values": made.values,

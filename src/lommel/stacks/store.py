@@ -1,4 +1,4 @@
-"""Stores of PSF stacks: how they are cut into chunks, and how chunks are written, marked and checked.
+"""Stores of PSF stacks, Zarr folders and HDF5 files: how chunks are cut, written, marked and checked.
 
 Chunks are written plainly, as both formats define it: a file each (Zarr), or a run of bytes at a fixed place (a
 contiguous data set of HDF5, allocated at once). Writing one changes nothing else, and a process that is killed
@@ -10,7 +10,10 @@ that has taken the place of this one, and every checksum includes it, so that ch
 
 from __future__ import annotations
 
+import io
+import json
 import math
+import os
 from abc import ABC, abstractmethod
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
@@ -20,10 +23,12 @@ from typing import Any, ClassVar, Self, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
-from lommel.base.atomic import in_use
-from lommel.base.checksums import checksum, crc32
-from lommel.io.psf_files import FileError
+from lommel.base import atomic, reading, validation
+from lommel.base.checksums import checksum, crc32, sealed
+from lommel.base.optional import library
+from lommel.io import zarr_folders
+from lommel.io.psf_files import FileError, told
+from lommel.io.zarr_folders import Layout, ZarrArray
 
 KEY = "lommel"
 IDENTITY = "identity"
@@ -61,41 +66,6 @@ def cut(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
         if most < 2:
             break
     return tuple(chunk)
-
-
-@dataclass(frozen=True)
-class Layout:
-    """An array of a store: its shape, that of its chunks, its type ("<f4") and the names of its axes."""
-
-    shape: tuple[int, ...]
-    chunks: tuple[int, ...]
-    dtype: str
-    dimensions: tuple[str, ...]
-
-    @property
-    def grid(self) -> tuple[int, ...]:
-        """Number of chunks along each axis."""
-        return tuple(-(-n // c) for n, c in zip(self.shape, self.chunks, strict=True))
-
-    def within(self, index: Index) -> tuple[slice, ...]:
-        """Return the slices of a chunk in the array; axes beyond `index` are whole."""
-        whole = (*index, *(0,) * (len(self.shape) - len(index)))
-        sides = zip(whole, self.chunks, self.shape, strict=True)
-        return tuple(slice(i * c, min((i + 1) * c, n)) for i, c, n in sides)
-
-    def first(self, index: Index) -> int:
-        """Return the index in the flattened array of the first value of a chunk."""
-        place = tuple(part.start for part in self.within(index))
-        return int(np.ravel_multi_index(place, self.shape)) if place else 0
-
-    def part(self, index: Index) -> tuple[int, ...]:
-        """Return the shape of a chunk, smaller at the end of an axis."""
-        return tuple(part.stop - part.start for part in self.within(index))
-
-    @property
-    def nbytes(self) -> int:
-        """Bytes of all of it."""
-        return math.prod(self.shape) * np.dtype(self.dtype).itemsize
 
 
 def layouts(said: Description) -> dict[str, Layout]:
@@ -153,11 +123,6 @@ class Store(ABC):
     def open(cls, path: Path) -> Self:
         """Return the store at a path; FileError if there is something else."""
 
-    @property
-    @abstractmethod
-    def own_file(self) -> Path:
-        """The file that is locked while chunks are computed."""
-
     @abstractmethod
     def marks(self) -> NDArray[np.bool_]:
         """Return which chunks are computed."""
@@ -172,7 +137,7 @@ class Store(ABC):
 
     def held(self, *, alone: bool = False) -> AbstractContextManager[None]:
         """Lock the store, shared to compute into it, or alone to replace it."""
-        return in_use(self.own_file, alone=alone)
+        return atomic.in_use(self.path, alone=alone)
 
     def keep(self, index: Index, made: Arrays, pupils: int) -> None:
         """Write a computed chunk, then its mark: a checksum that includes that of the requested `pupils`."""
@@ -251,3 +216,249 @@ def checked(description: Description) -> tuple[Description, dict[str, Layout]]:
     if not isinstance(said[IDENTITY], str) or len(said[IDENTITY]) != 32 or not said[IDENTITY].isalnum():
         raise ValueError(f"its identity must be 32 letters and digits, got {validation.shown(said[IDENTITY])}")
     return said, layouts(said)
+
+
+class ZarrStore(Store):
+    """A Zarr group of version 3 of plain arrays.
+
+    A chunk is written in a folder named by the identity of the store, and moved into place: another store in its
+    place has no such folder, and nothing is written.
+    """
+
+    @classmethod
+    def create(cls, path: Path, said: Description, arrays: Arrays, *, new: bool) -> None:
+        """Write the folder."""
+
+        def fill(folder: Path) -> None:
+            zarr_folders.write_group(folder, {KEY: sealed(said, {})})
+            for name, layout in layouts(said).items():
+                array = ZarrArray(folder / name, layout)
+                array.create(fill=missing(name, layout), attributes=units(said, name), values=arrays.get(name))
+            ZarrArray(_scratch(folder, said), Layout((), (), "|u1")).create()
+
+        atomic.write_folder(path, fill, new=new)
+
+    @classmethod
+    def open(cls, path: Path) -> Self:
+        """Return the store at a path."""
+        if not path.is_dir():
+            raise FileNotFoundError(2, os.strerror(2), str(path))
+        with told(path, WHAT):
+            said, found = checked(zarr_folders.attributes(path)[KEY])
+            store = cls(path, said, found)
+            for name in found:
+                if ZarrArray.open(path / name) != store._array(name):
+                    raise ValueError(f"its array {name} is stored in another way; zarr reads it")
+            return store
+
+    def held(self, *, alone: bool = False) -> AbstractContextManager[None]:
+        """Lock the description."""
+        return atomic.in_use(self.path / zarr_folders.META, alone=alone)
+
+    def _array(self, name: str) -> ZarrArray:
+        return ZarrArray(self.path / name, self.layouts[name])
+
+    def marks(self) -> NDArray[np.bool_]:
+        """Return which chunks are computed, by the files that exist."""
+        array = self._array(MARKS)
+        found = np.zeros(array.layout.grid, dtype=bool)
+        with told(self.path, WHAT), os.scandir(array.folder) as entries:
+            for entry in entries:
+                key, *numbers = entry.name.split(".")
+                if key == "c" and all(number.isdecimal() for number in numbers):
+                    index = tuple(int(number) for number in numbers)
+                    found[index] = self._mark(index) >= 0
+        return found
+
+    def get(self, name: str, index: Index) -> Values | None:
+        """Return a chunk; None if there is no file."""
+        with told(self.path, WHAT):
+            try:
+                return self._array(name).get(index)
+            except FileNotFoundError:
+                return None
+
+    def put(self, parts: Arrays, index: Index) -> None:
+        """Write a file each, whole or not at all."""
+        try:
+            with atomic.together(_scratch(self.path, self.said)) as write:
+                for name, part in parts.items():
+                    array = self._array(name)
+                    write(array.file(index), array.packed(part))
+        except (FileNotFoundError, NotADirectoryError):
+            raise replaced(self.path) from None
+
+
+def _scratch(folder: Path, said: Description) -> Path:
+    """Return the folder where chunks are written, an empty array to readers of the group."""
+    return folder / "chunks" / str(said[IDENTITY])
+
+
+_MARK = b"lommel stack %s %12d\n"  # the identity of the store, and the length of the description that follows
+_HEAD = len(_MARK % (bytes(32), 0))
+_PLACES, _BYTES = "offsets", "bytes"  # keys of the description in this format
+
+
+@dataclass(frozen=True)
+class Hdf5Store(Store):
+    """An HDF5 file of contiguous data sets at known offsets."""
+
+    # The user block before the HDF5 data holds the description and the offsets, with a checksum. Chunks are read from
+    # these offsets, so that the HDF5 library never opens a file of unknown origin or a damaged one.
+
+    offsets: dict[str, int] = field(repr=False)
+    one_file: ClassVar[bool] = True
+
+    @classmethod
+    def create(cls, path: Path, said: Description, arrays: Arrays, *, new: bool) -> None:
+        """Write the file."""
+        h5py = library("h5py", "stacks in .h5 need", "hdf5")
+        found = layouts(said)
+        # A number has at most twenty digits.
+        most = _HEAD + len(json.dumps(sealed(said, {}))) + sum(len(name) + 30 for name in found) + 200
+
+        # The HDF5 library writes to memory, without the arrays: a full disk would end the process.
+        made, offsets = _Sparse(), {}
+        with h5py.File(made, "w", userblock_size=max(512, 1 << most.bit_length())) as file:
+            file[KEY] = json.dumps(sealed(said, {}))
+            for name, layout in found.items():
+                data = _contiguous(h5py, file, name, layout)
+                data.attrs.update(units(said, name))
+                if layout.dimensions == (name,):
+                    data.make_scale(name)
+                offsets[name] = data.id.get_offset()
+            for name, layout in found.items():
+                for axis, dimension in enumerate(layout.dimensions):
+                    file[name].dims[axis].label = dimension
+                    if dimension in found and dimension != name:
+                        file[name].dims[axis].attach_scale(file[dimension])
+        text = json.dumps(sealed(said | {_PLACES: offsets, _BYTES: made.size}, {})).encode()
+
+        def fill(place: Path) -> None:
+            with place.open("wb") as file:
+                for start, piece in made.pieces:
+                    file.seek(start)
+                    file.write(piece)
+                file.truncate(made.size)
+                file.seek(0)
+                file.write(_MARK % (said[IDENTITY].encode(), len(text)) + text)
+                for name, layout in found.items():
+                    if name != "values":  # which stay a hole in the file until they are written
+                        empty = np.broadcast_to(np.array(missing(name, layout), layout.dtype), layout.shape)
+                        file.seek(offsets[name])
+                        file.write(np.ascontiguousarray(arrays.get(name, empty), layout.dtype).data.cast("B"))
+
+        atomic.write_by(path, fill, new=new)
+
+    @classmethod
+    def open(cls, path: Path) -> Self:
+        """Return the store at a path."""
+        size = reading.size(path)
+        with told(path, WHAT), path.open("rb") as file:
+            mark = file.read(_HEAD).split()
+            if mark[:2] != [b"lommel", b"stack"] or len(mark) != 4 or int(mark[3]) > min(size, reading.MAX_PIXELS):
+                raise ValueError("no description before HDF5 begins")
+            said, found = checked(reading.json(file.read(int(mark[3]))))
+            offsets = {name: int(said[_PLACES][name]) for name in found}
+            ends = [offsets[name] + layout.nbytes for name, layout in found.items()]
+            if min(offsets.values()) < 0 or max(*ends, int(said[_BYTES])) > size:
+                raise ValueError(
+                    f"it was written with {said[_BYTES]} bytes, or its data sets take more; it has {size}"
+                )
+            return cls(path, said, found, offsets)
+
+    def _place(self, name: str, index: Index) -> int:
+        layout = self.layouts[name]
+        return self.offsets[name] + layout.first(index) * np.dtype(layout.dtype).itemsize
+
+    def marks(self) -> NDArray[np.bool_]:
+        """Return which chunks are computed."""
+        layout = self.layouts[MARKS]
+        return self._read(MARKS, (0,) * len(layout.shape), layout.shape) >= 0
+
+    def get(self, name: str, index: Index) -> Values:
+        """Return a chunk, with fill values if it was not written."""
+        return self._read(name, index, self.layouts[name].part(index))
+
+    def _read(self, name: str, index: Index, shape: tuple[int, ...]) -> Values:
+        place, kind = self._place(name, index), self.layouts[name].dtype
+        with told(self.path, WHAT):
+            reading.size(self.path)  # lest it be a pipe
+            return np.fromfile(self.path, kind, count=math.prod(shape), offset=place).reshape(shape)
+
+    def put(self, parts: Arrays, index: Index) -> None:
+        """Write runs of bytes into the file, if it is still this one."""
+        try:
+            with atomic.told_as(self.path), self.path.open("r+b") as file:
+                if file.read(_HEAD).split()[2:3] != [self.said[IDENTITY].encode()]:
+                    raise replaced(self.path)
+                for name, part in parts.items():
+                    file.seek(self._place(name, index))
+                    file.write(np.ascontiguousarray(part, self.layouts[name].dtype).data.cast("B"))
+                file.flush()
+                os.fsync(file.fileno())
+        except FileNotFoundError:
+            raise replaced(self.path) from None
+
+
+class _Sparse(io.RawIOBase):
+    """A sparse file in memory: what was written, piece by piece."""
+
+    def __init__(self) -> None:
+        self.pieces: list[tuple[int, bytes]] = []
+        self.size = self._at = 0
+
+    def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
+        """Set the position, which may be beyond the end."""
+        self._at = offset + {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self.size}[whence]
+        return self._at
+
+    def tell(self) -> int:
+        """Return the position."""
+        return self._at
+
+    def truncate(self, size: int | None = None) -> int:
+        """Set the end."""
+        self.size = self._at if size is None else size
+        return self.size
+
+    def write(self, data: Any) -> int:
+        """Write at the position."""
+        self.pieces.append((self._at, bytes(data)))
+        self._at += len(self.pieces[-1][1])
+        self.size = max(self.size, self._at)
+        return len(self.pieces[-1][1])
+
+    def readinto(self, out: Any) -> int:
+        """Read from the position; zeros from holes."""
+        taken = memoryview(out).cast("B")[: max(0, self.size - self._at)]
+        taken[:] = bytes(len(taken))
+        for start, piece in self.pieces:
+            first, end = max(start, self._at), min(start + len(piece), self._at + len(taken))
+            if first < end:
+                taken[first - self._at : end - self._at] = piece[first - start : end - start]
+        self._at += len(taken)
+        return len(taken)
+
+
+def _contiguous(h5py: Any, file: Any, name: str, layout: Layout) -> Any:
+    """Return a new data set, allocated at once and not filled."""
+    wanted = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+    wanted.set_layout(h5py.h5d.CONTIGUOUS)
+    wanted.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
+    wanted.set_fill_time(h5py.h5d.FILL_TIME_NEVER)
+    parents = h5py.h5p.create(h5py.h5p.LINK_CREATE)
+    parents.set_create_intermediate_group(True)
+    space, of = h5py.h5s.create_simple(layout.shape), h5py.h5t.py_create(np.dtype(layout.dtype))
+    h5py.h5d.create(file.id, name.encode(), of, space, dcpl=wanted, lcpl=parents)
+    return file[name]
+
+
+_KINDS: dict[str, type[Store]] = {".zarr": ZarrStore, ".h5": Hdf5Store, ".hdf5": Hdf5Store}
+
+
+def kind(path: Path) -> type[Store]:
+    """Return the class of stores for the suffix of a path; ValueError if it is unknown."""
+    if path.suffix.lower() not in _KINDS:
+        raise ValueError(f"store must end in {', '.join(_KINDS)}, got {validation.shown(str(path))}")
+    return _KINDS[path.suffix.lower()]

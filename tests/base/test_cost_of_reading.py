@@ -54,10 +54,9 @@ ARGUED = {
     ("io/field_files.py", "open"): "an array of a folder whose files were looked at",
     ("stacks/compute.py", "open"): "a store, by its own reader",
     ("stacks/stack.py", "open"): "a store, by its own reader",
-    ("stacks/hdf5_store.py", "open"): "a store, whose parts are no longer than its file",
-    ("stacks/hdf5_store.py", "fromfile"): "a part of it",
-    ("stacks/hdf5_store.py", "File"): "to write, in memory",
-    ("stacks/zarr_store.py", "open"): "an array of a folder whose files were looked at",
+    ("stacks/store.py", "open"): "a file whose parts are no longer than it, or an array of a folder of known files",
+    ("stacks/store.py", "fromfile"): "a part of it",
+    ("stacks/store.py", "File"): "to write, in memory",
     ("stacks/compute.py", "loads"): "of what was just written as JSON",
     ("optics/aperture/obstructions.py", "decompressobj"): "piece by piece, up to the side of the mask",
 }

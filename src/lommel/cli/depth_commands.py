@@ -85,7 +85,7 @@ def _length(metres: float) -> str:
         documented(Noise, "read", type=float, required=True),
         Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
         Option("--saturation", type=float,
-               help="Level at which pixels saturate; the largest integer always counts as saturated."),
+               help="Stored value at which pixels saturate; the largest integer always counts as saturated."),
     ),
     *under(
         "Estimation",
@@ -120,8 +120,8 @@ def depth(
 
     Examples
     --------
-      lommel depth near.tif far.tif phone.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3
-      lommel depth near.tif far.tif phone.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3
+      lommel depth 1.tif 2.tif phone.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3 -o d.tif
+      lommel depth 1.tif 2.tif phone.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3 -o d.tif
     """
     if len(outputs) > 2:
         raise ValueError(f"--output takes the depth map and its standard deviation, got {len(outputs)} files")
@@ -252,8 +252,8 @@ def _print(facts: Facts, options: Facts) -> None:
            help="Nearest and farthest distance to list; by default around the focus distances."),
     SQUARE_PIXEL,
     documented(Noise, "read", type=float, default=3.0, required=False),
-    documented(depth_precision, "contrast", type=float, help="Texture contrast: rms over mean of structures of 2 to "
-               "128 pixels."),
+    documented(depth_precision, "contrast", type=float,
+               help="Texture contrast: rms divided by mean, for structures of 2 to 128 pixels."),
     documented(depth_precision, "window", type=float),
     plot_option("Figure of the standard deviation against the distance"),
     JSON,

@@ -42,9 +42,9 @@ def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> Non
     """Print the image quality of a lens or a microscope.
 
     Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,
-    full width at half maximum (FWHM), MTF at the Nyquist frequency and frequency of 50 % contrast (circular apertures
-    only), encircled energy, also without aberrations, and the difference between the paraxial and the
-    aplanatic model of the lens.
+    full width at half maximum (FWHM), for circular apertures the MTF at the Nyquist frequency and the frequency at
+    which it falls to 50 %, encircled energy (also without aberrations), and the difference between the paraxial and
+    the aplanatic model of the lens.
 
     Microscope (a file with a section [objective]): focus position, width and peak against the depth of the emitter,
     collected light, critical angle, and Nyquist sampling.

@@ -71,7 +71,8 @@ def _is_number(word: str) -> bool:
     LENS,
     Option("--defocus", default="0", metavar="NUMBERS",
            help="Known defocus coefficient C_d of each image in radians, such as -4 0 4; positive where the sensor "
-           "was moved towards the lens. The phase is 2 C_d rho^2, so that one wave of defocus is C_d = pi."),
+           "was moved towards the lens. The phase is 2 C_d rho^2, rho = 1 at the "
+           "edge of the pupil, so that one wave of defocus is C_d = pi."),
     Option("--terms", default="15",
            help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
            '"noll 5, noll 6".'),

@@ -13,8 +13,7 @@ from numpy.testing import assert_allclose
 from scipy.stats import poisson
 
 import lommel as lm
-from lommel.estimation.scoring import changes, covariance, uncertainty
-from lommel.estimation.star_images import StarImages, Unknowns
+from lommel.estimation.star_images import StarImages, Unknowns, changes, covariance, uncertainty
 
 NOISE = lm.Noise(read=2.0)
 DEFOCUS = np.array([-4.0, 0.0, 4.0])
@@ -43,7 +42,7 @@ def model(terms=15, also=("center",), pupil=None):
     valid = np.ones((3, 17, 17), dtype=bool)
     nothing, read = np.zeros(valid.shape), np.full(valid.shape, 4.0)
     plan = lm.Plan(17, pixel, tol=1e-9, integrate=False)
-    made = StarImages(nothing, read, valid, pupil, DEFOCUS, Unknowns.of(terms, also), plan, pixel)
+    made = StarImages(nothing, read, valid, pupil, DEFOCUS, Unknowns(terms, also), plan, pixel)
     light = [900.0, 1000.0, 1100.0, 5.0, 6.0, 7.0]
     return made, np.concatenate([np.random.default_rng(2).normal(0.0, 0.3, made.size - 6), light])[None]
 
@@ -302,7 +301,6 @@ def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
 def test_a_negated_even_part_of_the_phase_has_the_same_images():
     made, x = model(terms=("defocus", "noll 5", "noll 8", "noll 11"))
     made.base[:, 0] = made.base[0, 0]
-    made.sign_ambiguous = made._sign_ambiguous()
     assert made.sign_ambiguous
     same = made.even_part_negated(x)
     assert np.abs(same - x).max() > 0.1
@@ -413,6 +411,26 @@ def test_what_the_images_do_not_tell_has_no_deviation_but_infinity():
     assert found.reliable  # of what else is solved for
 
 
+def test_a_search_ends_where_three_starts_agree_on_the_lowest_minimum_though_chi2_is_high_by_chance():
+    """The noise of the images is such that chi2 is 4 standard deviations above 1 at the only minimum there is."""
+    images = stars(TRUE)
+    found = lm.retrieve(images, lm.Pupil(), defocus=DEFOCUS, **ASKED)
+    assert (found.starts, found.converged) == (1, True)
+    light = found.flux[:, None, None] * found.psf.values + found.background[:, None, None]
+    residual = images - light
+    spread = np.sqrt(2.0 / images.size)
+    high = light + residual * np.sqrt((1.0 + 4.0 * spread) / found.chi2)
+    again = lm.retrieve(high, lm.Pupil(), defocus=DEFOCUS, **ASKED)
+    assert 3.0 < (again.chi2 - 1.0) / spread < 6.0
+    assert again.starts == 3
+    assert again.reliable
+    # Beyond six, starts that agree prove nothing about the images: all are tried, and it is a misfit.
+    wrong = light + residual * np.sqrt((1.0 + 9.0 * spread) / found.chi2)
+    failed = lm.retrieve(wrong, lm.Pupil(), defocus=DEFOCUS, starts=5, **ASKED)
+    assert failed.starts == 5
+    assert failed.message.startswith("misfit: ")
+
+
 def test_one_seed_makes_one_answer():
     images = stars(random_wavefront(1, 3.0)[0], seed=1)
     first, second = (
@@ -448,7 +466,7 @@ def test_the_picture_shows_images_model_residual_and_terms():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"images": np.zeros((3, 33, 33))}, r"images\[0\] must show a star, got the value 0 e everywhere"),
+        ({"images": np.zeros((3, 33, 33))}, r"images\[0\] must show a star, got the value 0 everywhere"),
         ({"images": np.full((3, 33, 33), np.nan)}, r"images\[0\] must have pixels that are neither masked"),
         ({"images": np.eye(3)[None].repeat(3, 0)}, "must have more pixels than there are unknowns, 27, got 27"),
         ({"images": np.zeros(4)}, r"images must have one shape \(height, width\), one or several, got shape \(4,\)"),

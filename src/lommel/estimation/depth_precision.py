@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -98,11 +97,10 @@ def depth_precision(
     >>> [f"{1e3 * each:.2f} mm" for each in deviation]
     ['1.87 mm', '1.46 mm', '1.71 mm']
     """
-    pupils = _round(lenses)
-    pitch = _pixel(pixel, pupils)
+    pitch = _pixel(lenses, pixel)
     metres = np.asarray(object_distances(distance))
-    settings = _settings(len(pupils), noise, photons, contrast, window, known_texture)
-    found = [_deviation(pupils, float(each), pitch, settings) for each in metres.ravel()]
+    surface = _surface(len(lenses), noise, photons, contrast, window, known_texture)
+    found = [_deviation(lenses, float(each), pitch, surface) for each in metres.ravel()]
     return numbers(np.array(found), metres.shape)
 
 
@@ -167,10 +165,9 @@ def best_foci(
     """
     from scipy.optimize import minimize
 
-    (one,) = _round([lens])
-    pitch = _pixel(pixel, [one])
+    pitch = _pixel([lens], pixel)
     metres = validation.real("distance", distance, above=0.0, unit="metres")
-    settings = _settings(2, noise, photons, contrast, window, known_texture)
+    surface = _surface(2, noise, photons, contrast, window, known_texture)
     per_radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
 
     def focused(spans: Array) -> list[Lens] | None:
@@ -182,7 +179,7 @@ def best_foci(
     def cost(spans: Array) -> float:
         pair = focused(spans)
         try:
-            return math.inf if pair is None else _deviation(pair, metres, pitch, settings)
+            return math.inf if pair is None else _deviation(pair, metres, pitch, surface)
         except WindowError:
             return math.inf
 
@@ -190,7 +187,7 @@ def best_foci(
     first = min(starts, key=cost)
     if not math.isfinite(cost(first)):
         if (pair := focused(starts[0])) is not None:
-            _deviation(pair, metres, pitch, settings)  # raises if the windows are too large
+            _deviation(pair, metres, pitch, surface)  # raises if the windows are too large
         raise ValueError(
             f"no pair of foci determines the distance {metres:g} m: there is no texture, no light, or no focus "
             "distance between the focal length and infinity"
@@ -201,26 +198,34 @@ def best_foci(
     return Foci(pair[0].focus_distance, pair[1].focus_distance, float(found.fun), (pair[0], pair[1]))
 
 
-class _Settings(NamedTuple):
-    """Squared noise over light of each photograph; contrast, window, and whether the texture is known."""
+def _pixel(lenses: Sequence[Lens], pixel: float) -> float:
+    """Return the pitch of pixels on which all of the lenses can be seen, metres."""
+    if not isinstance(lenses, Sequence) or not lenses or not all(isinstance(each, Lens) for each in lenses):
+        raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
+    pitch = validation.pixel(pixel, metric=True)
+    for lens in lenses:
+        if not lens.aberrations.radial or lens.aberrations.shape or lens.spider or lens.vignetting or lens.mask:
+            raise ValueError(
+                "lenses must have radially symmetric aberrations, one set each, and round apertures without spider, "
+                "vignetting and mask"
+            )
+        validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
+    return pitch
 
-    noise: Array
-    contrast: float
-    window: float
-    known: bool
+
+_Surface = tuple[Array, float, float, bool]
+"""Noise over light of each photograph; contrast, window, and whether the texture is known."""
 
 
-def _settings(
+def _surface(
     count: int, noise: Noise, photons: ArrayLike | None, contrast: float, window: float, known: bool
-) -> _Settings:
+) -> _Surface:
     validation.instance("noise", noise, Noise)
     if not all(isinstance(each, float | None) for each in (noise.white, noise.read)):
         raise ValueError("noise must be the same for all pixels: white and read must be numbers")
-    if photons is None:
-        if noise.white is None:
-            raise ValueError("photons must be given, the mean electrons of a pixel, where noise has no white")
-        photons = noise.white
-    light = validation.real_array("photons", photons, least=0.0)
+    if (given := noise.white if photons is None else photons) is None:
+        raise ValueError("photons must be given, the mean electrons of a pixel, where noise has no white")
+    light = validation.real_array("photons", given, least=0.0)
     if light.shape not in ((), (count,)):
         raise ValueError(f"photons must be a number or {count} of them, got shape {light.shape}")
     if light.max() > _MOST_PHOTONS:
@@ -228,51 +233,22 @@ def _settings(
     light = np.broadcast_to(light, count)
     with np.errstate(divide="ignore", invalid="ignore"):
         over = np.where(light > 0.0, noise.variance(light) / light / light, np.inf)
-    return _Settings(
-        over,
-        validation.real("contrast", contrast, least=0.0, below=1e3),
-        validation.real("window", window, least=1.0, below=1e6, unit="pixels"),
-        validation.truth("known_texture", known),
-    )
+    contrast = validation.real("contrast", contrast, least=0.0, below=1e3)
+    window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
+    return np.sqrt(over), contrast, window, validation.truth("known_texture", known)
 
 
-def _round(lenses: Sequence[Lens]) -> list[Lens]:
-    if not isinstance(lenses, Sequence) or not lenses or not all(isinstance(each, Lens) for each in lenses):
-        raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
-    for lens in lenses:
-        if not lens.aberrations.radial or lens.aberrations.shape or lens.spider or lens.vignetting or lens.mask:
-            raise ValueError(
-                "lenses must have radially symmetric aberrations, one set each, and round apertures without spider, "
-                "vignetting and mask"
-            )
-    return list(lenses)
-
-
-def _pixel(pixel: float, lenses: list[Lens]) -> float:
-    pitch = validation.pixel(pixel, metric=True)
-    for lens in lenses:
-        validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
-    return pitch
-
-
-def _deviation(lenses: list[Lens], distance: float, pixel: float, settings: _Settings) -> float:
+def _deviation(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
     """Return the standard deviation of one distance, metres."""
-    information = _information(lenses, distance, pixel, settings)
-    pixels = 4.0 * math.pi * settings.window**2
-    return distance**2 / math.sqrt(information * pixels) if information > 0.0 and distance < math.inf else math.inf
-
-
-def _information(lenses: list[Lens], distance: float, pixel: float, settings: _Settings) -> float:
-    """Return J, metres squared, of a pixel."""
-    if math.isinf(distance) or not settings.contrast or not np.any(np.isfinite(settings.noise)):
-        return 0.0
+    noise, contrast, window, known = surface
+    if math.isinf(distance) or not contrast or not np.any(np.isfinite(noise)):
+        return math.inf
     widest = max(lens.aperture_diameter for lens in lenses)
     step = _STEP * 2.0 * min(lens.wavelength for lens in lenses) / (math.pi * (0.5 * widest) ** 2)
     step = min(step, 0.4 / distance)  # not beyond infinity
     around = 1.0 / (1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0]))
     half = half_window(lenses, around, pixel)
     side = max(_SIDE, 2 * half + 2)
-    noise = np.sqrt(settings.noise)
     value, slope = np.zeros((2, len(lenses), side // 2 + 1, side // 2 + 1))
     for k, lens in enumerate(lenses):
         if math.isfinite(noise[k]):
@@ -280,25 +256,25 @@ def _information(lenses: list[Lens], distance: float, pixel: float, settings: _S
             values = pixel_transfer(lens, around, spectrum, pixel, (side, side), half).astype(np.float64) / noise[k]
             value[k] = values[4]
             slope[k] = (values[0] - values[3] + 8.0 * (values[2] - values[1])) / (12.0 * step)
-    square = squared_frequency((side, side))
-    square[0, 0] = np.inf
-    texture = settings.contrast**2 / _power() / square
+    square, times = _frequencies(side)
+    whole, share = _frequencies(_SIDE)
+    texture = contrast**2 / float((share / whole).sum()) / square
     hh = (value * value).sum(axis=0)
     along = (value * slope).sum(axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
         across = np.where(hh > 0.0, (slope * slope).sum(axis=0) - along**2 / hh, 0.0)
     signal = 1.0 + texture * hh
     terms = texture**2 * hh * np.maximum(across, 0.0) / signal
-    if settings.known:
+    if known:
         terms += 2.0 * (texture * along / signal) ** 2
-    times = multiplicity((side, side))
     total, most = (float((times * part).sum()) for part in (terms, texture * (slope * slope).sum(axis=0)))
-    return total if total > _ROUNDING * most else 0.0
+    if total <= _ROUNDING * most:
+        return math.inf
+    return distance**2 / math.sqrt(total * (4.0 * math.pi * window**2))
 
 
-@lru_cache(maxsize=1)
-def _power() -> float:
-    """Return the mean of 1 / f^2 over the frequencies of structures of 2 to 128 pixels, f in cycles a pixel."""
-    square = squared_frequency((_SIDE, _SIDE))
+def _frequencies(side: int) -> tuple[Array, Array]:
+    """Return the square of each frequency of a texture, the mean left out, and what share of all it stands for."""
+    square = squared_frequency((side, side))
     square[0, 0] = np.inf
-    return float((multiplicity((_SIDE, _SIDE)) / square).sum())
+    return square, multiplicity((side, side))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -262,7 +262,10 @@ def fisher(
     ('object_distance',)
     """
     names = _names(of)
-    light = _light("photons", photons), _light("background", background)
+    flux = validation.real_array("photons", photons, least=0.0)
+    if not np.all(flux > 0.0):
+        raise ValueError(f"photons must be > 0 electrons, got {flux.min():g}")
+    level = validation.real_array("background", background, least=0.0)
     validation.optional("noise", noise, Noise)
     validation.truth("together", together)
     read = np.zeros(validation.image_shape(shape))
@@ -270,21 +273,23 @@ def fisher(
     options: dict[str, Any] = {"method": method, "center": center, "integrate": integrate, "threads": threads}
     tolerances = _TOLERANCES if method is None and tol is None else (tol,)
     plans = [Plan(shape, pixel, tol=each, dtype=np.float64, **options) for each in tolerances]
-    one = isinstance(pupil, BasePupil)
-    pupils = [pupil] if isinstance(pupil, BasePupil) else _several(pupil)
+    one, given = isinstance(pupil, BasePupil), cast("object", pupil)
+    if not one and (not isinstance(given, Sequence) or not given or isinstance(given, str)):
+        raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(pupil)}")
+    pupils = [pupil] if isinstance(pupil, BasePupil) else [imaged(each) for each in pupil]
     answers = [_exactest(plans, each, names) for each in pupils]
-    images = _broadcast("stacks of pupils", [answer.pupil.shape for answer in answers])
-    images = images if one else (len(answers), *images)
-    every = _broadcast("photons, background and images", [*(part.shape for part in light), images])
+    stacks = validation.broadcast("stacks of pupils", *(np.empty(answer.pupil.shape) for answer in answers))
+    images = stacks[0].shape if one else (len(answers), *stacks[0].shape)
+    flux, level, _ = validation.broadcast("photons, background and images", flux, level, np.empty(images))
+    every = flux.shape
     if not one and every[-len(images)] != len(answers):
         raise ValueError(f"photons and background must broadcast with images of shape {images}, got {every}")
-    light_of = np.stack([np.broadcast_to(part, every) for part in light], axis=-1)
     roots, errors = np.empty((*every, len(names), len(names))), np.empty((*every, len(names)))
     for index in np.ndindex(every):
         answer = answers[0 if one else index[-len(images)]]
         own = answer.pupil.shape
         place = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(own) :], own, strict=True))
-        roots[index], errors[index] = _root(answer, place, names, light_of[index], read)
+        roots[index], errors[index] = _root(answer, place, names, float(flux[index]), float(level[index]), read)
     same = () if one else (len(every) - len(images),)
     return _joined(names, roots, errors, tuple(range(len(every))) if together else same)
 
@@ -302,10 +307,9 @@ def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> P
 
 
 def _root(
-    answer: PSF, place: tuple[int, ...], names: tuple[Name, ...], light: Array, read: Array
+    answer: PSF, place: tuple[int, ...], names: tuple[Name, ...], photons: float, background: float, read: Array
 ) -> tuple[Array, Array]:
     """Return a triangular root of the information in one image, and bounds on the errors of its columns."""
-    photons, background = light
     values = answer.values[place]
     peak = float(values.max())
     slack = _EPS if answer.error_bound is None else answer.error_bound
@@ -365,23 +369,3 @@ def _names(of: Sequence[Name]) -> tuple[Name, ...]:
         raise ValueError("of must name at least one parameter, such as 'defocus', got none")
     others = "of, beside 'photons' and 'background',"
     return tuple(dict.fromkeys(name if name in _OWN else checked_names((name,), others)[0] for name in of))
-
-
-def _several(pupils: object) -> Sequence[BasePupil]:
-    if not isinstance(pupils, Sequence) or not pupils or isinstance(pupils, str):
-        raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(pupils)}")
-    return [imaged(pupil) for pupil in pupils]
-
-
-def _light(name: str, value: ArrayLike) -> Array:
-    found = validation.real_array(name, value, least=0.0)
-    if name == "photons" and not np.all(found > 0.0):
-        raise ValueError(f"photons must be > 0 electrons, got {found.min():g}")
-    return found
-
-
-def _broadcast(what: str, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
-    try:
-        return np.broadcast_shapes(*shapes)
-    except ValueError:
-        raise ValueError(f"{what} must broadcast, got shapes {' and '.join(map(str, shapes))}") from None

@@ -14,9 +14,19 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
-from lommel.estimation import scoring
 from lommel.estimation.noise import Noise
-from lommel.estimation.star_images import SURE, StarImages, Unknowns
+from lommel.estimation.star_images import (
+    CERTAIN,
+    STEADY,
+    SURE,
+    Scores,
+    StarImages,
+    Unknowns,
+    changes,
+    climb,
+    covariance,
+    uncertainty,
+)
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name
 from lommel.optics.pupil import Pupil, checked
@@ -30,6 +40,9 @@ if TYPE_CHECKING:
 
 _SPREAD = 1.5  # radians rms of random starts
 _AT_ONCE = 2  # random starts in one stack
+# Starts that agree before the lowest minimum so far counts as the lowest: in 54 simulated sets of images (0.7 to
+# 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, none of the others ended lower.
+_AGREEING = 3
 _VISIBLE = 5.0  # standard errors of its flux that a star exceeds
 _UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
 _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
@@ -223,7 +236,7 @@ def retrieve(
     tol : float, default 1e-6
         Tolerance of the PSFs relative to the peak: less than the noise of 1e10 electrons there.
     starts : int, default 20
-        Maximum number of starts: `pupil`, and random restarts 1.5 radians rms from it while nothing fits.
+        Maximum number of starts: `pupil`, and random restarts 1.5 radians rms from it until a fit is certain.
     steps : int, default 60
         Maximum number of steps from each start.
     seed : int or Generator, default 0
@@ -248,7 +261,8 @@ def retrieve(
     -----
     Fisher scoring with the damping of Levenberg and Marquardt maximizes the likelihood of ``y + read^2 ~ Poisson(mu +
     read^2)`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014), ``mu = flux h + background`` electrons. Restarts
-    follow until chi2 exceeds 1 by no more than three standard deviations; the best fit is accepted up to six.
+    follow until chi2 exceeds 1 by no more than three standard deviations, or by no more than six where three starts
+    end at the lowest minimum, within its standard errors. The best fit is accepted up to six.
 
     Standard errors are the Cramér-Rao bound at the answer. They hold where images are linear in the parameters within
     their uncertainty: not for dim stars on a background, which other wavefronts may fit at the same chi2. Tested with
@@ -274,7 +288,7 @@ def retrieve(
     >>> found.converged, abs(found.coefficients["noll 5"] - 0.4) < 0.01
     (True, True)
     """
-    unknowns = Unknowns.of(terms, also)
+    unknowns = Unknowns(terms, also)
     start = _supported(pupil, unknowns)
     validation.instance("noise", noise, Noise)
     values, valid = _images(images, mask, saturation)
@@ -291,9 +305,14 @@ def retrieve(
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
     plan = Plan(values.shape[1:], pixel, tol=tol, integrate=integrate, threads=threads)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
-    _require_information(model, electrons, valid)
+    if model.tested < 1:
+        raise ValueError(
+            f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
+        )
     first = _centroid_starts(model, electrons, valid)
-    best, tries, taken = None, 0, 0
+    best: Scores | None = None
+    lowest, fits, ends = first[:1], False, first[:0]
+    tries, taken = 0, 0
     while tries < count:
         at_once = 1 if tries == 0 or unknowns.pupil else min(_AT_ONCE, count - tries)
         x = _random_starts(model, first, draw, at_once, tries)
@@ -302,16 +321,20 @@ def retrieve(
             if progress is not None:
                 progress((before + at_once * step / (most + 1)) / count, chi2)
 
-        fits = scoring.climb(model, model.with_light(x), most, report)
-        tries, taken = tries + at_once, taken + int(fits.steps.sum())
-        chi2 = fits.scores.chi2
-        at = int(np.argmin(np.where(fits.settled, chi2, 2.0 * chi2)))
-        if best is None or chi2[at] < best.scores.chi2[0]:
-            best = fits[[at]]
-        if fits.settled[at] and chi2[at] < model.limit(fits.scores, SURE)[at]:
+        x, scores, settled, steps_taken = climb(model, model.with_light(x), most, report)
+        k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
+        if best is None or scores.chi2[k] < best.chi2[0]:
+            best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
+        tries, taken = tries + at_once, taken + steps_taken
+        if settled[k] and scores.chi2[k] < model.limit(scores, SURE)[k]:
             break
-    assert best is not None
-    return _retrieval(model, best, values, noise, (taken, tries))
+        # Noise alone makes a chi2 beyond SURE now and then; starts that agree within the standard errors settle it.
+        ends = np.concatenate([ends, model.nearest(x[settled])])
+        away = ends - lowest
+        agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
+        if fits and best.chi2[0] < model.limit(best)[0] and agreeing.sum() >= _AGREEING:
+            break
+    return _retrieval(model, lowest, fits, values, noise, (taken, tries))
 
 
 def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
@@ -355,20 +378,12 @@ def _images(images: Any, mask: ArrayLike | None, saturation: float | None) -> tu
             raise ValueError(f"mask must be True or False for each pixel of images {raw.shape}, got {out.shape}")
         valid &= ~out
     values[~valid] = 0.0
-    return values, valid
-
-
-def _require_information(model: StarImages, electrons: Array, valid: NDArray[np.bool_]) -> None:
-    """Raise ValueError for images that are empty, constant or too small to fit."""
-    for i, (image, good) in enumerate(zip(electrons, valid, strict=True)):
+    for i, (image, good) in enumerate(zip(values, valid, strict=True)):
         if not good.any():
             raise ValueError(f"images[{i}] must have pixels that are neither masked, saturated nor NaN, got none")
-        if image[good].min() == image[good].max():
-            raise ValueError(f"images[{i}] must show a star, got the value {image[good][0]:g} e everywhere")
-    if model.tested < 1:
-        raise ValueError(
-            f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
-        )
+        if np.ptp(image[good]) == 0.0:
+            raise ValueError(f"images[{i}] must show a star, got the value {image[good][0]:g} everywhere")
+    return values, valid
 
 
 def _centroid_starts(model: StarImages, electrons: Array, valid: NDArray[np.bool_]) -> Array:
@@ -415,19 +430,18 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
 
 
 def _retrieval(
-    model: StarImages, fits: scoring.Fits, values: Array, noise: Noise, tried: tuple[int, int]
+    model: StarImages, x: Array, settled: bool, values: Array, noise: Noise, tried: tuple[int, int]
 ) -> Retrieval:
-    """Return the result of the first of `fits` to images `values`, after so many steps and starts."""
+    """Return the result for parameters `x`, (1, p), of images `values`, after so many steps and starts."""
     steps, starts = tried
-    x = _nearest(model, fits)
     scores = model.scores(x, np.float64)
     psf = model.plan(model.pupils(x))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
     valid = model.valid > 0.0
     residual = np.where(valid, (model.counted - mean) / np.sqrt(model.variance(mean)), np.nan)
-    inverse = scoring.covariance(scores.information[0])
+    inverse = covariance(scores.information[0])
     unknowns, shared, own = model.unknowns, model.shared, model.per_image(x)[0]
-    names, errors = unknowns.shared, np.sqrt(np.diag(inverse))
+    names, errors = model.names, np.sqrt(np.diag(inverse))
     per_pixel = model.tilt_of_pixel / model.magnification(x)
     own_errors: dict[Name, Numbers] = dict(
         zip((*unknowns.places, "flux", "background"), errors[model.own].reshape(-1, model.count), strict=True)
@@ -439,7 +453,7 @@ def _retrieval(
     optics: dict[str, Any] = model.optics_of(x)
     wavefront = model.wavefront(x[0])
     chi2, limit = float(scores.chi2[0]), float(model.limit(scores)[0])
-    settled, visible = bool(fits.settled[0]), own[-2] / own_errors["flux"]
+    visible = own[-2] / own_errors["flux"]
     converged = bool(settled and chi2 < limit and visible.min() >= _VISIBLE)
     doubt = _doubt(model, x, inverse) if converged else ""
     work = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
@@ -489,37 +503,23 @@ def label(name: Name) -> str:
     return f"noll {zernike.index_of(*name, 'noll')} {zernike.name(*name)}"
 
 
-def _nearest(model: StarImages, fits: scoring.Fits) -> Array:
-    """Return the best parameters, or those of the other sign of the even terms, whichever are nearer to the start."""
-    x = fits.x
-    if not model.sign_ambiguous:
-        return x
-    other = model.even_part_negated(x)
-    start = np.pad(model.start, (0, model.size - len(model.start)))
-    far, near = (float(model.rms(part - start)[0]) for part in (x, other))
-    even = next(j for j, row in enumerate(model.directions) if row[model.even].any())
-    if near < far * (1.0 - 1e-6) or (near < far * (1.0 + 1e-6) and other[0, even] > x[0, even]):
-        return other
-    return x
-
-
 def _doubt(model: StarImages, x: Array, inverse: Array) -> str:
     """Return why the standard errors at the answer `x` do not hold, or ""."""
-    error, axes = scoring.uncertainty(model, inverse)
-    if error > scoring.CERTAIN:
+    error, axes = uncertainty(model, inverse)
+    if error > CERTAIN:
         return (
             f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
             "image, and other wavefronts may fit as well"
         )
-    changes = scoring.changes(model, x, inverse, axes)
-    worst = [k for k in np.argsort(-changes) if changes[k] > scoring.STEADY]
+    factors = changes(model, x, inverse, axes)
+    worst = [k for k in np.argsort(-factors) if factors[k] > STEADY]
     if not worst:
         return ""
-    names = ", ".join(label(model.unknowns.shared[k]) for k in worst[:3])
+    names = ", ".join(label(model.names[k]) for k in worst[:3])
     more = f" and {len(worst) - 3} more" if len(worst) > 3 else ""
     return (
         f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the answer "
-        f"they change by a factor of up to {changes[worst[0]]:.3g}"
+        f"they change by a factor of up to {factors[worst[0]]:.3g}"
     )
 
 
@@ -529,7 +529,7 @@ def _ambiguities(model: StarImages, errors: Array) -> str:
     if model.sign_ambiguous:
         text = "; one defocus of all images leaves the common sign of the even terms open: add a second one"
     if unknown.any():
-        shared = zip(model.unknowns.shared, unknown[: model.shared], strict=True)
+        shared = zip(model.names, unknown[: model.shared], strict=True)
         names = ", ".join(label(name) for name, blind in shared if blind)
         text += f"; the images do not determine {names or 'all of their places, fluxes and backgrounds'}"
     return text

@@ -1,10 +1,13 @@
-"""The model of star images that a phase retrieval fits, and the likelihood of measured images under it."""
+"""Star images as a model of wavefront and light, and the search for the parameters of maximum likelihood.
+
+Fisher scoring: damped steps (Levenberg-Marquardt) by Fisher's information, whose inverse there is the covariance.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple, cast
 
@@ -25,9 +28,8 @@ OF_PUPIL = ("f_number", "wavelength", "obscuration")
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
-@dataclass(frozen=True)
 class Unknowns:
-    """The parameters to estimate.
+    """The parameters that `terms` and `also` of :func:`lommel.retrieve` name.
 
     Attributes
     ----------
@@ -43,46 +45,26 @@ class Unknowns:
         "row" and "column" where estimated, one of each image as flux and background are.
     """
 
-    terms: tuple[Name, ...]
-    edge: tuple[Term, ...]
-    directions: Array
-    pupil: tuple[str, ...]
-    places: tuple[str, ...]
-
-    @classmethod
-    def of(cls, terms: int | Sequence[Term | str], also: str | Sequence[str]) -> Unknowns:
-        """Return the parameters that `terms` and `also` of :func:`lommel.retrieve` name."""
+    def __init__(self, terms: int | Sequence[Term | str], also: str | Sequence[str]) -> None:
         extra = (also,) if isinstance(also, str) else also
         if not isinstance(extra, Sequence):
             raise TypeError(f"also must be a sequence of names, got {validation.shown(also)}")
         for name in extra:
             validation.choice("also", name, ("center", *SHIFTS, *OF_PUPIL))
-        named = {*extra} | ({*SHIFTS} if "center" in extra else set())
-        names = _names(terms)
-        shares = [_zernike_terms(name) for name in names]
-        edge = tuple(dict.fromkeys(term for each in shares for term in each))
-        directions = np.zeros((len(names), len(edge)))
-        for row, each in zip(directions, shares, strict=True):
-            row[:] = [each.get(term, 0.0) for term in edge]
-        if names and np.linalg.matrix_rank(directions) < len(names):
+        self.pupil = tuple(name for name in OF_PUPIL if name in extra)
+        self.places = tuple(place for place in SHIFTS if place in extra or "center" in extra)
+        self.terms = _names(terms)
+        shares = [_zernike_terms(name) for name in self.terms]
+        self.edge = tuple(dict.fromkeys(term for each in shares for term in each))
+        directions = np.array([each.get(term, 0.0) for each in shares for term in self.edge])
+        self.directions = directions.reshape(len(shares), len(self.edge))
+        if shares and np.linalg.matrix_rank(self.directions) < len(shares):
             raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
-        places = tuple(place for place in SHIFTS if place in named)
-        for place in places:
-            if SHIFTS[place] in edge:
+        for place in self.places:
+            if SHIFTS[place] in self.edge:
                 raise ValueError(
                     f"terms must be without {SHIFTS[place]} where the {place} of each image is estimated (also)"
                 )
-        return cls(names, edge, directions, tuple(n for n in OF_PUPIL if n in named), places)
-
-    @property
-    def derivatives(self) -> tuple[Name, ...]:
-        """Names of the derivatives of images that are needed."""
-        return (*self.edge, *(SHIFTS[place] for place in self.places), *self.pupil)
-
-    @property
-    def shared(self) -> tuple[Name, ...]:
-        """Names of the parameters that all images share, in their order."""
-        return (*self.terms, *self.pupil)
 
 
 def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
@@ -93,8 +75,6 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     for name in names:
         if isinstance(name, str) and name not in POWERS and " " not in name:
             raise ValueError(f"terms must be those of a wavefront, got {name!r}; pass nuisance parameters as also")
-    if len({*names}) < len(names):
-        raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
     return names
 
 
@@ -124,10 +104,6 @@ class Scores(NamedTuple):
     chi2: Array
     spread: Array
 
-    def of(self, index: NDArray[np.intp] | Sequence[int]) -> Scores:
-        """Return those of some of the sets."""
-        return Scores(*(part[index] for part in self))
-
 
 class StarImages:
     """Star images as functions of a row of parameters: terms, numbers of the pupil, tilts, flux, background.
@@ -152,7 +128,9 @@ class StarImages:
         self.read = np.maximum(self.recorded, _LEAST)
         self.counted = np.where(valid, electrons, 0.0).reshape(count, -1)
         self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
-        self.derivatives = unknowns.derivatives
+        tilts = [SHIFTS[place] for place in unknowns.places]
+        self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
+        self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # of what all images share
         self._question: Asked | None = None
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
@@ -170,28 +148,26 @@ class StarImages:
         self.base[:, 0] += defocus
         halves = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
         self.largest_tilts = [halves[place] * self.tilt_of_pixel for place in unknowns.places]
-        self.tilts = [self.terms.index(SHIFTS[place]) for place in unknowns.places]
+        self.tilts = [self.terms.index(term) for term in tilts]
         # The values of a parameter of single images follow each other.
-        k, pupils, own = len(unknowns.terms), len(unknowns.pupil), len(unknowns.places) + 2
-        self.shared = k + pupils
-        self.size = self.shared + own * count
+        k, self.shared = len(unknowns.terms), len(self.names)
+        self.size = self.shared + (len(unknowns.places) + 2) * count
         self.waves, self.optics = slice(0, k), slice(k, self.shared)
         self.own = slice(self.shared, self.size)
         self._chain = np.zeros((count, self.size, len(self.derivatives) + 2))
         terms = len(unknowns.edge)
         self._phases = terms + len(self.tilts)
         self._chain[:, self.waves, :terms] = unknowns.directions
-        for j in range(pupils):
-            self._chain[:, k + j, self._phases + j] = 1.0
+        self._chain[:, self.optics, self._phases : -2] = np.eye(len(unknowns.pupil))
         for j, row in enumerate([*range(terms, self._phases), -2, -1]):
             self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         self._mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
-        self.sign_ambiguous = self._sign_ambiguous()
 
-    def _sign_ambiguous(self) -> bool:
-        """Return whether the wavefront with the even part of its phase negated has the same images."""
+    @property
+    def sign_ambiguous(self) -> bool:
+        """Whether the wavefront with the even part of its phase negated has the same images."""
         even = self.even * np.vstack([self.directions, self.base])
         missed = even - even @ self._inverse @ self.directions
         one = np.ptp(self.base * self.even, axis=0).max() == 0.0
@@ -203,6 +179,18 @@ class StarImages:
         even = self.even * (self.base[0] + x[:, self.waves] @ self.directions)
         other[:, self.waves] -= 2.0 * even @ self._inverse
         return other
+
+    def nearest(self, x: Array) -> Array:
+        """Return parameters, or those of the other sign of the even terms, whichever are nearer to the start."""
+        if not self.sign_ambiguous:
+            return x
+        other = self.even_part_negated(x)
+        start = np.pad(self.start, (0, self.size - len(self.start)))
+        far, near = (self.rms(part - start) for part in (x, other))
+        even = next(j for j, row in enumerate(self.directions) if row[self.even].any())
+        alike = near < far * (1.0 + 1e-6)
+        swap = (near < far * (1.0 - 1e-6)) | (alike & (other[:, even] > x[:, even]))
+        return np.where(swap[:, None], other, x)
 
     def wavefront(self, x: Array) -> Wavefront:
         """Return the wavefront for parameters `x`, shape (p,), without tilts and known defoci."""
@@ -285,7 +273,11 @@ class StarImages:
         rows[:, :, -1] = small
         local = rows @ residual.astype(dtype)[..., None]
         squares = rows @ rows.swapaxes(-1, -2)
-        chain = self.chain(x)
+        # Derivatives of images by parameters, over those of PSFs, flux and background.
+        factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
+        factors[..., :-2] = self.per_image(x)[:, -2, :, None, None]
+        factors[..., : self._phases] *= self.ratio(self.optics_of(x))
+        chain = self._chain * factors
         slope = (chain @ local)[..., 0].sum(axis=1)
         information = (chain @ squares @ chain.swapaxes(-1, -2)).sum(axis=1)
         return Scores(deviance, slope, information, chi2, scatter / expected)
@@ -304,13 +296,6 @@ class StarImages:
     def limit(self, scores: Scores, deviations: float = MOST) -> Array:
         """Return the largest chi2 within so many standard deviations of its expectation."""
         return 1.0 + deviations * scores.spread
-
-    def chain(self, x: Array) -> Array:
-        """Return the derivatives of images by parameters over those of PSFs, flux and background, (s, n, p, rows)."""
-        factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
-        factors[..., :-2] = self.per_image(x)[:, -2, :, None, None]
-        factors[..., : self._phases] *= self.ratio(self.optics_of(x))
-        return self._chain * factors
 
     def with_light(self, x: Array) -> Array:
         """Return the parameters with flux and background from linear least squares."""
@@ -343,3 +328,128 @@ class StarImages:
         """Return the rms phase of steps of the parameters, without tilts, radians, shape (s,)."""
         edge = steps[:, self.waves] @ self.directions
         return np.asarray(np.sqrt((edge * edge) @ self._mean_squares))
+
+
+_SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
+_FAR = 2.0  # radians rms: no step changes the wavefront by more
+_DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and where a search gives up
+_STRETCH = 16.0  # times the length of a step, at most
+_IDLE = 1e-4  # of the excess deviance: steps that gain less lead to a local minimum that does not fit
+_PATIENCE = 3  # such steps one after the other
+
+
+def climb(
+    model: StarImages, x: Array, most: int, report: Callable[[int, float], object]
+) -> tuple[Array, Scores, NDArray[np.bool_], int]:
+    """Take damped steps from starts `x` until they settle or one fits; `report` gets number and best chi2.
+
+    Return the ends, their scores, whether they settled, and the number of all steps.
+    """
+    # Steps grow where the last one gained nearly all that its slope promised: far from the answer the information
+    # overstates the curvature of the likelihood.
+    count = len(x)
+    now = model.scores(x)
+    damping, stretch = np.full(count, _DAMPING[0]), np.ones(count)
+    settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
+    taken, idle = 0, np.zeros(count, dtype=int)
+    for turn in range(most + 1):
+        report(turn, float(now.chi2.min()))
+        at = np.flatnonzero(moving)
+        there = now if at.size == count else Scores(*(part[at] for part in now))
+        step = damped(there.information, there.slope, damping[at])
+        promised = np.einsum("si,si->s", step, there.slope)
+        done = (promised < _SETTLED) & (damping[at] <= 1.0)
+        settled[at] = done
+        moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)
+        if turn == most or not moving.any() or (done & (there.chi2 < model.limit(there, SURE))).any():
+            break
+        go = moving[at]
+        at, step, promised = at[go], step[go], promised[go]
+        reach = np.minimum(stretch[at], _FAR / np.maximum(model.rms(step), 1e-300))
+        tried = model.within(x[at] + reach[:, None] * step, x[at])
+        new = model.scores(tried)
+        taken += at.size
+        gain = now.deviance[at] - new.deviance
+        promised *= reach
+        better = gain > 0.0
+        stretched = stretch[at] > 1.0
+        straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
+        longer = np.minimum(2.0 * np.maximum(reach, 1.0), _STRETCH)
+        stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
+        damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
+        np.maximum(damping, _DAMPING[1], out=damping)
+        slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - model.limit(now)[at]))
+        idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))
+        x[at[better]] = tried[better]
+        for mine, theirs in zip(now, new, strict=True):
+            mine[at[better]] = theirs[better]
+    return x, now, settled, taken
+
+
+def damped(information: Array, slope: Array, damping: Array) -> Array:
+    """Return Levenberg-Marquardt steps (s, p) for information (s, p, p), slopes (s, p) and dampings (s,)."""
+    scale = deviations(information)
+    matrix = information / (scale[:, :, None] * scale[:, None, :])
+    diagonal = np.arange(scale.shape[-1])
+    matrix[:, diagonal, diagonal] += damping[:, None]
+    return np.asarray(np.linalg.solve(matrix, (slope / scale)[..., None])[..., 0] / scale)
+
+
+def covariance(information: Array) -> Array:
+    """Return the inverse (p, p) of an information matrix, with infinite variances of undetermined parameters."""
+    scale = deviations(information[None])[0]
+    values, vectors = np.linalg.eigh(information / np.outer(scale, scale))
+    # Derivatives in error by 1e-6 of the peak make of an eigenvalue 0 one as small as this.
+    blind = values < 1e-10
+    unknown = (np.abs(vectors[:, blind]) > 1e-3).any(axis=1)
+    values = np.where(blind, np.inf, values)
+    found = (vectors / values) @ vectors.T / np.outer(scale, scale)
+    found[unknown] = found[:, unknown] = 0.0
+    found[unknown, unknown] = np.inf
+    return np.asarray(found)
+
+
+def deviations(information: Array) -> Array:
+    """Return the roots (s, p) of the diagonal of information (s, p, p), or 1 where that is 0."""
+    diagonal = np.einsum("sii->si", information)
+    return np.where(diagonal > 0.0, np.sqrt(diagonal), 1.0)
+
+
+CERTAIN = 0.25
+"""Radians rms: where phases are known less well, other minima of the likelihood are often as deep."""
+
+STEADY = 1.125
+"""Factor by which a standard error may change within one standard deviation of the answer."""
+
+
+def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
+    """Return the largest rms error of the phase of an image, radians, and the principal axes (k, p) of a covariance.
+
+    Each axis is one standard deviation long; parameters of infinite variance are held.
+    """
+    known = np.isfinite(np.diag(inverse))
+    scale = np.sqrt(np.diag(inverse)[known])
+    values, vectors = np.linalg.eigh(inverse[np.ix_(known, known)] / np.outer(scale, scale))
+    # An eigenvector has no sign: its largest component is made positive.
+    vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
+    axes = np.zeros((len(values), model.size))
+    axes[:, known] = (vectors * np.sqrt(np.maximum(values, 0.0))).T * scale
+    # The mean square of a tilt over the pupil is a quarter of that at its edge.
+    tilts = 0.25 * (model.per_image(axes)[:, : len(model.tilts)] ** 2).sum(axis=(0, 1))
+    return float(np.sqrt((model.rms(axes) ** 2).sum() + tilts.max())), axes
+
+
+def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
+    """Return the factor by which the standard error of each shared parameter changes near the answer `x`, (1, p)."""
+    # The geometric rms of those at two opposite points, one standard deviation away along all principal axes.
+    found = np.ones(model.shared)
+    known = np.isfinite(np.diag(inverse)[: model.shared])
+    if known.any():
+        points = [model.within(x + step, x) for step in (axes.sum(axis=0), -axes.sum(axis=0))]
+        # A stack of pupils has one f-number, wavelength and obscuration.
+        stacks = points if model.unknowns.pupil else [np.concatenate(points)]
+        squares = [one for stack in stacks for one in model.scores(stack, np.float64).information]
+        there = np.array([np.diag(covariance(one))[: model.shared][known] for one in squares])
+        ratios = 0.5 * np.log(there / np.diag(inverse)[: model.shared][known])
+        found[known] = np.exp(np.sqrt((ratios**2).mean(axis=0)))
+    return found

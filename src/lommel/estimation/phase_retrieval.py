@@ -30,8 +30,7 @@ from lommel.estimation.star_images import (
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name
 from lommel.optics.pupil import Pupil, checked
-from lommel.optics.wavefront.coefficients import radians_per
-from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
 from lommel.special import zernike
 

@@ -20,8 +20,7 @@ from lommel.base.options import near
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import code_v, registry, text_files
 from lommel.io.registry import Format
-from lommel.optics.wavefront.coefficients import NORMALIZATIONS
-from lommel.optics.wavefront.wavefront import Wavefront, same_path
+from lommel.optics.wavefront.wavefront import NORMALIZATIONS, Wavefront, same_path
 from lommel.special import zernike
 
 Index: TypeAlias = int | tuple[int, int]

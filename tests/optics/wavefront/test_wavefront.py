@@ -111,7 +111,7 @@ def test_rotation_and_scaling_broadcast_with_stacks():
     assert stack.scaled(np.array([[0.5], [1.0]])).shape == (2, 3)
     np.testing.assert_allclose(stack.scaled(np.array([[0.5], [1.0]]))[1].phase(RHO, 0.3), stack.phase(RHO, 0.3))
     for call in (stack.rotated, stack.scaled):
-        with pytest.raises(ValueError, match=r"must broadcast with the stack, got \(2,\) and \(3,\)"):
+        with pytest.raises(ValueError, match=r"and the stack must broadcast, got shapes .*\(2,\).*\(3,\)"):
             call(np.array([0.5, 0.6]))
 
 
@@ -143,7 +143,7 @@ def test_a_wavefront_is_radial_where_no_other_term_is_left():
 def test_a_description_with_a_term_twice_is_refused():
     description = Wavefront(1.0, nonradial={(3, 1): 2.0}).to_dict()
     description["nonradial"] *= 2
-    with pytest.raises(ValueError, match=r"\(3, 1\) twice"):
+    with pytest.raises(ValueError, match=r"once, got \[\(3, 1\), \(3, 1\)\]"):
         Wavefront.from_dict(description)
 
 

@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.wavefront.coefficients import radians_per
-from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront
+from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
 
 MAX_RADIAL = 2 * (2 + MAX_HIGHER)

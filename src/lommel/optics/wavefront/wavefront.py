@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from os import PathLike
@@ -16,8 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import display, validation
 from lommel.base.arrays import Array, Index, Json
 from lommel.base.cached import cached_property, made
-from lommel.optics.wavefront import coefficients as conversions
-from lommel.optics.wavefront.coefficients import Term, coefficients, radians_per
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -26,11 +24,51 @@ if TYPE_CHECKING:
 _FAR = 1e3  # the pupil ends at 1; beyond this, powers of rho overflow
 MAX_HIGHER = 8
 """Most coefficients beyond rho^4."""
+UNITS = ("radians", "waves", "metres")
+NORMALIZATIONS = ("rms", "edge")
+Term = tuple[int, int]
+"""n and m of a Zernike polynomial; m > 0 is the cosine of m theta, m < 0 the sine."""
+_FRAMEWORKS = {"jax": "JAX", "jaxlib": "JAX", "torch": "PyTorch", "cupy": "CuPy"}
 
 
-@lru_cache(maxsize=64)
-def _symmetric(terms: tuple[Term, ...]) -> int:
-    return sum(m == 0 for _, m in terms)
+def _coefficients(name: str, value: ArrayLike) -> Array:
+    """Return coefficients as an array; TypeError for a tensor, which would lose its gradients unnoticed."""
+    framework = _FRAMEWORKS.get(type(value).__module__.partition(".")[0])
+    if framework is not None:
+        raise TypeError(
+            f"{name} must be numbers or an array of NumPy, got one of {framework}, whose gradients would end here: "
+            "lommel.Plan(...).traced(pupils, xp) makes PSFs of it within that framework; np.asarray(...) leaves it"
+        )
+    return validation.real_array(name, value)
+
+
+def radians_per(unit: str, wavelength: float | None) -> float:
+    """Return the radians of phase of one `unit`: of phase, of waves, or of metres of optical path."""
+    validation.choice("unit", unit, UNITS)
+    if wavelength is not None:
+        wavelength = validation.wavelength(wavelength)
+    if unit != "metres":
+        return 1.0 if unit == "radians" else 2.0 * math.pi
+    if wavelength is None:
+        raise ValueError('unit="metres" needs the wavelength, in metres')
+    return 2.0 * math.pi / wavelength
+
+
+def common_shape(what: str, parts: Mapping[Any, Array | Wavefront]) -> tuple[int, ...]:
+    """Return the shape that arrays and stacks broadcast to; ValueError with their shapes by name otherwise."""
+    try:
+        return np.broadcast_shapes(*[part.shape for part in parts.values()])
+    except ValueError:
+        shapes = {name: part.shape for name, part in parts.items() if part.shape}
+        raise ValueError(f"{what} must broadcast, got shapes {shapes}") from None
+
+
+def _columns(parts: Collection[ArrayLike], shape: tuple[int, ...]) -> Array:
+    """Return arrays broadcast to a shape, beside each other along a new last axis."""
+    out = np.empty((*shape, len(parts)))
+    for k, part in enumerate(parts):
+        out[..., k] = part
+    return out
 
 
 @lru_cache(maxsize=64)
@@ -50,7 +88,7 @@ _PARABOLA = symmetric_terms(2)
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Wavefront:
+class Wavefront(display.Shown):
     r"""The phase across the pupil, radians: ``2 C_d rho^2 + C_s rho^4 + c_6 rho^6 + ...`` and Zernike terms.
 
     rho is the pupil radius over its maximum, 0 to 1; theta the angle from the direction of rising columns (x) to
@@ -106,8 +144,6 @@ class Wavefront:
     edge: Array
     error: float
     shape: tuple[int, ...]
-    # How many of the terms, the first, are radially symmetric: those of n = 2, 4, ...
-    symmetric: int = field(repr=False)
     # Coefficients of rho^2, rho^4, ... where they were given so, to return them without rounding.
     _powers: Array | None = field(repr=False)
 
@@ -129,24 +165,23 @@ class Wavefront:
             raise TypeError(f"higher must be a sequence of coefficients, got {validation.shown(higher)}")
         if len(higher) > MAX_HIGHER:
             raise ValueError(f"higher must hold at most {MAX_HIGHER} coefficients, got {len(higher)}")
-        with np.errstate(over="ignore"):
-            double = 2.0 * coefficients("defocus", defocus)
-        columns = [validation.real_array("twice the defocus", double), coefficients("spherical", spherical)]
-        columns += [coefficients(f"higher[{i}]", c) for i, c in enumerate(higher)]
-        others = {} if nonradial is None else _checked_nonradial(nonradial)
-        shapes = [c.shape for c in (*columns, *others.values())]
-        try:
-            shape = np.broadcast_shapes(*shapes)
-        except ValueError:
-            raise ValueError(
-                f"defocus, spherical, higher and nonradial must broadcast, got shapes {shapes}"
-            ) from None
-        powers, edge = np.empty((*shape, len(columns))), np.empty((*shape, len(shapes)))
-        for k, c in enumerate(columns):
-            powers[..., k] = c
-        for j, c in enumerate(others.values(), len(columns)):
-            edge[..., j] = c
-        self._set((*symmetric_terms(len(columns)), *others), edge, validation.real("error", error, least=0.0), powers)
+        if nonradial is not None and not isinstance(nonradial, Mapping):
+            raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(nonradial)}")
+        with np.errstate(over="ignore"):  # refused where twice the defocus is not finite
+            columns: dict[Any, Array] = {"defocus": np.asarray(2.0 * _coefficients("defocus", defocus))}
+        columns["spherical"] = _coefficients("spherical", spherical)
+        for i, c in enumerate(higher):
+            columns[f"higher[{i}]"] = _coefficients(f"higher[{i}]", c)
+        others: dict[Term, Array] = {}
+        for key, c in (nonradial or {}).items():
+            n, m = zernike.term(key, "nm")
+            if m == 0:
+                raise ValueError(f"nonradial must hold terms with m != 0, got {(n, m)}; Wavefront.zernike takes all")
+            others[n, m] = _coefficients(f"nonradial[{n}, {m}]", c)
+        parts = columns | dict(sorted(others.items()))
+        edge = _columns(parts.values(), common_shape("defocus, spherical, higher and nonradial", parts))
+        powers, error = edge[..., : len(columns)].copy(), validation.real("error", error, least=0.0)
+        self._set((*symmetric_terms(len(columns)), *sorted(others)), edge, error, powers)
 
     def _set(self, terms: tuple[Term, ...], edge: Array, error: float, powers: Array | None) -> None:
         """Take checked arrays; where `powers` of rho are given, write the radial terms into `edge`."""
@@ -162,8 +197,7 @@ class Wavefront:
         if powers is not None:
             powers.flags.writeable = False
         # As object.__setattr__ would, but all at once.
-        shape, symmetric = edge.shape[:-1], _symmetric(terms)
-        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=shape, symmetric=symmetric)
+        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=edge.shape[:-1])
 
     @classmethod
     def trusted(cls, terms: tuple[Term, ...], edge: Array, error: float = 0.0, powers: Array | None = None) -> Self:
@@ -178,18 +212,12 @@ class Wavefront:
 
         ValueError if the coefficients do not broadcast.
         """
-        try:
-            # With the constant, lest a stack whose terms are all constant lose its axes.
-            shape = np.broadcast_shapes(*(c.shape for c in given.values()))
-        except ValueError:
-            shapes = {term: c.shape for term, c in given.items()}
-            raise ValueError(f"the coefficients of the terms (n, m) must broadcast, got shapes {shapes}") from None
+        # With the constant, lest a stack whose terms are all constant lose its axes.
+        shape = common_shape("the coefficients of the terms (n, m)", given)
         radial = [n // 2 for (n, m), c in given.items() if m == 0 and n > 0 and np.any(c)]
         count = max([2, *radial])
         terms = (*symmetric_terms(count), *sorted(term for term in given if term[1]))
-        edge = np.zeros((*shape, len(terms)))
-        for j, term in enumerate(terms):
-            edge[..., j] = given.get(term, 0.0)
+        edge = _columns([given.get(term, 0.0) for term in terms], shape)
         return cls.trusted(terms, edge, error, None if radial else np.zeros((*shape, count)))
 
     @classmethod
@@ -254,7 +282,22 @@ class Wavefront:
         >>> Wavefront.zernike({7: 0.1}, order="noll", unit="waves").nonradial[3, -1]
         array(1.77715318)
         """
-        found = conversions.from_zernike(terms, order, radians_per(unit, wavelength), normalization)
+        scale = radians_per(unit, wavelength)
+        validation.choice("normalization", normalization, NORMALIZATIONS)
+        try:
+            pairs = [(index, value) for index, value in (terms.items() if isinstance(terms, Mapping) else terms)]
+        except (TypeError, ValueError):
+            raise TypeError(
+                f"terms must map indices to coefficients, or be pairs of them, got {validation.shown(terms)}"
+            ) from None
+        found: dict[Term, Array] = {}
+        for index, value in pairs:
+            n, m = zernike.term(index, order)
+            if (n, m) in found:
+                raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), comes twice")
+            given = _coefficients(f"the Zernike coefficient {index!r}", value)
+            with np.errstate(over="ignore"):  # refused below where not finite
+                found[n, m] = scale * _edge_factor((n, m), normalization) * given
         return cls.from_edge(found, validation.real("error", error, least=0.0))
 
     def to_zernike(
@@ -267,11 +310,11 @@ class Wavefront:
         (Fringe ends with 37).
         """
         scale = radians_per(unit, wavelength)
-        validation.choice("normalization", normalization, conversions.NORMALIZATIONS)
+        validation.choice("normalization", normalization, NORMALIZATIONS)
         found = {}
         for (n, m), c in self.edge_terms().items():
             if np.any(c):
-                factor = scale * conversions.edge_factor((n, m), normalization)
+                factor = scale * _edge_factor((n, m), normalization)
                 found[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
         return found
 
@@ -329,7 +372,30 @@ class Wavefront:
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
-        return cls(*conversions.from_seidel(waves, field))
+        with np.errstate(over="ignore"):  # what overflows in radians becomes infinite, and is refused
+            radians = {name: 2 * math.pi * _coefficients(name, value) for name, value in waves.items()}
+        w = {name: validation.real_array(name, value) for name, value in radians.items()}
+        if not isinstance(field, tuple | list) or len(field) != 2:
+            raise TypeError(f"field must be a pair (x, y), got {validation.shown(field)}")
+        x, y = validation.real_array("field[0]", field[0]), validation.real_array("field[1]", field[1])
+        shape = common_shape("the coefficients and field", w | {"field[0]": x, "field[1]": y})
+        higher = [w["W060"], w["W080"]]
+        while higher and not np.any(higher[-1]):
+            higher.pop()
+        square = x * x + y * y
+        defocus = w["W020"] + (w["W220"] + 0.5 * w["W222"]) * square
+        # rho^3 cos = (R_3^1 cos + 2 rho cos) / 3, and H^2 rho^2 cos^2 = H^2 rho^2 / 2 + H^2 rho^2 cos(2 phi) / 2.
+        tilt = 2.0 / 3.0 * w["W131"] + w["W311"] * square
+        others = {
+            (1, 1): tilt * x,
+            (1, -1): tilt * y,
+            (3, 1): w["W131"] / 3.0 * x,
+            (3, -1): w["W131"] / 3.0 * y,
+            (2, 2): 0.5 * w["W222"] * (x * x - y * y),
+            (2, -2): w["W222"] * x * y,
+        }
+        nonradial = {term: c for term, c in others.items() if np.any(c)}
+        return cls(np.broadcast_to(0.5 * defocus, shape), w["W040"], higher, nonradial)
 
     @classmethod
     def balanced_spherical(cls, rms: ArrayLike, obscuration: float = 0.0) -> Self:
@@ -383,6 +449,11 @@ class Wavefront:
         """Coefficients of the other terms, radians at the edge, by (n, m)."""
         others = enumerate(self.terms[self.symmetric :], self.symmetric)
         return MappingProxyType({term: np.asarray(self.edge[..., j]) for j, term in others})
+
+    @cached_property
+    def symmetric(self) -> int:
+        """Number of radially symmetric terms, the first: those of n = 2, 4, ..."""
+        return sum(m == 0 for _, m in self.terms)
 
     @property
     def radial(self) -> bool:
@@ -474,10 +545,7 @@ class Wavefront:
         """Return the sum of two wavefronts."""
         if not isinstance(other, Wavefront):
             return NotImplemented
-        try:
-            shape = np.broadcast_shapes(self.shape, other.shape)
-        except ValueError:
-            raise ValueError(f"wavefronts must broadcast to add, got shapes {self.shape} and {other.shape}") from None
+        shape = common_shape("wavefronts to add", {"first": self, "second": other})
         terms = self.terms
         if other.terms != terms:
             others = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
@@ -525,15 +593,11 @@ class Wavefront:
 
     def __eq__(self, other: object) -> bool:
         """Return whether shapes, coefficients and errors are equal."""
-        if not isinstance(other, Wavefront):
-            return NotImplemented
-        if self.shape != other.shape or self.error != other.error:
-            return False
-        return self._content() == other._content()
+        return self._content() == other._content() if isinstance(other, Wavefront) else NotImplemented
 
     def _content(self) -> tuple[object, ...]:
-        """Return the coefficients without terms that are zero throughout, and without signs of zeros."""
-        return self.shape, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
+        """Return shape, error and coefficients, without terms that are zero throughout and signs of zeros."""
+        return self.shape, self.error, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
 
     def __hash__(self) -> int:
         """Hash what :meth:`__eq__` compares."""
@@ -574,13 +638,6 @@ class Wavefront:
             total += c.reshape(self.shape + at) * zernike.polynomial(n, m, r, angle)
         return total
 
-    def _shape_with(self, name: str, each: Array) -> tuple[int, ...]:
-        """Return the shape that the stack and an argument of a method broadcast to."""
-        try:
-            return np.broadcast_shapes(self.shape, each.shape)
-        except ValueError:
-            raise ValueError(f"{name} must broadcast with the stack, got {each.shape} and {self.shape}") from None
-
     def rotated(self, angle: ArrayLike) -> Self:
         """Return the wavefront rotated by an `angle`, radians from x towards y: clockwise in a picture.
 
@@ -588,23 +645,18 @@ class Wavefront:
         rounding. Angles broadcast with the stack; TypeError or ValueError if they are not finite or do not broadcast.
         """
         turn = validation.real_array("angle", angle)
-        shape = self._shape_with("angle", turn)
+        shape = common_shape("angle and the stack", {"angle": turn, "the stack": self})
         here = self if shape == self.shape else self.broadcast(shape)
         turned = zernike.rotated(dict(self.nonradial), turn)
         terms = (*self.terms[: self.symmetric], *sorted(turned))
-        columns = np.moveaxis(here.edge, -1, 0)[: self.symmetric]
-        edge = np.stack([*columns, *(turned[t] for t in sorted(turned))], axis=-1)
+        edge = _columns([turned[term] if term[1] else here.edge[..., j] for j, term in enumerate(terms)], shape)
         return self.trusted(terms, edge, self.error, here._powers)
 
     def flipped(self, axis: str) -> Self:
         """Return the mirror image, exactly: `axis` "x" exchanges left and right, "y" up and down; else ValueError."""
         validation.choice("axis", axis, ("x", "y"))
-
-        def sign(m: int) -> float:
-            # theta -> -theta for "y", pi - theta for "x".
-            return (1.0 if m > 0 else -1.0) * (-1.0 if axis == "x" and m % 2 else 1.0)
-
-        signs = np.array([sign(m) if m else 1.0 for _, m in self.terms])
+        # theta -> -theta for "y", pi - theta for "x".
+        signs = np.array([(-1.0 if m < 0 else 1.0) * (-1.0 if axis == "x" and m % 2 else 1.0) for _, m in self.terms])
         return self.trusted(self.terms, signs * self.edge, self.error, self._powers)
 
     def scaled(self, radius: ArrayLike) -> Self:
@@ -622,17 +674,14 @@ class Wavefront:
         if not np.all((eps > 0.0) & (eps <= 1.0)):
             bad = eps[~((eps > 0.0) & (eps <= 1.0))].flat[0]
             raise ValueError(f"radius must be > 0 and <= 1, got {bad:g}")
-        shape = self._shape_with("radius", eps)
+        shape = common_shape("radius and the stack", {"radius": eps, "the stack": self})
         found = zernike.scaled(self.edge_terms(), np.broadcast_to(eps, shape))
         terms = (*symmetric_terms(self.symmetric), *sorted(term for term in found if term[1]))
-        edge = np.stack([np.broadcast_to(found[term], shape) for term in terms], axis=-1)
+        edge = _columns([found[term] for term in terms], shape)
         powers = None
         if self._powers is not None:
             powers = self._powers * eps[..., None] ** (2.0 * np.arange(1, 1 + self.symmetric))
         return self.trusted(terms, edge, self.error, powers)
-
-    def _repr_html_(self) -> str:
-        return display.html(self)
 
     def __repr__(self) -> str:
         if self._powers is None:
@@ -670,10 +719,12 @@ class Wavefront:
         """Rebuild a wavefront from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
         parts = dict(description)
         if "terms" in parts:
-            found = {zernike.check_term(n, m): c for (n, m), c in _once("terms", parts.pop("terms")).items()}
-            checked = {(n, m): validation.real_array(f"terms[{n}, {m}]", c) for (n, m), c in found.items()}
-            return cls.from_edge(checked, validation.real("error", parts.pop("error", 0.0), least=0.0), **parts)
-        others = _once("nonradial", parts.pop("nonradial", []))
+            given = [((n, m), c) for n, m, c in parts.pop("terms")]
+            return cls.zernike(given, normalization="edge", **parts)
+        listed = parts.pop("nonradial", [])
+        others = {(n, m): c for n, m, c in listed}
+        if len(others) < len(listed):
+            raise ValueError(f"nonradial must hold each term (n, m) once, got {[(n, m) for n, m, _ in listed]}")
         return cls(**parts, nonradial=others)
 
 
@@ -681,25 +732,9 @@ def _once_or_all(value: Array) -> Any:
     return float(value.flat[0]) if value.min() == value.max() else value.tolist()
 
 
-def _once(name: str, listed: Iterable[Sequence[Any]]) -> dict[Term, Any]:
-    terms: dict[Term, Any] = {}
-    for n, m, value in listed:
-        if (n, m) in terms:
-            raise ValueError(f"{name} holds the term (n, m) = ({n}, {m}) twice")
-        terms[n, m] = value
-    return terms
-
-
-def _checked_nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[Term, Array]:
-    if not isinstance(terms, Mapping):
-        raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(terms)}")
-    found: dict[Term, Array] = {}
-    for key in terms:
-        n, m = zernike.term(key, "nm")
-        if m == 0:
-            raise ValueError(f"nonradial must hold terms with m != 0, got {(n, m)}; Wavefront.zernike takes all")
-        found[n, m] = coefficients(f"nonradial[{n}, {m}]", terms[key])
-    return dict(sorted(found.items()))
+def _edge_factor(term: Term, normalization: str) -> float:
+    """Return the value at the edge of the pupil of a term with the coefficient 1."""
+    return zernike.rms_factor(*term) if normalization == "rms" else 1.0
 
 
 def _listed(terms: Mapping[Term, Array]) -> str:

@@ -100,9 +100,7 @@ class OPDMap:
         return np.array(self.values, dtype=dtype, copy=copy)
 
     def __repr__(self) -> str:
-        known = [
-            f"{name} {value:g} m" for name in ("spacing", "wavelength") if (value := getattr(self, name)) is not None
-        ]
+        known = [f"{name} {at:g} m" for name in ("spacing", "wavelength") if (at := getattr(self, name)) is not None]
         size = "x".join(map(str, self.values.shape))
         return f"<OPDMap {', '.join([size, f'{self.mask.mean():.1%} measured', *known])}>"
 
@@ -189,7 +187,7 @@ def fit_radial(
         If values are not finite, too few or too close together to determine the terms, or fitted worse than `tol`.
     """
     scale = radians_per(unit, wavelength)
-    limit = _tolerance(tol)
+    limit = math.inf if tol is None else validation.real("tol", tol, above=0.0)
     highest = validation.integer("degree", degree, least=2, most=MAX_RADIAL)
     if highest % 2:
         raise ValueError(f"degree must be even, since rho comes in even powers, got {highest}")
@@ -262,27 +260,36 @@ def fit_opd(
     """
     opd, unit, wavelength = plain(opd, unit, wavelength)
     scale = radians_per(unit, wavelength)
-    limit = _tolerance(tol)
+    limit = math.inf if tol is None else validation.real("tol", tol, above=0.0)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
-    maps, mask = _maps(opd, mask)
+    maps, valid = _maps(opd, mask)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
-    inside = x * x + y * y <= 1.0
-    valid = _valid(maps, mask, inside)
+    used = valid & (x * x + y * y <= 1.0)
+    bad = np.argwhere(used & ~np.isfinite(maps))
+    if len(bad):
+        listed = ", ".join(str(tuple(place.tolist())) for place in bad[:3]) + (", ..." if len(bad) > 3 else "")
+        raise ValueError(f"opd must be finite inside the mask, got NaN or infinity at {len(bad)} pixels: {listed}")
+    if not used.any(axis=(-2, -1)).all():
+        of = "opd" if mask is None else "mask"
+        raise ValueError(f"{of} must leave samples inside the pupil of every map, got none")
     terms = [(n, m) for n in range(highest + 1) for m in range(-n, n + 1, 2)]
-    stack = maps.shape[:-2]
-    flat, used = maps.reshape(-1, height, width), valid.reshape(-1, height, width)
+    flat = maps.reshape(-1, height, width)
     coefficients = np.empty((len(flat), len(terms)))
     residual = np.full(flat.shape, np.nan)
     condition = 1.0
-    for where, members in _groups(used):
+    alike: dict[bytes, list[int]] = {}  # maps with the same samples
+    for i, pattern in enumerate(used.reshape(flat.shape)):
+        alike.setdefault(np.packbits(pattern).tobytes(), []).append(i)
+    for members in alike.values():
+        where = used.reshape(flat.shape)[members[0]]
         rho, theta = np.hypot(x[where], y[where]), np.arctan2(y[where], x[where])
         found, left, worst = _least_squares(rho, theta, flat[members][:, where], terms)
         coefficients[members] = found
         for member, rest in zip(members, left, strict=True):
             residual[member][where] = rest
         condition = max(condition, worst)
-    return _finish(terms, coefficients, residual, condition, stack, unit, scale, limit)
+    return _finish(terms, coefficients, residual, condition, maps.shape[:-2], unit, scale, limit)
 
 
 def opd_map(
@@ -400,17 +407,18 @@ def _finish(
     )
 
 
-def _tolerance(tol: float | None) -> float:
-    return math.inf if tol is None else validation.real("tol", tol, above=0.0)
-
-
-def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, ArrayLike | None]:
-    """Return the maps, and where they count: the mask that is given, less what the maps mask themselves."""
-    if isinstance(opd, np.ma.MaskedArray) and np.ma.is_masked(opd):
-        bare = ~np.ma.getmaskarray(opd)
-        mask = bare if mask is None else _truths(mask, bare.shape) & bare
-        opd = np.asarray(opd.data)
-    return _real_maps("opd", opd), mask
+def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.bool_]]:
+    """Return maps, and where they count: in the mask or else where not NaN, less what a masked array hides."""
+    hidden = np.ma.getmaskarray(opd) if isinstance(opd, np.ma.MaskedArray) and np.ma.is_masked(opd) else None
+    maps = _real_maps("opd", opd if hidden is None else np.asarray(np.ma.getdata(opd)))
+    if mask is None:
+        return maps, ~np.isnan(maps) if hidden is None else ~hidden
+    given = validation.array("mask", mask)
+    if given.dtype != np.bool_:
+        raise TypeError(f"mask must hold booleans, got an array of {given.dtype}")
+    if given.shape not in (maps.shape[-2:], maps.shape):
+        raise ValueError(f"mask must have the shape {maps.shape[-2:]} or that of opd, got {given.shape}")
+    return maps, np.broadcast_to(given, maps.shape) & (True if hidden is None else ~hidden)
 
 
 def _real_maps(name: str, value: ArrayLike) -> Array:
@@ -423,44 +431,13 @@ def _real_maps(name: str, value: ArrayLike) -> Array:
     return given.astype(np.float64)
 
 
-def _truths(mask: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.bool_]:
-    given = validation.array("mask", mask)
-    if given.dtype != np.bool_:
-        raise TypeError(f"mask must hold booleans, got an array of {given.dtype}")
-    if given.shape not in (shape[-2:], shape):
-        raise ValueError(f"mask must have the shape {shape[-2:]} or that of opd, got {given.shape}")
-    return given
-
-
-def _valid(maps: Array, mask: ArrayLike | None, inside: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return which pixels count: inside the pupil, and in the mask or else not NaN."""
-    used = inside & ~np.isnan(maps) if mask is None else inside & _truths(mask, maps.shape)
-    bad = np.argwhere(used & ~np.isfinite(maps))
-    if len(bad):
-        shown = ", ".join(str(tuple(place.tolist())) for place in bad[:3]) + (", ..." if len(bad) > 3 else "")
-        raise ValueError(f"opd must be finite inside the mask, got NaN or infinity at {len(bad)} pixels: {shown}")
-    if not used.any(axis=(-2, -1)).all():
-        of = "mask" if mask is not None else "opd"
-        raise ValueError(f"{of} must leave samples inside the pupil of every map, got none")
-    return np.broadcast_to(used, maps.shape)
-
-
-def _groups(used: NDArray[np.bool_]) -> Iterator[tuple[NDArray[np.bool_], list[int]]]:
-    """Yield each pattern of samples with the maps that share it."""
-    members: dict[bytes, list[int]] = {}
-    for i, pattern in enumerate(used):
-        members.setdefault(np.packbits(pattern).tobytes(), []).append(i)
-    for group in members.values():
-        yield used[group[0]], group
-
-
 def _pupil_coordinates(
     shape: tuple[int, int], center: tuple[float, float] | None, radius: float | None
 ) -> tuple[Array, Array]:
     """Return x and y of the pixel centres, over the radius of the pupil."""
     height, width = shape
     row, column = ((height - 1) / 2, (width - 1) / 2) if center is None else validation.position("center", center)
-    size = 0.5 * min(height, width) if radius is None else validation.real("radius", radius, above=0.0, unit="pixels")
+    size = 0.5 * min(shape) if radius is None else validation.real("radius", radius, above=0.0, unit="pixels")
     with np.errstate(over="ignore"):  # pixels far outside of a small pupil
         y, x = np.meshgrid((np.arange(height) - row) / size, (np.arange(width) - column) / size, indexing="ij")
     return x, y

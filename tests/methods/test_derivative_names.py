@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -161,7 +162,7 @@ def test_at_infinity_distances_do_not_count():
 
 
 def test_a_stack_has_what_its_pupils_have():
-    stack = LENS._with(aberrations=COMA).pupil([1.9, 2.0, 2.3])
+    stack = replace(LENS, aberrations=COMA).pupil([1.9, 2.0, 2.3])
     names = (*ALL, "object_distance", "focus_distance", (3, 1))
     answer = lm.psf(stack, 9, 1e-6, derivatives=names, center=([4.0, 4.2, 3.8], 4.5), dtype=np.float64)
     for i in range(3):
@@ -182,7 +183,7 @@ def test_what_a_pupil_lacks_is_said_and_where_to_get_it(name):
         with pytest.raises(ValueError, match=f"'{name}' need the distances of a lens .* Lens.pupil makes such"):
             lm.psf(pupil, 9, 1e-6, derivatives=(name,))
         with pytest.raises(ValueError, match=r"of paraxial lenses, got model='aplanatic', .* take differences"):
-            lm.psf(LENS._with(model="aplanatic").pupil(1.9), 9, 1e-6, derivatives=(name,))
+            lm.psf(replace(LENS, model="aplanatic").pupil(1.9), 9, 1e-6, derivatives=(name,))
 
 
 @pytest.mark.parametrize(

@@ -150,9 +150,11 @@ def _same(one, other):
 
 def _methods_that_return(kind):
     """Return the names of those, and of properties, whose annotation says so."""
-    public = {n: m for n, m in vars(kind).items() if n.startswith("__") or not n.startswith("_")}
+    known = {n: m for each in reversed(kind.__mro__) for n, m in vars(each).items()}
+    public = {n: m for n, m in known.items() if n.startswith("__") or not n.startswith("_")}
     functions = {n: getattr(m, "fget", None) or getattr(m, "__func__", m) for n, m in public.items()}
-    return {n for n, f in functions.items() if getattr(f, "__annotations__", {}).get("return") == kind.__name__}
+    own = kind.__name__, "Self"
+    return {n for n, f in functions.items() if getattr(f, "__annotations__", {}).get("return") in own}
 
 
 def test_nothing_that_a_lens_is_made_of_is_forgotten():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -134,13 +135,26 @@ class BasePupil(display.Shown):
         """Return True, for a single pupil too."""
         return True
 
-    @abstractmethod
     def __getitem__(self, index: Index) -> Self:
         """Return part of a stack, indexed as an array of its shape."""
+        return self._each(lambda part: part[index])
+
+    def broadcast(self, shape: tuple[int, ...]) -> Self:
+        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
+        if self.shape == shape:
+            return self
+        wanted = validation.stack_shape(shape, self.shape)
+
+        def wide(part: Any) -> Any:
+            return (
+                np.broadcast_to(part, wanted) if isinstance(part, np.ndarray | np.generic) else part.broadcast(wanted)
+            )
+
+        return self._each(wide)
 
     @abstractmethod
-    def broadcast(self, shape: tuple[int, ...]) -> Self:
-        """Return the stack broadcast to `shape`."""
+    def _each(self, of: Callable[[Any], Any]) -> Self:
+        """Return the stack with `of` applied to every array and stack of wavefronts that varies in it."""
 
     @abstractmethod
     def in_light(self, wavelength: float) -> Self:

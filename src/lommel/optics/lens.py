@@ -55,33 +55,6 @@ def sensor(focal_length: float, focus_distance: float | None, sensor_distance: f
     return 1.0 / (1.0 / focal_length - 1.0 / s)
 
 
-def narrowed(lens: Lens, ratio: float) -> dict[str, Any]:
-    """Return the arguments of a lens that change with its f-number, new over old `ratio`; ValueError if unknown."""
-    if lens.vignetting or lens.mask:
-        raise ValueError(
-            "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
-            "the aperture: make a lens with those of the other stop"
-        )
-    light, flat = lens.apodization, not lens.aberrations.edge.any()
-    shaped = isinstance(light, Apodization) and not light.uniform
-    for there, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
-        if there and ratio < 1.0 - 1e-9:
-            raise ValueError(
-                f"f_number must be at least that of the lens, f/{lens.f_number:g}, up to which its {what} known, "
-                f"got f/{ratio * lens.f_number:g}"
-            )
-    if isinstance(light, Apodization):
-        light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
-    elif isinstance(light, float):
-        light = light / ratio**2
-    return {
-        "apodization": light,
-        "obscuration": lens.obscuration * ratio,
-        "aberrations": lens.aberrations if flat else lens.aberrations.scaled(min(1.0, 1.0 / ratio)),
-        "spider": lens.spider and replace(lens.spider, width=lens.spider.width * ratio),
-    }
-
-
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
 _LONG = 1.0  # metres: longer lenses for photographs have an obscuration
@@ -251,7 +224,8 @@ class Lens(display.Shown):
         TypeError or ValueError unless the distance is a number above the focal length.
         """
         s = validation.real("focus_distance", focus_distance, above=0.0, infinite=True, unit="metres")
-        return self._with(focus_distance=s, sensor_distance=None)
+        moved: dict[str, Any] = {"focus_distance": s, "sensor_distance": None}
+        return replace(self, **moved)
 
     def stopped(self, f_number: float) -> Lens:
         """Return the lens stopped down to another f-number, as engraved, with the sensor in place.
@@ -271,11 +245,32 @@ class Lens(display.Shown):
             an Apodization would be opened wider, or it has vignetting or a mask.
         """
         stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
-        diameter = aperture(self.focal_length, stop, None)
-        return replace(self, aperture_diameter=diameter, **narrowed(self, stop / self.f_number))
-
-    def _with(self, **changes: Any) -> Lens:
-        return replace(self, **changes)
+        ratio = stop / self.f_number
+        if self.vignetting or self.mask:
+            raise ValueError(
+                "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
+                "the aperture: make a lens with those of the other stop"
+            )
+        light, flat = self.apodization, not self.aberrations.edge.any()
+        shaped = isinstance(light, Apodization) and not light.uniform
+        for there, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
+            if there and ratio < 1.0 - 1e-9:
+                raise ValueError(
+                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its {what} known, "
+                    f"got f/{stop:g}"
+                )
+        if isinstance(light, Apodization):
+            light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
+        elif isinstance(light, float):
+            light = light / ratio**2
+        return replace(
+            self,
+            aperture_diameter=aperture(self.focal_length, stop, None),
+            apodization=light,
+            obscuration=self.obscuration * ratio,
+            aberrations=self.aberrations if flat else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
+            spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
+        )
 
     def in_light(self, wavelength: float) -> Lens:
         """Return the lens at another `wavelength`, metres, with the focal length of its colour there.
@@ -397,16 +392,13 @@ class Lens(display.Shown):
     @cached_property
     def _in_focus(self) -> Pupil:
         """The unaberrated pupil, of which all others are copies."""
+        shared = {name: getattr(self, name) for name in ("obscuration", "wavelength", "spider", "vignetting", "mask")}
         return Pupil(
-            obscuration=self.obscuration,
-            wavelength=self.wavelength,
             f_number=self.working_f_number,
             apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
             geometry=self._geometry,
-            spider=self.spider,
-            vignetting=self.vignetting,
-            mask=self.mask,
             colour=self.pupil_colour,
+            **shared,
         )
 
     @cached_property

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Index, Json
+from lommel.base.arrays import Json
 from lommel.base.cached import cached_property, changed
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.base_pupil import BasePupil, Geometry, not_a_pupil
@@ -105,10 +106,8 @@ class Pupil(BasePupil):
         circular = all(part is None for part in (self.spider, self.vignetting, self.mask))
         aperture = eps, light, self.spider, self.vignetting, self.mask
         vars(self).update(circular=circular, radial=circular and self.wavefront.radial, aperture=aperture)
-        if not circular:
-            self._check_aperture()
-
-    def _check_aperture(self) -> None:
+        if circular:
+            return
         from lommel.optics.aperture.obstructions import Mask
 
         validation.optional("mask", self.mask, Mask)  # Opening checks the others
@@ -277,39 +276,18 @@ class Pupil(BasePupil):
         """Return the same aperture, in focus and without aberration."""
         return self.carrying(Wavefront(), self.geometry and self.geometry.focused())
 
-    def __getitem__(self, index: Index) -> Pupil:
-        """Return part of a stack, indexed as an array of its shape."""
-        part = self.wavefront[index]
-        geometry = self.geometry
+    def _each(self, of: Callable[[Any], Any]) -> Pupil:
+        wavefront, geometry, colour = of(self.wavefront), self.geometry, self.colour
         if geometry is not None:
-            distances = np.reshape(geometry.distances, self.shape)[index]
+            distances = of(np.reshape(geometry.distances, self.shape))
             geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
-        return changed(self.carrying(part, geometry), colour=self.colour and self.colour.part(self.shape, index))
-
-    def broadcast(self, shape: tuple[int, ...]) -> Pupil:
-        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
-        if self.shape == shape:
-            return self
-        shape = validation.stack_shape(shape, self.shape)
-        geometry = self.geometry
-        if geometry is not None:
-            distances = np.broadcast_to(np.reshape(geometry.distances, self.shape), shape)
-            geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
-        colour = self.colour and self.colour.broadcast(self.shape, shape)
-        return changed(self.carrying(self.wavefront.broadcast(shape), geometry), colour=colour)
+        return changed(self.carrying(wavefront, geometry), colour=colour and colour.each(self.shape, of))
 
     def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
-        plain = {
-            "wavefront": self.wavefront.to_dict(),
-            "obscuration": self.obscuration,
-            "wavelength": self.wavelength,
-            "f_number": self.f_number,
-            "apodization": light.to_dict() if isinstance(light := self.apodization, Apodization) else light,
-            "geometry": None if self.geometry is None else self.geometry.to_dict(),
-        }
-        shapes = {name: shape for name in _PARTS if (shape := getattr(self, name)) is not None}
-        return plain | {name: shape.to_dict() for name, shape in shapes.items()}
+        values = {item.name: getattr(self, item.name) for item in fields(self) if item.init}
+        kept = {name: value for name, value in values.items() if value is not None or name not in _PARTS}
+        return {name: value.to_dict() if hasattr(value, "to_dict") else value for name, value in kept.items()}
 
     @classmethod
     def from_dict(cls, description: Json) -> Pupil:
@@ -318,18 +296,13 @@ class Pupil(BasePupil):
         from lommel.optics.colour.dispersion import PupilColour
 
         parts = dict(description)
-        geometry = parts.pop("geometry")
         builds = (Spider.from_dict, vignetting_from_dict, Mask.from_dict, PupilColour.from_dict)
-        for name, build in zip(_PARTS, builds, strict=True):
-            if name in parts:
+        built: dict[str, Callable[[Json], object]] = dict(zip(_PARTS, builds, strict=True))
+        built |= {"geometry": Geometry.from_dict, "apodization": Apodization.from_dict}
+        for name, build in built.items():
+            if isinstance(parts.get(name), dict):
                 parts[name] = build(parts[name])
-        if isinstance(parts.get("apodization"), dict):
-            parts["apodization"] = Apodization.from_dict(parts["apodization"])
-        return cls(
-            Wavefront.from_dict(parts.pop("wavefront")),
-            geometry=None if geometry is None else Geometry.from_dict(geometry),
-            **parts,
-        )
+        return cls(Wavefront.from_dict(parts.pop("wavefront")), **parts)
 
 
 _PARTS = ("spider", "vignetting", "mask", "colour")
@@ -379,6 +352,9 @@ class FieldPupil(BasePupil):
 
     pupils: tuple[Pupil, ...]
     places: tuple[int, ...]
+    wavelength: float | None = field(init=False, repr=False, compare=False)
+    f_number: float | None = field(init=False, repr=False, compare=False)
+    illumination: Apodization = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         for pupil in self.pupils:
@@ -386,36 +362,20 @@ class FieldPupil(BasePupil):
         scales = {(pupil.shape, pupil.wavelength, pupil.f_number) for pupil in self.pupils}
         if len(self.pupils) != math.prod(self.places) or len(scales) != 1 or scales.pop()[0] != ():
             raise ValueError(f"pupils must be single, of one scale, and as many as the shape {self.places} holds")
+        for name in ("wavelength", "f_number", "illumination"):
+            object.__setattr__(self, name, getattr(self.pupils[0], name))
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Shape of the stack."""
         return self.places
 
-    @property
-    def wavelength(self) -> float | None:
-        """Wavelength, metres."""
-        return self.pupils[0].wavelength
-
-    @property
-    def f_number(self) -> float | None:
-        """Working f-number of the unvignetted aperture."""
-        return self.pupils[0].f_number
-
-    @property
-    def radial(self) -> bool:
-        """False: apertures differ."""
-        return False
+    radial = False
 
     @property
     def circular(self) -> bool:
         """Whether all apertures are circular or annular."""
         return all(pupil.circular for pupil in self.pupils)
-
-    @property
-    def illumination(self) -> Apodization:
-        """The common apodization."""
-        return self.pupils[0].illumination
 
     @property
     def aperture(self) -> tuple[object, ...]:
@@ -443,18 +403,11 @@ class FieldPupil(BasePupil):
         """Return the largest distance of rays from the axis on the sensor, of the shape of the stack."""
         return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
 
-    def __getitem__(self, index: Index) -> Any:
-        """Return a pupil, or part of the stack, indexed as an array of its shape."""
-        which = np.arange(len(self.pupils)).reshape(self.shape)[index]
+    def _each(self, of: Callable[[Any], Any]) -> Any:
+        which = of(np.arange(len(self.pupils)).reshape(self.shape))
         if which.ndim == 0:
             return self.pupils[int(which)]
         return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), which.shape)
-
-    def broadcast(self, shape: tuple[int, ...]) -> FieldPupil:
-        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
-        shape = validation.stack_shape(shape, self.shape)
-        which = np.broadcast_to(np.arange(len(self.pupils)).reshape(self.shape), shape)
-        return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), shape)
 
     def in_light(self, wavelength: float) -> FieldPupil:
         """Return the pupils at another `wavelength`, metres."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -128,7 +129,7 @@ def test_derivatives_are_those_of_differences_within_their_bounds(seed):
 def test_stored_in_single_precision_derivatives_stay_within_their_bounds():
     lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=5.5e-7, obscuration=0.3)
     for aberrations in (lm.Wavefront(0.0, 0.7), lm.Wavefront(0.0, 0.7, nonradial={(3, 1): 1.0})):
-        pupil = lens._with(aberrations=aberrations).pupil(1.98)
+        pupil = replace(lens, aberrations=aberrations).pupil(1.98)
         for names in ((*POWERS, "row"), ("row", *METRIC, *DISTANCES, "obscuration", (3, 1), "defocus")):
             for integrate in (False, True):
                 asked = {"derivatives": names, "integrate": integrate, "center": (4.2, 3.3)}

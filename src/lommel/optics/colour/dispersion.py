@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Index, Json
+from lommel.base.arrays import Array, Json
 from lommel.optics.base_pupil import BasePupil, Geometry
 from lommel.optics.wavefront import aplanatic
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -178,17 +178,11 @@ class PupilColour:
             return self
         return replace(self, x=tuple(x.ravel().tolist()), y=tuple(y.ravel().tolist()))
 
-    def part(self, shape: tuple[int, ...], index: Index) -> PupilColour:
-        """Return the colour of part of a stack of a `shape`."""
+    def each(self, shape: tuple[int, ...], of: Callable[[Array], Array]) -> PupilColour:
+        """Return the colour of a stack of a `shape`, `of` applied to its positions."""
         if not self.x:
             return self
-        return self.at(*(np.asarray(np.reshape(p, shape)[index]) for p in (self.x, self.y)))
-
-    def broadcast(self, shape: tuple[int, ...], new: tuple[int, ...]) -> PupilColour:
-        """Return the colour of a stack of a `shape` broadcast to `new`."""
-        if not self.x:
-            return self
-        return self.at(*(np.broadcast_to(np.reshape(p, shape), new) for p in (self.x, self.y)))
+        return self.at(*(np.asarray(of(np.reshape(p, shape))) for p in (self.x, self.y)))
 
     def change(
         self, pupil: BasePupil, geometry: Geometry | None, wavelength: float

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Index, Json
+from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.layers import debye
@@ -114,16 +114,7 @@ class ObjectivePupil(BasePupil):
         height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
 
-    def __getitem__(self, index: Index) -> ObjectivePupil:
-        """Return part of a stack, indexed as an array of its shape."""
-        return self._planes(lambda part: part[index])
-
-    def broadcast(self, shape: tuple[int, ...]) -> ObjectivePupil:
-        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
-        wanted = validation.stack_shape(shape, self.shape)
-        return self._planes(lambda part: _broadcast(part, wanted))
-
-    def _planes(self, of: Callable[[Any], Any]) -> ObjectivePupil:
+    def _each(self, of: Callable[[Any], Any]) -> ObjectivePupil:
         planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in PLANES}
         measured = self.aberrations
         return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
@@ -182,10 +173,6 @@ class ObjectivePupil(BasePupil):
         of = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
         measured = f", {self.aberrations!r}" if self.aberrations else ""
         return f"<ObjectivePupil {of}, {planes}: {spans}, {self.emitter!r}{measured}>"
-
-
-def _broadcast(part: Any, shape: tuple[int, ...]) -> Any:
-    return part.broadcast(shape) if isinstance(part, Wavefront) else np.broadcast_to(part, shape)
 
 
 PLANES = ("depth", "focus", "z")

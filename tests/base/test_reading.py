@@ -20,7 +20,7 @@ import tifffile
 import lommel as lm
 from lommel import imaging
 from lommel.base import reading
-from lommel.io import psf_numpy
+from lommel.io import psf_formats
 from lommel.io.photos import PhotoError
 from lommel.io.psf_files import FileError
 from lommel.io.zernike_tables import ZernikeFileError
@@ -301,9 +301,9 @@ def test_a_name_with_a_line_break_is_told_on_one_line(tmp_path):
 
 def test_arrays_that_compress_too_well_to_be_read_are_stored_plainly():
     small, large = (
-        psf_numpy.archive({"values": np.zeros((side, side), np.float32)}, {"shape": [side, side]})
+        psf_formats.archive({"values": np.zeros((side, side), np.float32)}, {"shape": [side, side]})
         for side in (1000, 4200)
     )
     assert len(small) < 10**5
     assert len(large) > 4 * 4200**2
-    assert psf_numpy.read_npz(large)[0]["values"].shape == (4200, 4200)
+    assert psf_formats.read_npz(large)[0]["values"].shape == (4200, 4200)

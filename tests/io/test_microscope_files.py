@@ -10,7 +10,7 @@ import pytest
 import tifffile
 
 import lommel as lm
-from lommel.io import psf_files, psf_numpy
+from lommel.io import psf_files, psf_formats
 
 OBJECTIVE = lm.Objective(
     NA=1.2,
@@ -89,7 +89,7 @@ def test_a_file_that_does_not_say_what_kind_its_pupil_is_is_that_of_a_lens(tmp_p
     psf = lm.psf(lm.Pupil(lm.Wavefront(2.0)), 5, 0.5)
     description = psf_files.describe(psf)
     assert description["pupil"].pop("kind") == "Pupil"
-    (tmp_path / "a.npy").write_bytes(psf_numpy.npy(psf, description))
+    (tmp_path / "a.npy").write_bytes(psf_formats.write_npy(psf, description))
     assert lm.PSF.load(tmp_path / "a.npy").pupil == psf.pupil
 
 

@@ -29,7 +29,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel import imaging
-from lommel.io import psf_hdf5, psf_numpy
+from lommel.io import psf_formats
 from lommel.io.colour_files import load as load_colours
 from lommel.io.photos import read_images
 from lommel.lensfiles.field_tables import read_csv
@@ -140,7 +140,7 @@ def hdf5(fill: Callable[[Any], object]) -> bytes:
 
 
 def sealed(fill: Callable[[Any], object]) -> bytes:
-    return psf_hdf5._sealed(psf_hdf5._filled(fill), b"")
+    return psf_formats._hdf5(fill, b"")
 
 
 def swollen_chunk(file: Any) -> None:
@@ -172,7 +172,7 @@ def with_description(said: bytes) -> bytes:
     """Return a .npy file of a PSF whose description is this text."""
     buffer = io.BytesIO()
     np.save(buffer, np.zeros(9, np.float32))
-    return buffer.getvalue() + psf_numpy._MARK + said
+    return buffer.getvalue() + psf_formats._MARK + said
 
 
 def mask_of(side: int) -> bytes:

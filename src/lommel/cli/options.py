@@ -293,9 +293,9 @@ def picture_size(psf: PSF, path: Path) -> str:
     """Return a note on the size of a PSF's picture, or an empty text for a file of another format."""
     if path.suffix.lower() != ".png":
         return ""
-    from lommel.io import psf_png
+    from lommel.io.psf_formats import enlargement
 
-    scale = psf_png.scale(psf)
+    scale = enlargement(psf)
     height, width = (scale * side for side in psf.shape)
     each = f"{scale} x {scale} for each pixel of the PSF, " if scale > 1 else ""
     return f": {width} x {height} pixels, {each}square root of the values, 16 bit"

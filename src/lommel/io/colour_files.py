@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from functools import partial
 from os import PathLike
@@ -12,7 +11,7 @@ import numpy as np
 
 from lommel.base import atomic, reading
 from lommel.base.checksums import checksum, sealed
-from lommel.io import psf_files, psf_numpy, psf_png, psf_tiff, registry
+from lommel.io import psf_files, psf_formats, registry
 from lommel.io.psf_files import Made
 from lommel.io.registry import DAMAGED, Description, Format, Values
 from lommel.measures.psf_like import ColourPSFLike, colours
@@ -21,27 +20,12 @@ from lommel.optics.colour.spectrum import Channels
 _EACH = ("pupil", "method", "error_bound", "scale")  # what differs between channels
 
 
-def npz(answer: ColourPSFLike, description: Description) -> bytes:
-    """Return an archive of the values and the description."""
-    return psf_numpy.archive({"values": np.ascontiguousarray(answer.values)}, description)
-
-
 def _tiff(answer: ColourPSFLike, description: Description) -> bytes:
     import tifffile
 
-    metric, values = answer.unit == "m", np.ascontiguousarray(answer.values)
-    factor, unit = (1e6, "µm") if metric else (1.0, "reference frame")
-    high, wide = (side * factor for side in answer.grid.pitch)
-    fields: Description = {
-        "axes": "CYX" if values.ndim == 3 else "ZCYX",
-        "PhysicalSizeX": wide,
-        "PhysicalSizeXUnit": unit,
-        "PhysicalSizeY": high,
-        "PhysicalSizeYUnit": unit,
-        "Channel": {"Name": list(answer.channels.names)},
-        "Name": "point spread function",
-        "Description": json.dumps(sealed(description, {"values": values}), allow_nan=False),
-    }
+    values = np.ascontiguousarray(answer.values)
+    fields = psf_formats.ome(answer, "CYX" if values.ndim == 3 else "ZCYX", description)
+    fields["Channel"] = {"Name": list(answer.channels.names)}
     pages = values if values.ndim == 3 else values.reshape(-1, *values.shape[-3:])
     write = partial(tifffile.imwrite, photometric="minisblack")
     return atomic.contents(write, pages, ome=True, metadata=fields)
@@ -55,20 +39,18 @@ def _png(answer: ColourPSFLike, description: Description) -> bytes:
             f"a .png holds a single PSF, got a stack of shape {answer.shape}; take part(index), or draw it by plot()"
         )
     levels = np.rint(255.0 * np.sqrt(colours(answer))).astype(np.uint8)
-    times = psf_png.scale(answer.psfs[0])
     info = PngImagePlugin.PngInfo()
     info.add_text("Software", description["software"])
     info.add_text("Comment", "square root of the values over the largest of all channels")
-    image = Image.fromarray(levels.repeat(times, axis=0).repeat(times, axis=1))
+    image = Image.fromarray(psf_formats.enlarged(levels, psf_formats.enlargement(answer.psfs[0])))
     return atomic.contents(image.save, format="png", pnginfo=info)
 
 
 registry.register(
-    Format("colours", (".npz",), npz, psf_numpy.read_npz, what="NumPy archive"),
-    Format("colours", (".tif", ".tiff"), _tiff, psf_tiff.read, library="tifffile", extra="images", what="OME-TIFF"),
-    Format("colours", (".png",), _png, library="PIL.Image", extra="images",
-           what="8-bit picture, square root of the values"),
-)  # fmt: skip
+    Format("colours", (".npz",), psf_formats.write_npz, psf_formats.read_npz, what="NumPy archive"),
+    Format("colours", (".tif", ".tiff"), _tiff, psf_formats.read_tiff, library="tifffile", what="OME-TIFF"),
+    Format("colours", (".png",), _png, library="PIL.Image", what="8-bit picture, square root of the values"),
+)
 find = partial(registry.find, "colours")
 
 

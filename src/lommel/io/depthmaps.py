@@ -152,7 +152,7 @@ def _write_tiff(values: NDArray[np.float32]) -> bytes:
 registry.register(
     Format("depth map", (".npy",), _write_npy, _npy, (b"\x93NUMPY",)),
     Format("depth map", (".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
-    Format("depth map", (".tif", ".tiff"), _write_tiff, _raster, TIFF, library="tifffile", extra="images"),
+    Format("depth map", (".tif", ".tiff"), _write_tiff, _raster, TIFF, library="tifffile"),
     Format("depth map", (".png",), read=_raster, starts=PNG),
 )
 find = partial(registry.find, "depth map")

@@ -13,17 +13,7 @@ import numpy as np
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import sealed
-from lommel.io import (
-    colour_files,
-    fits_images,
-    psf_files,
-    psf_fits,
-    psf_hdf5,
-    psf_numpy,
-    psf_tiff,
-    registry,
-    zarr_folders,
-)
+from lommel.io import colour_files, fits_images, psf_files, psf_formats, registry, zarr_folders
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Arrays, Description, Format
 from lommel.io.zarr_folders import Layout, ZarrArray
@@ -53,22 +43,16 @@ def _rebuilt(
 
 def _write_tiff(grid: PSFGridLike, description: Description, target: Path) -> None:
     assert is_psf(grid.psf)
-    factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
+    factor, unit = psf_formats.ome_unit(grid.unit)
     y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
     planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
     planes |= dict.fromkeys(("PositionXUnit", "PositionYUnit"), [unit] * x.size)
-    atomic.write(target, psf_tiff.write(grid.psf, description, planes))
+    atomic.write(target, psf_formats.write_tiff(grid.psf, description, planes))
 
 
 def _as_stack(write: Callable[[PSFLike, Description], bytes]) -> Callable[..., None]:
     """Return a function that writes a grid as a stack of PSFs."""
     return lambda grid, description, target: atomic.write(target, write(grid.psf, description))
-
-
-def _write_npz(grid: PSFGridLike, description: Description, target: Path) -> None:
-    psf = grid.psf
-    made = colour_files.npz(psf, description) if isinstance(psf, ColourPSFLike) else psf_numpy.npz(psf, description)
-    atomic.write(target, made)
 
 
 def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> None:
@@ -108,22 +92,21 @@ def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelP
 
 
 _form = partial(Format, "field", read=_read)
-_fits, _hdf5 = (partial(_form, library=name, extra=extra) for name, extra in (("astropy", "fits"), ("h5py", "hdf5")))
 _SLOPES = ("with derivatives",)
 registry.register(
-    _form((".tif", ".tiff"), _write_tiff, library="tifffile", extra="images",
+    _form((".tif", ".tiff"), _write_tiff, library="tifffile",
           what="OME-TIFF, one page per PSF", readers="Fiji, Bio-Formats, napari"),
     Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(SEVERAL,),
            what="Zarr version 3", readers="zarr, xarray"),
-    _form((".npz",), _write_npz, holds=(*_SLOPES, SEVERAL),
+    _form((".npz",), _as_stack(psf_formats.write_npz), holds=(*_SLOPES, SEVERAL),
           what="NumPy archive", readers="NumPy"),
-    _fits(fits_images.SUFFIXES, _as_stack(psf_fits.write),
+    _form(fits_images.SUFFIXES, _as_stack(psf_formats.write_fits), library="astropy",
           what="FITS", readers="astropy, DS9, MATLAB, Fiji"),
-    _fits(fits_images.PACKED, _as_stack(fits_images.packed(psf_fits.write)),
+    _form(fits_images.PACKED, _as_stack(fits_images.packed(psf_formats.write_fits)), library="astropy",
           what="compressed FITS", readers="astropy, DS9"),
-    _hdf5((".h5", ".hdf5"), _as_stack(psf_hdf5.write), holds=_SLOPES,
+    _form((".h5", ".hdf5"), _as_stack(psf_formats.write_hdf5), library="h5py", holds=_SLOPES,
           what="HDF5", readers="h5py, MATLAB, Julia"),
-    _hdf5((".mat",), _as_stack(psf_hdf5.write_mat),
+    _form((".mat",), _as_stack(psf_formats.write_mat), library="h5py",
           what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
 )  # fmt: skip
 find = partial(registry.find, "field")

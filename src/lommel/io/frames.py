@@ -136,10 +136,10 @@ def _animation(form: str, frames: list[Values], duration: float, quality: int) -
 
 
 _8, _DEEP = "of uint8", ("of uint16", "of float32", "of float64")
-_pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
+_animated = partial(Format, "frames", library="PIL.Image", holds=(_8,))
 registry.register(
-    _pillow("frames", (".gif",), partial(_animation, "gif"), holds=(_8,), what="256 colours per frame"),
-    _pillow("frames", (".png", ".apng"), partial(_animation, "png"), holds=(_8,)),
-    _pillow("frames", (".webp",), partial(_animation, "webp"), holds=(_8,)),
-    _tifffile("frames", (".tif", ".tiff"), _stack, holds=(_8, *_DEEP)),
+    _animated((".gif",), partial(_animation, "gif"), what="256 colours per frame"),
+    _animated((".png", ".apng"), partial(_animation, "png")),
+    _animated((".webp",), partial(_animation, "webp")),
+    Format("frames", (".tif", ".tiff"), _stack, library="tifffile", holds=(_8, *_DEEP)),
 )

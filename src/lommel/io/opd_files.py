@@ -360,12 +360,12 @@ def _single(opd: OPDMap, suffix: str) -> OPDMap:
     return opd
 
 
-_form, _fits = partial(Format, "opd"), partial(Format, "opd", library="astropy", extra="fits")
+_form = partial(Format, "opd")
 registry.register(
-    _fits(fits_images.SUFFIXES, _write_fits, _read_fits),
-    _fits(fits_images.PACKED, fits_images.packed(_write_fits), _read_fits),
+    _form(fits_images.SUFFIXES, _write_fits, _read_fits, library="astropy"),
+    _form(fits_images.PACKED, fits_images.packed(_write_fits), _read_fits, library="astropy"),
     _form((".dat",), write_dat, read_dat, what="MetroPro"),
-    _form((".datx",), read=read_datx, library="h5py", extra="hdf5", what="Zygo Mx"),
+    _form((".datx",), read=read_datx, library="h5py", what="Zygo Mx"),
     _form((".int",), read=_read_int, what="Code V, GRD"),
     _form(
         (".npy",),

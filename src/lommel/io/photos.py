@@ -6,7 +6,7 @@ import math
 import struct
 import warnings
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -23,7 +23,6 @@ from lommel.base.optional import version
 from lommel.io import fits_images, registry
 from lommel.io.registry import Format, Values
 
-_pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 """The first bytes of files."""
 
@@ -334,17 +333,8 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Values:
 _BAND = 2**20  # pixels that are converted to an array at once
 
 
-def read_png(data: bytes) -> tuple[Values, Any, bytes | None]:
-    """Return the values, the tags and the ICC profile of a PNG file, with all 16 bits."""
-    return _read(data, reading.png)
-
-
-def read_jpeg(data: bytes) -> tuple[Values, Any, bytes | None]:
-    """Return the values, the tags and the ICC profile of a JPEG file."""
-    return _read(data, reading.jpeg)
-
-
-def _read(data: bytes, opener: Any) -> tuple[Values, Any, bytes | None]:
+def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Any, bytes | None]:
+    """Return the values, the tags and the ICC profile of a file of Pillow, with all 16 bits of a PNG."""
     with opener(data) as file:
         if getattr(file, "is_animated", False):
             raise ValueError(f"it is an animation of {file.n_frames} frames")
@@ -423,16 +413,17 @@ def write_png(values: Values, _quality: int, profile: bytes | None) -> bytes:
     bits = 8 * values.dtype.itemsize
     takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
     for level in (6, 0):
-        write = _png_of_16_bits if bits == 16 else _png_of_8_bits
-        made = write(values, profile, level)
+        if bits == 16:
+            made = _png_of_16_bits(values, profile, level)
+        else:
+            made = _by_pillow("png", values, profile, compress_level=level)
         if reading.affords(takes, len(made)):
             break
     return made
 
 
-def write_jpeg(values: Values, quality: int, profile: bytes | None) -> bytes:
-    """Return a JPEG file of this quality, 1 to 100, without chroma subsampling."""
-    return _by_pillow(values, profile, "jpeg", quality=quality, subsampling=0)
+def _write_jpeg(values: Values, quality: int, profile: bytes | None) -> bytes:
+    return _by_pillow("jpeg", values, profile, quality=quality, subsampling=0)
 
 
 def write_tiff(values: Values, _quality: int, profile: bytes | None) -> bytes:
@@ -443,14 +434,10 @@ def write_tiff(values: Values, _quality: int, profile: bytes | None) -> bytes:
     return atomic.contents(tifffile.imwrite, values, iccprofile=profile, metadata=None, **options)
 
 
-def _by_pillow(values: Values, profile: bytes | None, form: str, **options: Any) -> bytes:
+def _by_pillow(form: str, values: Values, profile: bytes | None, **options: int) -> bytes:
     from PIL import Image
 
     return atomic.contents(Image.fromarray(values).save, form, icc_profile=profile, **options)
-
-
-def _png_of_8_bits(values: NDArray[np.uint8], profile: bytes | None, level: int) -> bytes:
-    return _by_pillow(values, profile, "png", compress_level=level)
 
 
 def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int) -> bytes:
@@ -468,18 +455,6 @@ def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: in
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
 
 
-def _npy(data: bytes) -> Values:
-    return reading.npy(data, reading.MAX_PIXELS)[0]
-
-
-def _png(data: bytes) -> Values:
-    return read_png(data)[0]
-
-
-def _fits(data: bytes) -> Values:
-    return fits_images.read(data, reading.MAX_PIXELS)[0].values
-
-
 def _tiff(data: bytes) -> Values:
     with reading.tiff(data) as file:
         pages = [page for page in list[Any](file.pages) if not page.is_reduced]
@@ -493,16 +468,20 @@ def _tiff(data: bytes) -> Values:
     return values.astype(values.dtype.newbyteorder("="), copy=False)
 
 
-_8, _16, _FLOAT = "of uint8", "of uint16", "of float32"
+_read_png, _8, _16 = partial(_read, reading.png), "of uint8", "of uint16"
+_photo, _images = partial(Format, "photo"), partial(Format, "images")
 registry.register(
-    _pillow("photo", (".png",), write_png, read_png, PNG, (_8, _16)),
-    _pillow("photo", (".jpg", ".jpeg"), write_jpeg, read_jpeg, JPEG, (_8,)),
-    _tifffile("photo", (".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, _FLOAT)),
+    _photo((".png",), write_png, _read_png, PNG, (_8, _16), library="PIL.Image"),
+    _photo((".jpg", ".jpeg"), _write_jpeg, partial(_read, reading.jpeg), JPEG, (_8,), library="PIL.Image"),
+    _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32"), library="tifffile"),
+    _images((".npy",), read=lambda data: reading.npy(data, reading.MAX_PIXELS)[0], starts=(b"\x93NUMPY",)),
+    _images((".tif", ".tiff"), read=_tiff, starts=TIFF, library="tifffile"),
+    _images((".png",), read=lambda data: _read_png(data)[0], starts=PNG, library="PIL.Image"),
+    _images(
+        fits_images.SUFFIXES,
+        read=lambda data: fits_images.read(data, reading.MAX_PIXELS)[0].values,
+        starts=(b"SIMPLE  =",),
+        library="astropy",
+    ),
 )
 find = partial(registry.find, "photo")
-registry.register(
-    Format("images", (".npy",), read=_npy, starts=(b"\x93NUMPY",)),
-    Format("images", (".tif", ".tiff"), read=_tiff, starts=TIFF, library="tifffile", extra="images"),
-    Format("images", (".png",), read=_png, starts=PNG, library="PIL.Image", extra="images"),
-    Format("images", fits_images.SUFFIXES, read=_fits, starts=(b"SIMPLE  =",), library="astropy", extra="fits"),
-)

@@ -15,7 +15,8 @@ from lommel.base import atomic, reading, validation
 from lommel.base.checksums import checksum
 from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
-from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_tiff, registry
+from lommel.io import fits_images, psf_formats, registry
+from lommel.io.psf_formats import LEVELS, SLOPE, derivative_name
 from lommel.io.registry import DAMAGED, Arrays, Description, Format, Values
 from lommel.measures.psf_like import PSFLike
 from lommel.methods import method_from_dict
@@ -27,30 +28,25 @@ from lommel.optics.pupil import FieldPupil, Pupil
 Made = TypeVar("Made", bound=PSFLike)
 NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
-_form = partial(Format, "psf")
-_tiff, _png, _fits, _hdf5 = (
-    partial(_form, library=library, extra=extra)
-    for library, extra in (("tifffile", "images"), ("PIL.Image", "images"), ("astropy", "fits"), ("h5py", "hdf5"))
-)
-_SLOPES = ("with derivatives",)
+_form, _SLOPES = partial(Format, "psf"), ("with derivatives",)
 registry.register(
-    _tiff((".tif", ".tiff"), psf_tiff.write, psf_tiff.read,
+    _form((".tif", ".tiff"), psf_formats.write_tiff, psf_formats.read_tiff, library="tifffile",
           what="OME-TIFF", readers="Fiji, Bio-Formats, napari"),
-    _form((".npy",), psf_numpy.npy, psf_numpy.read_npy,
+    _form((".npy",), psf_formats.write_npy, psf_formats.read_npy,
           what="NumPy array", readers="NumPy, cnpy"),
-    _form((".npz",), psf_numpy.npz, psf_numpy.read_npz, holds=_SLOPES,
+    _form((".npz",), psf_formats.write_npz, psf_formats.read_npz, holds=_SLOPES,
           what="NumPy archive, with derivatives", readers="NumPy, cnpy"),
-    _png((".png",), psf_png.write, psf_png.read,
-         what="16-bit picture, square root of the values", readers="every picture viewer"),
-    _fits(fits_images.SUFFIXES, psf_fits.write, psf_fits.read,
+    _form((".png",), psf_formats.write_png, psf_formats.read_png, library="PIL.Image",
+          what="16-bit picture, square root of the values", readers="every picture viewer"),
+    _form(fits_images.SUFFIXES, psf_formats.write_fits, psf_formats.read_fits, library="astropy",
           what="FITS", readers="astropy, DS9, MATLAB, Fiji"),
-    _fits(fits_images.PACKED, fits_images.packed(psf_fits.write), psf_fits.read,
+    _form(fits_images.PACKED, fits_images.packed(psf_formats.write_fits), psf_formats.read_fits, library="astropy",
           what="compressed FITS", readers="astropy, DS9"),
-    _hdf5((".h5", ".hdf5"), psf_hdf5.write, psf_hdf5.read, holds=_SLOPES,
+    _form((".h5", ".hdf5"), psf_formats.write_hdf5, psf_formats.read_hdf5, library="h5py", holds=_SLOPES,
           what="HDF5, with derivatives", readers="h5py, MATLAB, Julia"),
-    _hdf5((".mat",), psf_hdf5.write_mat, psf_hdf5.read_mat,
+    _form((".mat",), psf_formats.write_mat, psf_formats.read_mat, library="h5py",
           what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
-    _form((".raw",), psf_numpy.raw, psf_numpy.read_raw, beside=".json",
+    _form((".raw",), psf_formats.write_raw, psf_formats.read_raw, beside=".json",
           what="bare little-endian numbers, described by a .json beside it", readers="any program"),
 )  # fmt: skip
 find = partial(registry.find, "psf")
@@ -159,7 +155,7 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     bound, picture = description["error_bound"], description.get("png")
     if bound is not None:
         # A picture adds half a level of the square root, at its steepest.
-        bound = validation.real("error_bound", bound, least=0.0) + (1.0 / psf_png.LEVELS if picture else 0.0)
+        bound = validation.real("error_bound", bound, least=0.0) + (1.0 / LEVELS if picture else 0.0)
     dtype = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     scale = validation.real_array("scale", description["scale"], least=0.0)
     shape = tuple(description["shape"])
@@ -180,12 +176,12 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
         error_bound=bound,
         scale=scale,
         derivatives={
-            psf_numpy.name(said.removeprefix(psf_numpy.SLOPE)): _values(slope, dtype).reshape(shape)
+            derivative_name(said.removeprefix(SLOPE)): _values(slope, dtype).reshape(shape)
             for said, slope in arrays.items()
-            if said.startswith(psf_numpy.SLOPE)
+            if said.startswith(SLOPE)
         },
         blur=blurs_from_dicts(description.get("blur", ())),
-        derivative_bounds={psf_numpy.name(k): bound for k, bound in description["derivative_bounds"].items()},
+        derivative_bounds={derivative_name(k): bound for k, bound in description["derivative_bounds"].items()},
     )
     # Values that are computed as sums may lie below 0 by their error.
     least = -(bound or 0.0) * float(scale.max())
@@ -209,7 +205,7 @@ def _values(stored: Values, kind: str, picture: Description | None = None) -> Va
     """Return the values that a file stores, which must be finite and of the stated type."""
     if picture:
         peak = validation.real("peak", picture["peak"], above=0.0)
-        return np.asarray(peak * (stored.astype(np.float64) / psf_png.LEVELS) ** 2, dtype=kind)
+        return np.asarray(peak * (stored.astype(np.float64) / LEVELS) ** 2, dtype=kind)
     if stored.dtype.newbyteorder("=") != np.dtype(kind):
         raise ValueError(f"its values must be {kind}, got {stored.dtype}")
     if not np.isfinite(stored).all():

@@ -38,6 +38,9 @@ Description: TypeAlias = dict[str, Any]
 
 DAMAGED = "its checksum does not match: it is damaged, or was changed after it was written"
 
+_EXTRAS = {"tifffile": "images", "PIL.Image": "images", "astropy": "fits", "h5py": "hdf5"}
+"""The extras of this package that install the libraries of formats."""
+
 _FORMATS: list[Format] = []
 _Function = TypeVar("_Function", bound=Callable[..., object])
 
@@ -61,8 +64,8 @@ class Format:
     holds : tuple of str, default ()
         Contents that not all formats of the kind hold, in words that follow those of the kind: "with derivatives",
         "of uint16".
-    library, extra : str, default ""
-        The library that it needs, as it is imported, and the extra of this package that installs it.
+    library : str, default ""
+        The library that it needs, as it is imported.
     beside : str, default ""
         Suffix of a second file that belongs to the first; ``write`` returns both and ``read`` takes both.
     what : str, default ""
@@ -102,7 +105,6 @@ class Format:
     starts: tuple[bytes, ...] = ()
     holds: tuple[str, ...] = ()
     library: str = ""
-    extra: str = ""
     beside: str = ""
     what: str = ""
     readers: str = ""
@@ -122,7 +124,7 @@ class Format:
     def ready(self) -> Format:
         """Return this format; ImportError if its library is missing."""
         if self.library:
-            optional.library(self.library, f"the format {self.name} needs", self.extra)
+            optional.library(self.library, f"the format {self.name} needs", _EXTRAS.get(self.library, ""))
         return self
 
 

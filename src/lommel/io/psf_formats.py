@@ -1,0 +1,506 @@
+"""Formats of PSF files: NumPy, TIFF, PNG, FITS, HDF5 and bare numbers, with what other programs read in them."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import re
+import struct
+import zipfile
+import zlib
+from collections.abc import Callable
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Array
+from lommel.base.checksums import sealed
+from lommel.io import fits_images
+from lommel.io.registry import DAMAGED, Arrays, Description, Values
+from lommel.measures.psf_like import ColourPSFLike, PSFLike
+from lommel.optics.colour.spectrum import Spectrum
+from lommel.optics.layers.emitter import Beam
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.pupil import Pupil
+
+SLOPE = "derivative "
+"""Prefix of the names of derivatives in a file."""
+
+LEVELS = 65535
+"""The value of the peak in a picture."""
+
+_TERM = re.compile(r"\(([0-9]+), (-?[0-9]+)\)")
+_MARK = b"\n#lommel "  # between the array and the description in a .npy file
+_SIDE = 512  # pixels; smaller PSFs are enlarged to this side or more, by an integer factor
+_ARCSEC = math.pi / 648000.0
+_UNEVEN = "planes are not evenly spaced along z: pupil.z has the position of each, metres"
+_EVEN = 1e-6  # of the step
+_EXTENSION = "LOMMEL"  # of a FITS file, whose bytes are the description
+_MOST_WAVES = 1000  # the names of cards have 8 characters
+_COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
+_BLOCK = 512  # bytes before HDF5 begins
+_SEAL, _CHECKED = 128, b"lommel crc32 "  # behind the head of MATLAB's files
+_MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
+
+
+class Axis(NamedTuple):
+    """An axis of the values: its name and coordinates, if it has any."""
+
+    name: str
+    places: Array | None = None
+    unit: str = ""
+
+
+def axes(psf: PSFLike, description: Description) -> list[Axis]:
+    """Return the axes of the values in their order: the stack (z of a microscope, places of a grid), y, x."""
+    pupil, grid = psf.pupil, psf.grid
+    if field := description.get("field"):
+        stack = [Axis(f"field_{side}", np.array(field[side]), psf.unit) for side in "yx"]
+    elif isinstance(pupil, ObjectivePupil) and len(pupil.shape) == 1:
+        stack = [Axis("z", pupil.z, "m")]
+    else:
+        stack = [Axis(f"stack{k}" if k else "stack") for k in range(len(pupil.shape))]
+    if grid.stack:
+        return [*stack, Axis("y"), Axis("x")]
+    return [*stack, Axis("y", grid.y, psf.unit), Axis("x", grid.x, psf.unit)]
+
+
+def light(psf: PSFLike) -> tuple[Array, Array]:
+    """Return the wavelengths in metres and the fraction of the light at each; empty for lengths in lambda*N."""
+    if isinstance(psf.method, Spectrum):
+        return np.array(psf.method.wavelengths), np.array(psf.method.weights)
+    known = [] if psf.pupil.wavelength is None else [psf.pupil.wavelength]
+    return np.array(known), np.ones(len(known))
+
+
+def derivative_name(said: str) -> str | tuple[int, int]:
+    """Return the name of a derivative from its text in a file; a Zernike term is (n, m)."""
+    found = _TERM.fullmatch(said)
+    return (int(found[1]), int(found[2])) if found else said
+
+
+def text(description: Description, arrays: Arrays) -> str:
+    """Return the description with the checksum of the arrays as JSON."""
+    return json.dumps(sealed(description, arrays), allow_nan=False)
+
+
+def _arrays(psf: PSFLike | ColourPSFLike) -> Arrays:
+    slopes = {} if isinstance(psf, ColourPSFLike) else psf.derivatives
+    return {"values": np.ascontiguousarray(psf.values)} | {f"{SLOPE}{name}": at for name, at in slopes.items()}
+
+
+def _step(z: Array) -> float | None:
+    """Return the step of evenly spaced planes in metres, or None."""
+    if z.ndim != 1 or z.size < 2:
+        return None
+    steps = np.diff(z)
+    mean = float(steps.mean())
+    return mean if mean and np.abs(steps - mean).max() <= _EVEN * abs(mean) else None
+
+
+def write_npy(psf: PSFLike, description: Description) -> bytes:
+    """Return an array with the description behind it."""
+    said = text(description, {"values": psf.values}).encode()
+    return atomic.contents(np.save, psf.values, allow_pickle=False) + _MARK + said
+
+
+def read_npy(data: bytes) -> tuple[Arrays, str]:
+    """Return the values and the description."""
+    values, rest = reading.npy(data)
+    if not rest.startswith(_MARK):
+        raise ValueError("no description of how it was made")
+    return {"values": values}, rest.removeprefix(_MARK).decode()
+
+
+def write_npz(psf: PSFLike | ColourPSFLike, description: Description) -> bytes:
+    """Return an archive of the values, the derivatives and the description."""
+    return archive(_arrays(psf), description)
+
+
+def archive(arrays: Arrays, description: Description) -> bytes:
+    """Return an archive of arrays and their description."""
+    # As bytes: readers of NumPy's files in other languages do not support texts.
+    said = np.frombuffer(text(description, arrays).encode(), np.uint8)
+    stored = {
+        name: atomic.contents(np.save, values, allow_pickle=False)
+        for name, values in (arrays | {"description": said}).items()
+    }
+    # NumPy always writes 64-bit sizes, which other readers do not support. Uncompressed where it would inflate to
+    # more than `reading` allows.
+    file = io.BytesIO()
+    for way in (zipfile.ZIP_DEFLATED, zipfile.ZIP_STORED):
+        file = io.BytesIO()
+        with zipfile.ZipFile(file, "w") as made:
+            for name, array in stored.items():
+                made.writestr(zipfile.ZipInfo(f"{name}.npy"), array, way)
+        if reading.affords(reading.NPZ_TIMES * sum(map(len, stored.values())), file.tell()):
+            break
+    return file.getvalue()
+
+
+def read_npz(data: bytes) -> tuple[Arrays, str]:
+    """Return the values, the derivatives and the description."""
+    arrays = reading.npz(data)
+    said = arrays.pop("description")(reading.MAX_PIXELS)
+    found = said.tobytes().decode() if said.dtype == np.uint8 else str(said)  # which it was at first
+    most = math.prod(reading.json(found)["shape"])
+    return {name: read(most) for name, read in arrays.items()}, found
+
+
+def write_raw(psf: PSFLike, description: Description) -> tuple[bytes, bytes]:
+    """Return the values, little-endian, the last axis fastest; and the .json beside that describes them."""
+    waves, shares = light(psf)
+    stored = psf.values.astype(psf.values.dtype.newbyteorder("<"))
+    said = {
+        "shape": list(psf.shape),
+        "axes": [axis.name for axis in axes(psf, description)],
+        "dtype": str(psf.values.dtype),
+        "byte_order": "little",
+        "order": "C",
+        "pixel": psf.pixel,
+        "unit": psf.unit,
+        "wavelength": waves.tolist(),
+        "weight": shares.tolist(),
+        "lommel": sealed(description, {"values": psf.values}),
+    }
+    return stored.tobytes(), (json.dumps(said, indent=1, allow_nan=False) + "\n").encode()
+
+
+def read_raw(data: bytes, beside: bytes) -> tuple[Arrays, str]:
+    """Return the values and the description."""
+    if len(beside) > reading.MAX_PIXELS:
+        raise ValueError(f"the .json beside it has {len(beside)} bytes; the limit is {reading.MAX_PIXELS}")
+    description = reading.json(beside)["lommel"]
+    kind = validation.choice("dtype", description["dtype"], ("float32", "float64"))
+    values = np.frombuffer(data, np.dtype(kind).newbyteorder("<"))
+    if values.size != math.prod(description["shape"]):
+        raise ValueError(f"it holds {values.size} values, the .json beside it says {description['shape']}")
+    return {"values": values.astype(kind)}, json.dumps(description)
+
+
+def enlargement(psf: PSFLike) -> int:
+    """Return the factor by which the picture of a PSF is enlarged."""
+    return -(-_SIDE // max(psf.shape[-2:]))
+
+
+def enlarged(grey: Values, times: int) -> Values:
+    """Return a picture with each pixel repeated along both sides."""
+    return grey.repeat(times, axis=0).repeat(times, axis=1)
+
+
+def write_png(psf: PSFLike, description: Description) -> bytes:
+    """Return a 16-bit grey picture, the square root of the values, with the description as a text in it."""
+    from PIL import Image, PngImagePlugin
+
+    if psf.values.ndim != 2:
+        raise ValueError(
+            f"a .png holds a single PSF, got a stack of shape {psf.shape}; index it, or draw it by plot()"
+        )
+    peak, times = float(psf.values.max()), enlargement(psf)
+    if peak <= 0:
+        raise ValueError("a .png needs a positive value; every value of this PSF is 0")
+    shares = np.maximum(psf.values.astype(np.float64), 0.0) / peak
+    grey = np.rint(np.sqrt(shares) * LEVELS).astype(np.uint16)
+    picture = {"png": {"peak": peak, "stretch": "sqrt", "levels": LEVELS, "scale": times}}
+    info = PngImagePlugin.PngInfo()
+    info.add_text("Software", description["software"])
+    info.add_text("lommel", text(description | picture, {"values": grey}))
+    image = Image.fromarray(enlarged(grey, times))
+    small = atomic.contents(image.save, format="png", pnginfo=info)
+    if reading.affords(reading.png_takes(math.prod(image.size), 16, colour=False), len(small)):
+        return small
+    return atomic.contents(image.save, format="png", pnginfo=info, compress_level=0)
+
+
+def read_png(data: bytes) -> tuple[Arrays, str]:
+    """Return one grey value for each pixel of the PSF, and the description."""
+    with reading.png(data) as file:
+        said = str(file.info["lommel"])  # which stands before the picture
+        description = reading.json(said)
+        times = validation.integer("scale", description["png"]["scale"], least=1, most=_SIDE)
+        if list(file.size[::-1]) != [times * side for side in description["shape"]]:
+            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, other than it says")
+        file.load()
+        grey = np.asarray(file, dtype=np.uint16)
+    values = np.ascontiguousarray(grey[::times, ::times])
+    if not np.array_equal(enlarged(values, times), grey):
+        raise ValueError("its pixels are not enlarged as it says")
+    return {"values": values}, said
+
+
+def ome_unit(unit: str) -> tuple[float, str]:
+    """Return the factor to the unit of lengths in OME, and its name."""
+    return (1e6, "µm") if unit == "m" else (1.0, "reference frame")
+
+
+def ome(psf: PSFLike | ColourPSFLike, order: str, description: Description) -> Description:
+    """Return the OME attributes of PSFs on their pixels, with the `order` of the axes of the values."""
+    factor, unit = ome_unit(psf.unit)
+    height, width = (side * factor for side in psf.grid.pitch)
+    return {
+        "axes": order,
+        "PhysicalSizeX": width,
+        "PhysicalSizeXUnit": unit,
+        "PhysicalSizeY": height,
+        "PhysicalSizeYUnit": unit,
+        "Name": "point spread function",
+        "Description": text(description, {"values": np.ascontiguousarray(psf.values)}),
+    }
+
+
+def write_tiff(psf: PSFLike, description: Description, planes: Description | None = None) -> bytes:
+    """Return an OME-TIFF; `planes` are OME attributes of its pages, which are then no stack in depth."""
+    import tifffile
+
+    pupil, write = psf.pupil, partial(tifffile.imwrite, photometric="minisblack")
+    if isinstance(pupil, ObjectivePupil) and pupil.z.size > 1 and _step(pupil.z) is None:
+        description = description | {"planes": _UNEVEN}  # which OME-XML cannot describe
+    fields = ome(psf, "YX" if psf.values.ndim == 2 else "RYX" if planes else "ZYX", description)
+    if planes:
+        fields["Plane"] = planes
+    values = psf.values if psf.values.ndim == 2 else psf.values.reshape(-1, *psf.shape[-2:])
+    if not isinstance(pupil, ObjectivePupil):
+        return atomic.contents(write, values, ome=True, metadata=fields)
+    made, pages = tifffile.OmeXml(), (pupil.focus.size, 1, 1, psf.shape[-2], psf.shape[-1], 1)
+    made.addimage(values.dtype, values.shape, pages, **fields | _ome_image(psf, pupil))
+    instrument = (
+        '<Instrument ID="Instrument:0"><Objective ID="Objective:0" '
+        f'LensNA="{pupil.layers.NA}" NominalMagnification="{pupil.magnification}"/></Instrument>'
+    )
+    settings = (
+        '<InstrumentRef ID="Instrument:0"/>'
+        f'<ObjectiveSettings ID="Objective:0" RefractiveIndex="{pupil.layers.immersion}"/>'
+    )
+    xml = made.tostring(declaration=True).replace("<Image ", f"{instrument}<Image ", 1)
+    xml = xml.replace("<Pixels ", f"{settings}<Pixels ", 1)  # the order of the schema
+    return atomic.contents(write, values, description=xml.encode(), metadata=None)
+
+
+def _ome_image(psf: PSFLike, pupil: ObjectivePupil) -> Description:
+    """Return the attributes and elements of an OME image, with lengths in the sample."""
+    size, apart = 1e6 * psf.grid.side / pupil.magnification, _step(pupil.z)
+    nanometres = 1e9 * pupil.wavelength
+    light = "ExcitationWavelength" if isinstance(pupil.emitter, Beam) else "EmissionWavelength"
+    layers = pupil.layers
+    annotations = {
+        "refractive index of the immersion": layers.immersion,
+        "refractive index of the cover glass": layers.glass,
+        "refractive index of the sample": layers.sample,
+        "depth of the emitter in um": _span(pupil.depth),
+        "stage since the surface of the cover glass was in focus, in um": _span(pupil.focus),
+        "emitter": repr(pupil.emitter),
+    }
+    found = {
+        "PhysicalSizeX": _digits(size),
+        "PhysicalSizeY": _digits(size),
+        "Plane": {"PositionZ": [_digits(1e6 * z) for z in pupil.z.flat], "PositionZUnit": ["µm"] * pupil.z.size},
+        "Channel": {"Name": f"{nanometres:.4g} nm", light: _digits(nanometres), f"{light}Unit": "nm"},
+        "MapAnnotation": {"Value": annotations},
+    }
+    if apart is not None:
+        found |= {"PhysicalSizeZ": _digits(1e6 * abs(apart)), "PhysicalSizeZUnit": "µm"}
+    return found
+
+
+def _digits(value: float) -> float:
+    """Return a length without rounding noise: 0.1, not 0.09999999999999999."""
+    return float(f"{value:.12g}")
+
+
+def _span(metres: Array) -> str:
+    return " to ".join(f"{end:.6g}" for end in dict.fromkeys((1e6 * metres.min(), 1e6 * metres.max())))
+
+
+def read_tiff(data: bytes) -> tuple[Arrays, str]:
+    """Return the values and the description."""
+    from xml.etree import ElementTree as ET
+
+    # Python builds an object for every element.
+    reading.afford(512 * data.count(b"<"), len(data), 10)
+    with reading.tiff(data) as file:
+        if not file.ome_metadata:
+            raise ValueError("no OME description")
+        description = ET.fromstring(file.ome_metadata).find(".//{*}Image/{*}Description")
+        if description is None or not description.text:
+            raise ValueError("no description of how it was made")
+        if file.series[0].nbytes > len(data):
+            raise ValueError(f"its pages have {file.series[0].nbytes} bytes, more than the file")
+        return {"values": file.asarray()}, description.text
+
+
+def write_fits(psf: PSFLike, description: Description) -> bytes:
+    """Return a FITS file; PIXELSCL, WAVELEN, WAVEn and WGHTn are as POPPY and WebbPSF write them."""
+    shares = "share of the light" if psf.normalize in _COUNTS else "of a peak"
+    cards: Description = {
+        "CREATOR": "lommel",
+        "BUNIT": (_COUNTS.get(psf.normalize, ""), shares),
+        "NORMALIZ": (psf.normalize, "what a value of 1 stands for"),
+    }
+    geometry = psf.pupil.geometry if isinstance(psf.pupil, Pupil) else None
+    if geometry is not None and isinstance(psf.pixel, float):
+        angle = math.atan(psf.pixel / geometry.sensor_distance) / _ARCSEC
+        cards["PIXELSCL"] = (angle, "[arcsec/pixel] seen from the lens, on the axis")
+    if psf.unit == "m":
+        for side, pitch in zip("YX", psf.grid.pitch, strict=True):
+            cards[f"{side}PIXSZ"] = (1e6 * pitch, "[um] of a pixel on the sensor")
+    elif isinstance(psf.pixel, float):
+        cards["PIXELSZ"] = (psf.pixel, "[lambda*N] of a pixel on the sensor")
+    waves, weights = light(psf)
+    if waves.size:
+        cards["WAVELEN"] = (float(waves @ weights), "[m] mean wavelength")
+        cards["NWAVES"] = (waves.size, "number of wavelengths")
+    for k in range(min(waves.size, _MOST_WAVES)):
+        cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
+        cards[f"WGHT{k}"] = (float(weights[k]), "its share of the light")
+    pitches = dict(zip("yx", psf.grid.pitch, strict=True))
+    # FITS counts its axes from the last, and their entries from 1.
+    for k, (name, places, unit) in enumerate(reversed(axes(psf, description)), 1):
+        cards[f"CTYPE{k}"] = name.upper()
+        step = pitches[name] if name in pitches else places is not None and _step(places)
+        if places is None or not step:
+            continue
+        cards[f"CRPIX{k}"] = (1.0 - float(places[0]) / step, "where it is 0, on the axis")
+        cards[f"CRVAL{k}"], cards[f"CDELT{k}"] = 0.0, step
+        if unit == "m":
+            cards[f"CUNIT{k}"] = unit
+    said = np.frombuffer(text(description, {"values": psf.values}).encode(), np.uint8)
+    return fits_images.write([(psf.values, cards), (said, {"EXTNAME": (_EXTENSION, "JSON: how it was made")})])
+
+
+def read_fits(data: bytes) -> tuple[Arrays, str]:
+    """Return the values and the description."""
+    images = fits_images.read(data, validation.MAX_VALUES)
+    described = [
+        image for image in images if image.header.get("EXTNAME") == _EXTENSION and image.values.dtype == np.uint8
+    ]
+    if len(described) != 1:
+        raise ValueError("no description of how it was made")
+    return {"values": images[0].values}, described[0].values.tobytes().decode()
+
+
+def write_hdf5(psf: PSFLike, description: Description) -> bytes:
+    """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
+    arrays, places = _arrays(psf), axes(psf, description)
+    waves, shares = light(psf)
+    plain: Description = {
+        "pixel": psf.pixel,
+        "unit": psf.unit,
+        "normalize": psf.normalize,
+        "sampling": psf.sampling,
+    }
+    plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
+    plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
+
+    def fill(file: Any) -> None:
+        said = np.bytes_(text(description, arrays).encode())
+        file.create_dataset("description", data=said, track_times=False)
+        for name, at, unit in places:
+            if at is not None:
+                scale = file.create_dataset(name, data=at, track_times=False)
+                scale.attrs["units"] = np.bytes_(unit)
+                scale.make_scale(name)
+        for name, values in arrays.items():
+            stored = file.create_dataset(name, data=values, track_times=False)
+            for key, value in plain.items():
+                stored.attrs[key] = np.bytes_(value) if isinstance(value, str) else value
+            for k, axis in enumerate(places):
+                stored.dims[k].label = axis.name
+                if axis.places is not None:
+                    stored.dims[k].attach_scale(file[axis.name])
+
+    return _hdf5(fill, b"")
+
+
+def read_hdf5(data: bytes) -> tuple[Arrays, str]:
+    """Return the values, the derivatives and the description."""
+    with _opened(data) as file:
+        said = bytes(_array(file, "description", data)).decode()
+        names = ["values", *(name for name in file if name.startswith(SLOPE))]
+        if (total := sum(file[name].nbytes for name in names if _plain(file, name))) > len(data):
+            raise ValueError(f"its arrays take {total} bytes of {len(data)}")
+        return {name: _array(file, name, data) for name in names}, said
+
+
+def write_mat(psf: PSFLike, description: Description) -> bytes:
+    """Return a .mat file: `values` of the size [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
+    waves, shares = light(psf)
+    said = text(description, {"values": psf.values})
+    texts = {"unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling, "description": said}
+    arrays = {"values": _for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
+    places = ((axis.name, axis.places) for axis in axes(psf, description))
+    arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
+    arrays |= {"wavelength": waves[:, None], "weight": shares[:, None]} if waves.size else {}
+
+    def fill(file: Any) -> None:
+        for name, values in arrays.items():
+            stored = file.create_dataset(name, data=values, track_times=False)
+            stored.attrs["MATLAB_class"] = np.bytes_("single" if values.dtype == np.float32 else "double")
+        for name, said in texts.items():
+            codes = np.frombuffer(said.encode("utf-16-le"), "<u2")[:, None]
+            stored = file.create_dataset(name, data=codes, track_times=False)
+            stored.attrs["MATLAB_class"] = np.bytes_("char")
+            stored.attrs["MATLAB_int_decode"] = np.int32(2)
+
+    # Text, no subsystem, version 2.0, byte order.
+    return _hdf5(fill, _MATLAB.ljust(116) + bytes(8) + struct.pack("<H", 0x0200) + b"IM")
+
+
+def read_mat(data: bytes) -> tuple[Arrays, str]:
+    """Return the values and the description."""
+    with _opened(data) as file:
+        said = _array(file, "description", data).astype("<u2").tobytes().decode("utf-16-le")
+        return {"values": np.ascontiguousarray(_for_matlab(_array(file, "values", data)))}, said
+
+
+def _for_matlab(values: Values) -> Values:
+    """Return the axes (..., y, x) in the order of HDF5 that MATLAB reverses to (y, x, ...)."""
+    stack = range(values.ndim - 2)
+    return values.transpose(*reversed(stack), values.ndim - 1, values.ndim - 2)
+
+
+def _hdf5(fill: Callable[[Any], None], head: bytes) -> bytes:
+    """Return a file that `fill` fills, with its head and a checksum."""
+    import h5py
+
+    file = io.BytesIO()
+    # The oldest version, for old readers.
+    with h5py.File(file, "w", libver="earliest", userblock_size=_BLOCK) as made:
+        fill(made)
+    data = bytearray(file.getvalue())
+    data[: len(head)] = head
+    mark = _CHECKED + _sum(data)  # since the HDF5 library may crash on damaged files
+    data[_SEAL : _SEAL + len(mark)] = mark
+    return bytes(data)
+
+
+def _sum(data: bytes | bytearray) -> bytes:
+    return f"{zlib.crc32(memoryview(data)[_BLOCK:]):08x}".encode()
+
+
+def _opened(data: bytes) -> Any:
+    if not data.startswith(_CHECKED, _SEAL):
+        raise ValueError("no checksum of how it was written")
+    if not data.startswith(_sum(data), _SEAL + len(_CHECKED)):
+        raise ValueError(DAMAGED)
+    return reading.hdf5(data)
+
+
+def _plain(file: Any, name: str) -> bool:
+    import h5py
+
+    return isinstance(file.get(name, getlink=True), h5py.HardLink) and isinstance(file[name], h5py.Dataset)
+
+
+def _array(file: Any, name: str, data: bytes) -> Values:
+    """Return an array that is stored contiguously in the file itself."""
+    if not _plain(file, name):
+        raise ValueError(f"no array {name!r}")
+    found = file[name]
+    if found.chunks is not None or found.nbytes > 8 * validation.MAX_VALUES:
+        raise ValueError(f"{name!r} must be stored in one piece, got {found.nbytes} bytes of {len(data)}")
+    if name == "description" and found.nbytes > 2 * reading.MAX_PIXELS:
+        raise ValueError(f"its description has {found.nbytes} bytes; the limit is {2 * reading.MAX_PIXELS}")
+    return reading.hdf5_values(found, len(data))

@@ -126,7 +126,7 @@ def retrieve(
     size, linear in light (no JPEG, no sRGB). LENS is a lens file with aperture, wavelength, f-number and pixel pitch;
     its wavefront is the starting point. Several images need the --defocus of each (phase diversity). One image leaves
     the common sign of the even terms (total defocus, astigmatism, spherical) undetermined: the solution nearer to the
-    starting point is returned.
+    starting point is returned, or the one whose first even term is positive if both are equally near.
 
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The
     reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right.

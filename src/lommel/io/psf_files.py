@@ -35,7 +35,7 @@ registry.register(
     _form((".npy",), psf_formats.write_npy, psf_formats.read_npy,
           what="NumPy array", readers="NumPy, cnpy"),
     _form((".npz",), psf_formats.write_npz, psf_formats.read_npz, holds=_SLOPES,
-          what="NumPy archive, with derivatives", readers="NumPy, cnpy"),
+          what="NumPy archive", readers="NumPy, cnpy"),
     _form((".png",), psf_formats.write_png, psf_formats.read_png, library="PIL.Image",
           what="16-bit picture, square root of the values", readers="every picture viewer"),
     _form(fits_images.SUFFIXES, psf_formats.write_fits, psf_formats.read_fits, library="astropy",
@@ -43,7 +43,7 @@ registry.register(
     _form(fits_images.PACKED, fits_images.packed(psf_formats.write_fits), psf_formats.read_fits, library="astropy",
           what="compressed FITS", readers="astropy, DS9"),
     _form((".h5", ".hdf5"), psf_formats.write_hdf5, psf_formats.read_hdf5, library="h5py", holds=_SLOPES,
-          what="HDF5, with derivatives", readers="h5py, MATLAB, Julia"),
+          what="HDF5", readers="h5py, MATLAB, Julia"),
     _form((".mat",), psf_formats.write_mat, psf_formats.read_mat, library="h5py",
           what="MATLAB 7.3", readers="MATLAB since R2006b, h5py; not SciPy"),
     _form((".raw",), psf_formats.write_raw, psf_formats.read_raw, beside=".json",
@@ -62,8 +62,8 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
     {formats}
 
-    The picture is of a single PSF, enlarged to 512 pixels or more, and :meth:`lommel.PSF.load` reads its values to
-    1.6e-5 of the peak. See :doc:`/formats` for what other programs find in each file.
+    NumPy archives and HDF5 also hold derivatives. The picture is of a single PSF, enlarged to 512 pixels or more, and
+    :meth:`lommel.PSF.load` reads its values to 1.6e-5 of the peak. For other programs see :doc:`/formats`.
 
     Every file has a description in JSON: version, pupil, method with its options, normalization, pixel, error bound,
     and a checksum of all of this and of the values, without which nothing loads. It is written under a temporary name

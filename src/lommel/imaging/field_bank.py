@@ -178,7 +178,7 @@ def build_field_bank(
         held = windows.sum(axis=(1, 2))
         if far is None and held.min() < energy:  # between the places that were looked at
             if half == largest:
-                raise too_large(largest, energy, largest + 1)
+                raise light.too_large(lattice([nodes.places for nodes in axes]), energy, largest, held)
             half = min(largest, math.ceil(1.05 * half) + 1)
             continue
         if far is None:
@@ -312,11 +312,17 @@ class PointLight:
         while True:
             half = min(half, largest)
             windows = self.windows(places, half)
-            if windows.sum(axis=(1, 2)).min() >= energy:
+            held = windows.sum(axis=(1, 2))
+            if held.min() >= energy:
                 return _smallest(windows, energy), _smallest(windows, min(energy, CORE))
             if half == largest:
-                raise too_large(largest, energy, largest + 1)
+                raise self.too_large(places, energy, largest, held)
             half = math.ceil(1.3 * half) + 1
+
+    def too_large(self, places: Array, energy: float, largest: int, held: Array) -> ValueError:
+        """Return the error of windows at places that would be too large, which hold a share of the light each."""
+        spectrum = self.spectrum or ((None, 1.0),)
+        return too_large(largest, energy, self.pupil(*places.T), spectrum, self.pixel, float(held.min()))
 
 
 def lattice(ticks: Sequence[Array]) -> Array:

@@ -66,22 +66,59 @@ class SensorLight:
         ends = np.linspace(*defocus, 3)
         pupil = self.defocused(ends)
         half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
+        if half > largest:
+            raise too_large(largest, energy, pupil, self.spectrum, self.pixel)
         while True:
-            if half > largest:
-                raise too_large(largest, energy, half)
             shares = self.shares(pupil, half)
             sums = sums_of_windows(shares, half)
-            if sums[:, -1].min() >= energy:
+            held = float(sums[:, -1].min())
+            if held >= energy:
                 half = int((sums >= energy).argmax(axis=1).max()) + 1
                 return half, Parabola.through(ends, shares.max(axis=1))
-            half = math.ceil(1.3 * half) + 1
+            # Beyond the shadow of the aperture the light outside falls as the reciprocal of the distance or faster.
+            # The light within a square costs far less than that of each of its pixels.
+            likely = (half + 0.5) * (1.0 - held) / (1.0 - energy)
+            if half == largest or (likely > largest and (held := self._held(pupil, largest)) < energy):
+                raise too_large(largest, energy, pupil, self.spectrum, self.pixel, held)
+            half = min(math.ceil(1.3 * half) + 1, largest)
+
+    def _held(self, pupil: Pupil, half: int) -> float:
+        """Return the least share of the light that windows hold."""
+        from lommel.measures.energy import radial_square_energy  # which few scenes need
+
+        side = np.array((half + 0.5) * self.pixel)
+        each = ((weight, pupil.in_light(wavelength)) for wavelength, weight in self.spectrum)
+        return float(np.min(sum(weight * radial_square_energy(_METHOD, light, side) for weight, light in each)))
 
 
-def too_large(largest: int, energy: float, needed: int) -> ValueError:
-    """Return the error of windows that would be too large."""
+MAX_HALF = 2048
+"""Largest half width of windows that may be allowed, in pixels."""
+
+
+def too_large(
+    largest: int,
+    energy: float,
+    pupil: Pupil,
+    spectrum: Sequence[tuple[float | None, float]],
+    pixel: float,
+    held: float | None = None,
+) -> ValueError:
+    """Return the error of windows that would be too large, with a size that is enough for a stack of pupils."""
+    # Beyond the shadow each edge diffracts light whose mean falls as r^-3 from there on: of a round aperture
+    # lambda N / (pi^3 r^3), which adds up to 8 sin(pi / 4) / pi^3 lambda N / a outside of a square of the sides 2 a.
+    edges = 1.0 + pupil.obscuration + (len(pupil.spider.angles) / math.pi if pupil.spider else 0.0)
+    diffracted = shadow = 0.0
+    for wavelength, weight in spectrum:
+        light = pupil if wavelength is None else pupil.in_light(wavelength)
+        shadow = max(shadow, float(light.geometric_radius().max()))
+        diffracted += weight * light.scale * edges / float(np.min(light.transmission))
+    far = shadow + 1.05 * 8.0 * math.sin(0.25 * math.pi) / math.pi**3 * diffracted / (1.0 - energy)
+    enough = max(math.ceil(far / pixel), largest) + 1
+    larger = f"allow larger windows (largest={enough} or more), " if enough <= MAX_HALF else ""
+    known = "" if held is None else f", of which these hold {math.floor(1e6 * held) / 1e6:g}"
     return ValueError(
-        f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light; stop "
-        f"down, allow larger windows (largest={needed} or more), or ask for less of it (energy=)"
+        f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light{known}"
+        f"; stop down, {larger}or ask for less of it (energy=)"
     )
 
 

@@ -98,11 +98,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     center = energy_centers(psf, about)
     pupil = psf.pupil
     if psf.radial_method is not None and _plain(psf, of):
-        radial_method = psf.radial_method
-        sides = [float(a) for a in _within_reach(pupil, "half_width", at, radial_method.stretch(pupil))]
-        energies = [_rectangles(radial_method, pupil, [(4.0, a, a)]) for a in sides]
-        exact = np.stack(energies, axis=-1) if sides else np.zeros((math.prod(pupil.shape), 0))
-        return numbers(exact, pupil.shape + at.shape)
+        return radial_square_energy(psf.radial_method, pupil, at)
     flat = at.ravel() / pupil.scale
     away = center / pupil.scale
     reach = float(flat.max(initial=0.0)) + float(np.abs(away).max(initial=0.0))
@@ -237,6 +233,13 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     intensity = method.profile(pupil, np.concatenate(nodes)).values
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
     return numbers(light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
+
+
+def radial_square_energy(method: RadialMethod, pupil: BasePupil, half_width: Array) -> Numbers:
+    """Return the fraction of all light of a radial pupil within squares about the axis, by quadrature."""
+    sides = _within_reach(pupil, "half_width", half_width, method.stretch(pupil)).tolist()
+    exact = [_rectangles(method, pupil, [(4.0, a, a)]) for a in sides]
+    return numbers(np.transpose(exact), pupil.shape + half_width.shape)
 
 
 def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Array:

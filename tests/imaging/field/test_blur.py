@@ -278,6 +278,10 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
     assert one == pytest.approx(other, rel=1e-12)
 
 
+def test_windows_as_large_as_the_refusal_of_smaller_ones_says_are_enough():
+    assert FieldBlur(OF_LENS, SHAPE, PIXEL, largest=22).lost <= 0.02
+
+
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
@@ -294,7 +298,11 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
         ({"energy": 0.99999}, ValueError, "energy"),
         ({"border": "wrap"}, ValueError, "border must be one of"),
         ({"method": "fft"}, TypeError, "method"),
-        ({"largest": 3}, ValueError, r"windows of more than 7 pixels a side to hold 0.98 .*largest=4"),
+        (
+            {"largest": 3},
+            ValueError,
+            r"windows of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more",
+        ),
         ({"channels": (5e-7, "blue")}, TypeError, "wavelength"),
         ({"depth": np.full(SHAPE, 2.0)}, ValueError, "lens is missing: they go together"),
         ({"lens": LENS}, ValueError, "depth is missing: they go together"),

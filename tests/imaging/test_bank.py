@@ -211,7 +211,7 @@ def test_windows_as_large_as_the_refusal_of_smaller_ones_says_hold_the_light(dis
         pupil = light.defocused(np.array([low, 0.5 * (low + high), high])).in_light(wavelength)
         held += weight * lm.psf(pupil, 1, 1e-6, integrate=False).ensquared_energy(side)
     assert held.min() >= energy
-    if energy < 0.99:
+    if energy < 0.99 and distances[0] > 0.5:
         assert light.enough((low, high), energy, enough)[0] <= enough + 1
 
 
@@ -224,9 +224,7 @@ def test_windows_that_cannot_hold_the_light_are_refused_before_they_are_computed
         return shares(self, pupil, half)
 
     monkeypatch.setattr(SensorLight, "shares", watched)
-    with pytest.raises(
-        ValueError, match=r"of more than 161 pixels .* 0\.9999 of the light, of which these hold 0\.9"
-    ):
+    with pytest.raises(ValueError, match=r"more than 161 pixels .* 0\.9999 of the light, of which these hold 0\.9"):
         light.enough((0.0, 10.0), 0.9999, 80)
     assert max(sides) < 40
 

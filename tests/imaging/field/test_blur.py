@@ -301,7 +301,7 @@ def test_windows_as_large_as_the_refusal_of_smaller_ones_says_are_enough():
         (
             {"largest": 3},
             ValueError,
-            r"windows of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more",
+            r"of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more",
         ),
         ({"channels": (5e-7, "blue")}, TypeError, "wavelength"),
         ({"depth": np.full(SHAPE, 2.0)}, ValueError, "lens is missing: they go together"),

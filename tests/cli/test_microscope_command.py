@@ -106,9 +106,9 @@ def test_what_the_file_has_besides_is_told(folder, call_lommel):
 
 @pytest.mark.parametrize("columns", [60, 200])
 def test_no_digit_is_left_out_of_narrow_tables(columns, folder, call_lommel, monkeypatch):
-    from lommel.cli import tables
+    from lommel.cli import output
 
-    monkeypatch.setattr(tables.sys.stdout, "isatty", lambda: True, raising=False)
+    monkeypatch.setattr(output.sys.stdout, "isatty", lambda: True, raising=False)
     monkeypatch.setenv("COLUMNS", str(columns))
     assert "…" not in call_lommel("info", "objective.toml", folder=folder).stdout
 

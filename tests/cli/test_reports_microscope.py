@@ -30,7 +30,7 @@ def microscope(**changes) -> Microscope:
 
 @pytest.fixture(scope="module")
 def facts():
-    return describe_microscope(microscope(planes=3, step=0.3e-6))
+    return describe_microscope(microscope(planes=3, step=0.3e-6)).facts
 
 
 def test_the_foci_are_those_of_the_objective_and_of_its_published_table(facts):
@@ -68,12 +68,12 @@ def test_all_of_it_is_plain_data(facts):
     ],
 )
 def test_what_is_sampled_too_coarsely_is_named(changes, coarse):
-    assert describe_microscope(microscope(**changes))["too_coarse"] == coarse
+    assert describe_microscope(microscope(**changes)).facts["too_coarse"] == coarse
 
 
 def test_depths_out_of_reach_are_left_out_with_the_reason():
     near = dataclasses.replace(OIL, working_distance=10e-6)
-    found = describe_microscope(microscope(objective=near))
+    found = describe_microscope(microscope(objective=near)).facts
     assert [row["depth"] for row in found["focus"]] == [0.0, 1e-6, 5e-6]
     assert len(found["refused"]) == 2
     assert found["refused"][0].startswith(
@@ -83,10 +83,10 @@ def test_depths_out_of_reach_are_left_out_with_the_reason():
 
 def test_what_differs_from_the_design_is_told():
     thick = dataclasses.replace(OIL, coverslip=lm.Layer(1.52, 180e-6))
-    found = describe_microscope(microscope(objective=thick))
+    found = describe_microscope(microscope(objective=thick)).facts
     assert found["coverslip"] == {"index": 1.52, "thickness": 180e-6}
     assert found["design"] == {"immersion": 1.515, "coverslip": {"index": 1.515, "thickness": 170e-6}}
-    assert describe_microscope(microscope())["design"] is None
+    assert describe_microscope(microscope()).facts["design"] is None
 
 
 @pytest.mark.parametrize(
@@ -100,13 +100,13 @@ def test_what_differs_from_the_design_is_told():
     ],
 )
 def test_emitters_have_words(emitter, words):
-    assert describe_microscope(microscope(emitter=emitter))["emitter"] == words
+    assert describe_microscope(microscope(emitter=emitter)).facts["emitter"] == words
 
 
 def test_a_stack_is_described_plane_by_plane():
     taken = microscope(planes=3, step=0.3e-6, emitter=lm.Scalar())
     answer = lm.psf(taken.pupil(), taken.window, taken.pixel)
-    found = describe_stack(answer, 0.5)
+    found = describe_stack(answer, 0.5).facts["psf"]
     np.testing.assert_allclose(found["z"], [-0.3e-6, 0.0, 0.3e-6])
     np.testing.assert_array_equal(found["focus"], answer.pupil.focus)
     assert found["brightest"] == int(answer.values.max(axis=(1, 2)).argmax())
@@ -117,7 +117,7 @@ def test_a_stack_is_described_plane_by_plane():
 
 def test_one_plane_has_numbers_and_no_brightest():
     taken = microscope(emitter=lm.Scalar())
-    found = describe_stack(lm.psf(taken.pupil(), taken.window, taken.pixel), 0.5)
+    found = describe_stack(lm.psf(taken.pupil(), taken.window, taken.pixel), 0.5).facts["psf"]
     assert (found["z"], found["brightest"]) == (0.0, None)
     assert found["energy"] == pytest.approx(float(lm.psf(taken.pupil(), taken.window, taken.pixel).energy))
 

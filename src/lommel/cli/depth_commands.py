@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,24 +13,9 @@ import numpy as np
 
 from lommel.base.encoding import to_light
 from lommel.base.units import format_length
-from lommel.cli import tables
-from lommel.cli.options import (
-    FILE,
-    JSON,
-    LENS,
-    SQUARE_PIXEL,
-    Facts,
-    Length,
-    Option,
-    command,
-    documented,
-    figure_format,
-    instrument_of,
-    plot_option,
-    print_json,
-    save_figure,
-    under,
-)
+from lommel.cli.instruments import LENS, SQUARE_PIXEL, instrument_of
+from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, plot_option, under
+from lommel.cli.output import Facts, Report, save_figure, table_of, written
 from lommel.cli.photo_commands import finite, read_as
 from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
@@ -40,6 +26,8 @@ from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from lommel.imaging.defocus_depth import DefocusDepth
     from lommel.optics.lens import Lens
 
@@ -55,7 +43,7 @@ def _length(metres: float) -> str:
 @command(
     click.Argument(["photos"], type=FILE, nargs=-1, required=True),
     LENS,
-    Option("--between", type=Length(), nargs=2, required=True, metavar="NEAR FAR",
+    Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
            help="Nearest and farthest distance to search, such as 1m 3m or 1m inf."),
     Option("-o", "--output", "outputs", type=FILE, multiple=True,
            help=f"Depth map in metres; given a second time, its standard deviation: {suffixes('depth map')}."),
@@ -64,7 +52,7 @@ def _length(metres: float) -> str:
     JSON,
     *under(
         "Camera",
-        Option("--focus", "foci", type=Length(), multiple=True,
+        Option("--focus", "foci", type=LENGTH, multiple=True,
                help="Focus distance, such as 1.35m: once for all photos, or repeated for each; overrides the lens "
                "file."),
         Option("--f-number", "f_numbers", type=float, multiple=True,
@@ -109,9 +97,8 @@ def depth(
     outputs: tuple[Path, ...],
     sharp: Path | None,
     figure: Path | None,
-    as_json: bool,
     **options: Any,
-) -> None:
+) -> Report:
     """Estimate a depth map from photos (depth from defocus).
 
     PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
@@ -129,8 +116,6 @@ def depth(
         depthmaps.find(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
-    if figure is not None:
-        figure_format(figure)
     instrument = instrument_of(lens, pixel=pixel)
     if instrument.aberrations_of_field is not None:
         raise ValueError(
@@ -161,15 +146,10 @@ def depth(
             _write_sharp(sharp, found)
         if figure is not None:
             save_figure(found.plot(), figure)
-    files = [path for path in (*outputs, sharp, figure) if path is not None]
-    facts = _facts(found, lenses, seconds) | {"pixel": instrument.side, "files": [str(path) for path in files]}
+    files = written([*outputs, sharp, figure])
+    facts = _facts(found, lenses, seconds) | {"pixel": instrument.side} | files.facts
     facts["read"] = read_as(pictures[0], encoding)
-    if as_json:
-        print_json(facts)
-        return
-    _print(facts, options)
-    for path in files:
-        click.echo(f"wrote {path}")
+    return Report(facts, [*_lines(facts, options), *files.parts])
 
 
 def _write_sharp(path: Path, found: DefocusDepth) -> None:
@@ -216,29 +196,30 @@ def _facts(found: DefocusDepth, lenses: list[Lens], seconds: float) -> Facts:
     }
 
 
-def _print(facts: Facts, options: Facts) -> None:
-    click.echo(facts["read"])
+def _lines(facts: Facts, options: Facts) -> Iterator[str]:
+    """Yield what a depth map and its photos are."""
+    yield facts["read"]
     height, width = facts["shape"]
     foci = [_length(math.inf if each == "infinity" else each) for each in facts["focus_distances"]]
     each = ", ".join(f"{focus} at f/{stop:.3g}" for focus, stop in zip(foci, facts["f_numbers"], strict=True))
     near, far = (_length(end) for end in options["between"])
-    click.echo(f"{width} x {height} pixels of {format_length(facts['pixel'])}; focus {each}")
-    click.echo(f"{facts['candidates']} distances from {near} to {far}, windows of {options['window']:g} pixels rms")
+    yield (f"{width} x {height} pixels of {format_length(facts['pixel'])}; focus {each}")
+    yield (f"{facts['candidates']} distances from {near} to {far}, windows of {options['window']:g} pixels rms")
     if facts["depth"] is None:
-        click.echo("no depth found: the photos have no texture, or all of it is out of range")
+        yield ("no depth found: the photos have no texture, or all of it is out of range")
     else:
         low, middle, high = (_length(facts["depth"][name]) for name in ("5 %", "50 %", "95 %"))
-        click.echo(
+        yield (
             f"depth known at {100.0 * facts['known']:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
             f"median {middle}, standard deviation {format_length(facts['deviation'], digits=2)}"
         )
     fits = "does not fit the photos: check registration, noise and lens" if facts["misfit"] > _MISFIT else "fits"
-    click.echo(f"misfit {facts['misfit']:.3g} (1 if only noise is left): the model {fits}")
+    yield (f"misfit {facts['misfit']:.3g} (1 if only noise is left): the model {fits}")
 
 
 @command(
     LENS,
-    Option("--focus", "foci", type=Length(), multiple=True,
+    Option("--focus", "foci", type=LENGTH, multiple=True,
            help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
            "--best."),
     Option("--pair", type=float,
@@ -248,7 +229,7 @@ def _print(facts: Facts, options: Facts) -> None:
     documented(depth_precision, "photons", type=float, required=True,
                help="Mean signal per pixel, in detected photons (electrons)."),
     Option("--f-number", type=float, help="F-number; overrides the lens file."),
-    Option("--between", type=Length(), nargs=2, metavar="NEAR FAR",
+    Option("--between", type=LENGTH, nargs=2, metavar="NEAR FAR",
            help="Nearest and farthest distance to list; by default around the focus distances."),
     SQUARE_PIXEL,
     documented(Noise, "read", type=float, default=3.0, required=False),
@@ -271,8 +252,7 @@ def precision(
     between: tuple[float, float] | None,
     pixel: float | None,
     figure: Path | None,
-    as_json: bool,
-) -> None:
+) -> Report:
     """Compute the achievable depth precision (Cramer-Rao bound).
 
     The bound is the least standard deviation of the distance of a textured surface, estimated from photos with
@@ -286,8 +266,6 @@ def precision(
       lommel precision phone.toml --focus 1.5m --best --f-number 4 --photons 5000
       lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
-    if figure is not None:
-        figure_format(figure)
     instrument = instrument_of(lens, pixel=pixel)
     one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
     noise: Facts = {"noise": Noise(read=read), "photons": photons, "contrast": contrast, "window": window}
@@ -306,7 +284,6 @@ def precision(
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
     deviation = np.asarray(depth_precision(lenses, distance, instrument.side, **noise))
     seconds = time.perf_counter() - start
-    rows = np.linspace(0, len(distance) - 1, _ROWS).round().astype(int)
     listed = ", ".join(_length(each.focus_distance) for each in lenses)
     if figure is not None:
         from lommel.show import depth_maps
@@ -314,26 +291,26 @@ def precision(
         title = f"{instrument.name}\nfocus {listed} at f/{one.f_number:.3g}, {photons:g} electrons a pixel"
         drawn: Any = depth_maps.precision(distance, {"": deviation}, title)
         save_figure(drawn.figure, figure)
-    if as_json:
-        print_json(
-            {
-                "focus_distances": [finite(each.focus_distance) for each in lenses],
-                "f_number": one.f_number,
-                "distance": distance.tolist(),
-                "deviation": [float(each) if math.isfinite(each) else None for each in deviation],
-                "seconds": seconds,
-                "files": [] if figure is None else [str(figure)],
-            }
-        )
-        return
-    click.echo(f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {listed}")
-    click.echo(
-        f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {contrast:g}, windows of "
-        f"{window:g} pixels rms"
-    )
-    tables.print_precision([(float(distance[k]), float(deviation[k])) for k in rows])
-    if figure is not None:
-        click.echo(f"wrote {figure}")
+    facts = {
+        "focus_distances": [finite(each.focus_distance) for each in lenses],
+        "f_number": one.f_number,
+        "distance": distance.tolist(),
+        "deviation": [each if math.isfinite(each) else None for each in deviation.tolist()],
+        "seconds": seconds,
+    }
+    rows = []
+    for k in np.linspace(0, len(distance) - 1, _ROWS).round().astype(int):
+        at, error = float(distance[k]), float(deviation[k])
+        known = math.isfinite(error)
+        share = f"{100.0 * error / at:.2g} %" if known else ""
+        rows.append((format_length(at), format_length(error, digits=3) if known else "inf", share))
+    side = format_length(instrument.side)
+    parts: list[RenderableType] = [
+        f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {listed}",
+        f"pixels of {side}, {photons:g} electrons, contrast {contrast:g}, windows of {window:g} pixels rms",
+        table_of(("distance", "standard deviation", "relative"), rows),
+    ]
+    return Report(facts, parts) + written([figure])
 
 
 def _around(lens: Lens, focus: float, dioptres: float) -> list[Lens]:

@@ -6,11 +6,12 @@ import errno
 from pathlib import Path
 
 import click
+from rich.table import Column, Table
 
 from lommel.base import atomic
 from lommel.base.validation import shown
-from lommel.cli import tables
-from lommel.cli.options import JSON, Option, command, print_json
+from lommel.cli.options import JSON, Option, command
+from lommel.cli.output import Report, written
 from lommel.lensfiles import toml_files
 
 _KINDS = {"lenses": "lens", "objectives": "objective"}
@@ -23,7 +24,7 @@ _KINDS = {"lenses": "lens", "objectives": "objective"}
     Option("--all", "everything", is_flag=True, help="Copy all examples."),
     JSON,
 )  # fmt: skip
-def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bool) -> None:
+def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
     """List example files of lenses and objectives, or copy them.
 
     NAMES are the names of the files to copy. The files describe real instruments and state the source of their
@@ -37,32 +38,27 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool, as_json: bo
     """
     there = files()
     if not names and not everything:
-        rows = [
-            {"name": name, "kind": _KINDS[path.parent.name], "what": str(toml_files.parsed(path)[1]["name"])}
-            for name, path in there.items()
-        ]
-        if as_json:
-            print_json({"examples": rows})
-        else:
-            tables.print_examples(rows)
-        return
+        columns = Column("name", no_wrap=True), Column("kind", no_wrap=True), "description"
+        table = Table(*columns, box=None, pad_edge=False)
+        rows = []
+        for name, path in there.items():
+            kind, what = _KINDS[path.parent.name], str(toml_files.parsed(path)[1]["name"])
+            rows.append({"name": name, "kind": kind, "what": what})
+            table.add_row(name, kind, what)
+        return Report({"examples": rows}, [table])
     wanted = list(there) if everything else [name.removesuffix(".toml") for name in names]
     for name in wanted:
         if name not in there:
             raise ValueError(f"NAMES must be among {', '.join(there)}, got {shown(name)}")
-    written = [folder / there[name].name for name in wanted]
-    for path in written:
+    copies = [folder / there[name].name for name in wanted]
+    for path in copies:
         if path.exists():
             raise FileExistsError(errno.EEXIST, "File exists", str(path))
     folder.mkdir(parents=True, exist_ok=True)
     with atomic.together() as put:
-        for name, path in zip(wanted, written, strict=True):
+        for name, path in zip(wanted, copies, strict=True):
             put(path, there[name].read_bytes())
-    if as_json:
-        print_json({"files": [str(path) for path in written]})
-        return
-    for path in written:
-        click.echo(f"wrote {path}")
+    return written(copies)
 
 
 def files() -> dict[str, Path]:

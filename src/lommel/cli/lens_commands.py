@@ -4,41 +4,36 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
+from rich.table import Column, Table
+from rich.text import Text
 
-from lommel.cli import tables
-from lommel.cli.options import (
-    DEPTH,
-    INTEGRATE,
-    JSON,
-    LENS,
-    OBJECT_DISTANCE,
-    PIXEL,
-    SHAPE,
-    Option,
-    Shape,
-    command,
-    figure_format,
-    instrument_of,
-    microscope_of,
-    plot_option,
-    print_json,
-    save_figure,
-)
+from lommel.cli.instruments import DEPTH, INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, instrument_of, microscope_of
+from lommel.cli.options import JSON, WINDOW, Option, command, plot_option
+from lommel.cli.output import Report, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.methods import ERFS, METHODS, ClosedForm
+from lommel.show.drawing import HOW
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+_NOTES = {
+    "HuygensFresnel": "flat, thin lens without the Fresnel approximation",
+    "Geometric": "no diffraction",
+}
 
 
 @command(
     LENS, OBJECT_DISTANCE, PIXEL,
-    Option("--shape", type=Shape(),
+    Option("--shape", type=WINDOW,
            help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
            "(height x width); overrides the file."),
     JSON, DEPTH,
 )  # fmt: skip
-def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> None:
+def info(lens: Path, depth: float | None, **given: object) -> Report:
     """Print the image quality of a lens or a microscope.
 
     Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,
@@ -58,17 +53,15 @@ def info(lens: Path, as_json: bool, depth: float | None, **given: object) -> Non
 
     microscope = microscope_of(lens, depth=depth, **given)
     if microscope is not None:
-        facts, show = reports.describe_microscope(microscope), tables.print_microscope
-    else:
-        facts, show = reports.describe_lens(instrument_of(lens, **given)), tables.print_lens
-    (print_json if as_json else show)(facts)
+        return reports.describe_microscope(microscope)
+    return reports.describe_lens(instrument_of(lens, **given))
 
 
 @command(
     LENS, OBJECT_DISTANCE, PIXEL, SHAPE, INTEGRATE,
     plot_option("Figure of the PSFs (square-root scale) and of slices through them", "--figure"), JSON,
 )  # fmt: skip
-def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> None:
+def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
     The reference is direct quadrature (Hankel) for radially symmetric wavefronts, the series with a proven error
@@ -86,8 +79,6 @@ def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> 
     """
     from lommel.cli import reports  # what it needs takes longer to import than the list of commands
 
-    if figure is not None:
-        figure_format(figure)
     instrument = instrument_of(lens, **given)
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as started:
@@ -106,34 +97,50 @@ def compare(lens: Path, as_json: bool, figure: Path | None, **given: object) -> 
 
             save_figure(plot.compare(answers, reference), figure)
     other = reports.other_model(instrument)
-    if as_json:
-        named = {"name": instrument.name, "reference": reference, "sampling": sampling}
-        print_json(named | {"rows": rows, "other_model": other})
-        return
-    tables.print_comparison(instrument, rows, reference, sampling, other)
-    if figure is not None:
-        click.echo(f"wrote {figure}: square root of the values, and slices")
+    table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
+    table.add_column("")
+    for row in rows:
+        # "X supports defocus only; this pupil ..." stands beside the name of X.
+        reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
+        note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
+        if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
+            note = "same model, without its expansion in powers of rho"
+        if row["sampling"] not in (None, sampling):
+            note = f"{HOW[row['sampling']]}; {note}"
+        spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
+        errors = ("-" if row[key] is None else f"{row[key]:.2g}" for key in ("mse", "peak_error", "error_bound"))
+        table.add_row(row["method"], spent, *errors, note)
+    height, width = instrument.window
+    size = f"{height} x {width} pixels of {reports.pitch_in_words(instrument.pixel)}, {HOW[sampling]}"
+    if all(row["method"] != reference for row in rows):  # which is then not marked in the table
+        size += f"; reference {reference}"
+    facts = {
+        "name": instrument.name,
+        "reference": reference,
+        "sampling": sampling,
+        "rows": rows,
+        "other_model": other,
+    }
+    model = f"model: {instrument.lens.model}; {reports.model_in_words(other)}"
+    files = written([figure], lambda _: ": square root of the values, and slices").parts
+    return Report(facts, [Text(instrument.name, "bold"), Text(size), table, Text(model), *files])
 
 
 @command(JSON)
-def methods(as_json: bool) -> None:
+def methods() -> Report:
     """List the methods and their options, for --method and --set.
 
     Example:
       lommel methods
     """
-    rows = [
-        {
-            "name": name,
-            "what": (kind.__doc__ or "").partition("\n")[0].replace("``", "").rstrip("."),
-            "options": {item.name: _default(item) for item in dataclasses.fields(kind)},  # type: ignore[arg-type]
-        }
-        for name, kind in METHODS.items()
-    ]
-    if as_json:
-        print_json({"methods": rows})
-    else:
-        tables.print_methods(rows)
+    table = Table(Column("method", no_wrap=True), "description", "options (defaults)", box=None, pad_edge=False)
+    rows = []
+    for name, kind in METHODS.items():
+        what = (kind.__doc__ or "").partition("\n")[0].replace("``", "").rstrip(".")
+        options = {item.name: _default(item) for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
+        rows.append({"name": name, "what": what, "options": options})
+        table.add_row(name, what, " ".join(f"{option}={value}" for option, value in options.items()))
+    return Report({"methods": rows}, [table])
 
 
 def _default(item: dataclasses.Field[Any]) -> str:
@@ -150,7 +157,7 @@ def _default(item: dataclasses.Field[Any]) -> str:
            "Eq. (17); validity: where the closed forms hold."),
     JSON,
 )  # fmt: skip
-def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
+def paper(outdir: Path, figures: tuple[str, ...]) -> Report:
     """Reproduce the figures and numbers of the paper.
 
     The paper is "Bridging ray tracing and wave optics: a computationally efficient model for defocus and spherical
@@ -164,15 +171,22 @@ def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
       lommel paper out
       lommel paper out --figure 3 --figure eq17
     """
+    from lommel.paper.numbers import closest_text, number
     from lommel.paper.write import FIGURES, reproduce
 
     wanted = list(figures) or None
     with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
         made = reproduce(outdir, wanted, started)
-    if as_json:
-        print_json(made)
-        return
+    parts: list[RenderableType] = [f"wrote {name}" for name in made["files"]]
     if made["table"] is not None:
-        tables.print_numbers(made["table"])
-    for name in made["files"]:
-        click.echo(f"wrote {name}")
+        names = ("quantity", "paper", "as printed", "corrected", "closest, as printed")
+        rows = [
+            (
+                row["quantity"],
+                *(number(row[key]) for key in ("paper", "printed", "corrected")),
+                closest_text(row["closest"]["printed"]),
+            )
+            for row in made["table"]
+        ]
+        parts.insert(0, table_of(names, rows, no_wrap=True, title="The numbers of the paper"))
+    return Report(made, parts)

@@ -17,18 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
-from lommel.cli.options import (
-    FILE,
-    JSON,
-    Facts,
-    Length,
-    Lengths,
-    Option,
-    command,
-    documented,
-    print_json,
-    under,
-)
+from lommel.cli.options import FILE, JSON, LENGTH, LENGTHS, Option, command, documented, under
+from lommel.cli.output import Facts, Report, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
 from lommel.imaging import FocusPlan, Photograph, Picture, RichardsonLucy, TotalVariation, read_depth, read_photo
@@ -40,7 +30,7 @@ from lommel.io.registry import suffixes
 from lommel.optics.lens import Lens
 
 if TYPE_CHECKING:
-    from lommel.imaging.restoration import Restoration
+    pass
 
 _AGREE = 0.02  # EXIF has the nominal figures of a lens, rounded
 _TYPES: dict[str, np.dtype[np.generic]] = {
@@ -56,20 +46,20 @@ _ARGUMENTS = [
     click.Argument(["depth"], type=FILE),
     click.Argument(["lens"], type=FILE, required=False),
 ]
-_FOCUS = Option("--focus", type=Length(), help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+_FOCUS = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
 _COMMON = [
     JSON,
     *under(
         "Camera",
         Option("--f-number", type=float, help="F-number; by default from the lens file or the EXIF."),
-        Option("--focal-length", type=Length(),
+        Option("--focal-length", type=LENGTH,
                help="Focal length, where there is no lens file; by default from the EXIF."),
-        Option("--pixel", type=Length(), help="Pixel pitch; overrides the lens file."),
+        Option("--pixel", type=LENGTH, help="Pixel pitch; overrides the lens file."),
         Option("--pixel-from-exif", is_flag=True,
                help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate "
                "to a few %."),
         Option("--no-exif", is_flag=True, help="Ignore the lens data of the EXIF."),
-        Option("--wavelengths", type=Lengths(),
+        Option("--wavelengths", type=LENGTHS,
                help="Wavelength of each channel; by default 600nm,540nm,460nm, and for a grey photo that of the lens "
                "file, or 550nm."),
     ),
@@ -105,7 +95,7 @@ _COMMON = [
     _FOCUS,
     *under(
         "Focus pull",
-        Option("--focus-to", "last", type=Length(),
+        Option("--focus-to", "last", type=LENGTH,
                help="Focus distance of the last frame: a focus pull from --focus in equal steps of dioptres."),
         Option("--frames", type=click.IntRange(2, 9999), help=f"Number of frames; by default {_FRAMES}."),
         Option("--fps", type=float, help=f"Frames per second of an animation; by default {_FPS:g}."),
@@ -118,9 +108,8 @@ def blur(
     last: float | None,
     frames: int | None,
     fps: float | None,
-    as_json: bool,
     **given: Any,
-) -> None:
+) -> Report:
     """Blur a photo by its depth map, or pull the focus through it.
 
     PHOTO is a PNG, JPEG or TIFF, grey or RGB. DEPTH is a depth map of the same size, the distance of each point from
@@ -138,14 +127,13 @@ def blur(
     """
     request = Request.of(given)
     if last is not None:
-        _pull_focus(request, output, (focus, last), frames or _FRAMES, _FPS if fps is None else fps, as_json)
-    elif frames is not None or fps is not None:
+        return _pull_focus(request, output, (focus, last), frames or _FRAMES, _FPS if fps is None else fps)
+    if frames is not None or fps is not None:
         raise ValueError(f"--{'frames' if frames is not None else 'fps'} needs --focus-to, the end of a focus pull")
-    else:
-        _blur(request, output, focus, as_json)
+    return _blur(request, output, focus)
 
 
-def _blur(request: Request, output: Path, focus: float | None, as_json: bool) -> None:
+def _blur(request: Request, output: Path, focus: float | None) -> Report:
     """Blur one photograph."""
     find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as started:
@@ -157,12 +145,10 @@ def _blur(request: Request, output: Path, focus: float | None, as_json: bool) ->
         seconds = time.perf_counter() - start
         clipped = job.write(output, made.values)
     facts = job.facts(lens) | {"focus_distance": finite(lens.focus_distance), "seconds": seconds}
-    _print(facts | _quality([made], [clipped]), [output], as_json, _blur_lines)
+    return _blur_report(facts, [made], [clipped], [output])
 
 
-def _pull_focus(
-    request: Request, output: Path, ends: tuple[float | None, float], frames: int, fps: float, as_json: bool
-) -> None:
+def _pull_focus(request: Request, output: Path, ends: tuple[float | None, float], frames: int, fps: float) -> Report:
     """Blur a photograph once for each focus distance of a focus pull; a failure leaves no file."""
     first, last = ends
     check_pattern(output, "--output")
@@ -195,7 +181,7 @@ def _pull_focus(
         "focus_distances": [finite(lens.focus_distance) for lens in lenses],
         "seconds": seconds,
     }
-    _print(facts | _quality(photographs, shares), files, as_json, _blur_lines)
+    return _blur_report(facts, photographs, shares, files)
 
 
 _METHODS = ("richardson-lucy", "total-variation")
@@ -238,9 +224,8 @@ def restore(
     steps: int | None,
     target: float,
     strength: float | None,
-    as_json: bool,
     **given: Any,
-) -> None:
+) -> Report:
     """Deblur a photo with a known depth map and lens.
 
     PHOTO is a PNG, JPEG or TIFF, grey or RGB, neither sharpened nor denoised. DEPTH is a depth map of the same size,
@@ -284,7 +269,23 @@ def restore(
         seconds = time.perf_counter() - start
         clipped = job.write(output, np.asarray(found.light))
     facts = job.facts(lens) | {"focus_distance": finite(lens.focus_distance), "seconds": seconds}
-    _print(facts | _outcome(found, method) | {"clipped": clipped}, [output], as_json, _restore_lines)
+    facts |= {
+        "method": method,
+        "discrepancy": {"photo": found.before, "result": found.discrepancy, "by_channel": list(found.by_channel)},
+        "steps": found.steps,
+        "stopped": found.stopped,
+        "strength": found.strength,
+        "unknown": found.unknown,
+        "clipped": clipped,
+    }
+    lines = [f"discrepancy {found.before:.3g} of the photo, {found.discrepancy:.3g} of the result"]
+    if found.strength is not None:
+        lines.append(f"strength of the total variation {found.strength:.3g}")
+    why = {"noise": "the rest is noise", "steps": "maximum number of steps; more would fit better"}
+    lines.append(f"stopped after {found.steps} steps: {why.get(found.stopped, found.stopped)}")
+    if found.unknown:
+        lines.append(f"saturated or unknown: {100.0 * found.unknown:.2g} % of the values")
+    return _report(facts, lines, [output])
 
 
 def _method(name: str, steps: int | None, target: float, strength: float | None) -> RichardsonLucy | TotalVariation:
@@ -297,62 +298,26 @@ def _method(name: str, steps: int | None, target: float, strength: float | None)
     return RichardsonLucy(steps=RichardsonLucy.steps if steps is None else steps, target=target)
 
 
-def _outcome(found: Restoration, method: str) -> Facts:
-    return {
-        "method": method,
-        "discrepancy": {"photo": found.before, "result": found.discrepancy, "by_channel": list(found.by_channel)},
-        "steps": found.steps,
-        "stopped": found.stopped,
-        "strength": found.strength,
-        "unknown": found.unknown,
-    }
-
-
-def _quality(photographs: list[Photograph], clipped: list[float]) -> Facts:
-    return {
-        "largest_window": max(p.window for p in photographs),
-        "light_beyond_windows": max(p.lost for p in photographs),
-        "interpolation_error": max(p.error for p in photographs),
-        "clipped": max(clipped),
-    }
-
-
-def _print(facts: Facts, files: list[Path], as_json: bool, lines: Callable[[Facts], Iterator[str]]) -> None:
-    """Print what was done as JSON or in lines."""
-    if as_json:
-        print_json(facts | {"files": [str(path) for path in files]})
-        return
-    click.echo(facts["read"])
-    height, width, *_ = facts["shape"]
-    click.echo(
-        f"{width} x {height} pixels of {format_length(facts['pixel'])}; "
-        f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
-    )
-    for text in lines(facts):
-        click.echo(text)
-    if facts["clipped"]:
-        click.echo(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
-    for path in files:
-        click.echo(f"wrote {path}")
-
-
-def _blur_lines(facts: Facts) -> Iterator[str]:
-    side, lost, error = facts["largest_window"], facts["light_beyond_windows"], facts["interpolation_error"]
+def _blur_report(facts: Facts, photographs: list[Photograph], clipped: list[float], files: list[Path]) -> Report:
+    """Return the report of blurred photographs, with the worst of their errors."""
+    side, lost, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
+    facts |= {"largest_window": side, "light_beyond_windows": lost, "interpolation_error": error}
     if lost:
-        yield f"PSFs of up to {side} pixels, without {lost:.2g} of the light; error {error:.2g} of their peak"
+        text = f"PSFs of up to {side} pixels, without {lost:.2g} of the light; error {error:.2g} of their peak"
     else:
-        yield f"PSFs of up to {side} pixels and all light beyond; error {error:.2g} of the brightest point"
+        text = f"PSFs of up to {side} pixels and all light beyond; error {error:.2g} of the brightest point"
+    return _report(facts | {"clipped": max(clipped)}, [text], files)
 
 
-def _restore_lines(facts: Facts) -> Iterator[str]:
-    values, reason = facts["discrepancy"], facts["stopped"]
-    yield f"discrepancy {values['photo']:.3g} of the photo, {values['result']:.3g} of the result"
-    if facts["strength"] is not None:
-        yield f"strength of the total variation {facts['strength']:.3g}"
-    why = {"noise": "the rest is noise", "steps": "maximum number of steps; more would fit better"}
-    yield f"stopped after {facts['steps']} steps: {why.get(reason, reason)}"
-    if facts["unknown"]:
-        yield f"saturated or unknown: {100.0 * facts['unknown']:.2g} % of the values"
+def _report(facts: Facts, lines: list[str], files: list[Path]) -> Report:
+    """Return the report of photographs; the lines are those between what was read and what was clipped."""
+    height, width, *_ = facts["shape"]
+    f_number = f"f/{facts['f_number']:.3g}"
+    pixels = f"{width} x {height} pixels of {format_length(facts['pixel'])}"
+    lines = [facts["read"], f"{pixels}; f = {format_length(facts['focal_length'])}, {f_number}", *lines]
+    if facts["clipped"]:
+        lines.append(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
+    return Report(facts, lines) + written(files)
 
 
 def finite(distance: float) -> float | str:

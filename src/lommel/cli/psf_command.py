@@ -14,31 +14,10 @@ import click
 
 from lommel.base.validation import shown
 from lommel.channel_psf import ColourPSF, colour_psf
-from lommel.cli import reports, tables
-from lommel.cli.options import (
-    FILE,
-    INTEGRATE,
-    JSON,
-    LENS,
-    OBJECT_DISTANCE,
-    PIXEL,
-    SHAPE,
-    STACK,
-    Facts,
-    Option,
-    Shape,
-    command,
-    documented,
-    figure_format,
-    instrument_of,
-    microscope_of,
-    picture_size,
-    plot_option,
-    print_json,
-    require_folder,
-    save_figure,
-    under,
-)
+from lommel.cli import reports
+from lommel.cli.instruments import INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, STACK, instrument_of, microscope_of
+from lommel.cli.options import FILE, JSON, WINDOW, Option, command, documented, plot_option, under
+from lommel.cli.output import Facts, Report, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import colour_files, field_files, psf_files
@@ -49,7 +28,7 @@ from lommel.psf import PSF
 from lommel.psf import psf as compute
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.axes import Axes
 
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.microscope_files import Microscope
@@ -59,15 +38,13 @@ Made = TypeVar("Made", bound=PSF | ColourPSF | PSFGrid)
 
 @dataclass(frozen=True, kw_only=True)
 class _Product(Generic[Made]):
-    """Functions that compute, describe, draw and store one kind of PSF."""
+    """Functions that compute, report, draw and store one kind of PSF."""
 
     size: str
     find: Callable[[Path, str], Format]
     make: Callable[[], Made]
-    describe: Callable[[Made, float], Facts]
-    show: Callable[[Made, Facts], None]
-    draw: Callable[[Made], Figure]
-    mtf: Callable[[Made], Facts] | None = None
+    report: Callable[[Made, float], Report]
+    entitle: Callable[[Axes], object]
     note: Callable[[Made, Path], str] = lambda *_: ""
     drawn: str = ""
     sections: bool = False  # of a stack, which a .png shows as its figure does
@@ -84,7 +61,7 @@ class _Product(Generic[Made]):
     PIXEL,
     SHAPE,
     INTEGRATE,
-    Option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
+    Option("--field", type=WINDOW, metavar="ROWSxCOLUMNS",
            help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
     Option("--colour", is_flag=True, help="PSFs in the colour channels of the lens file, or in red, green and blue."),
     Option("--mtf", is_flag=True,
@@ -115,11 +92,10 @@ def psf(
     field: int | tuple[int, int] | None,
     colour: bool,
     mtf: bool,
-    as_json: bool,
     method_name: str,
     settings: tuple[str, ...],
     **given: object,
-) -> None:
+) -> Report:
     """Compute the PSF of a lens or a microscope.
 
     A file with a section [objective] describes a microscope: its PSF is a stack of planes, and a .png shows sections
@@ -141,146 +117,114 @@ def psf(
         raise ValueError("tol is given twice, by --tol and by --set")
     microscope = microscope_of(lens, field=field, colour=colour or None, mtf=mtf or None, **given)
     if microscope is not None:
-        _write(_of_microscope(microscope, options), outputs, figure, mtf, as_json)
-        return
-    instrument = instrument_of(lens, **{name: value for name, value in given.items() if name not in _STACK})
+        return _write(_of_microscope(microscope, options), outputs, figure)
+    lens_only = {name: value for name, value in given.items() if name not in ("stack", "step", "depth")}
+    instrument = instrument_of(lens, **lens_only)
     options |= instrument.sensor_options
     channels = (instrument.channels or Channels.rgb()) if colour else None
-    product: _Product[Any]
     if field is not None:
-        product = _of_field(instrument, field, channels, options)
-    elif channels is not None:
-        product = _in_colour(instrument, channels, options)
-    else:
-        product = _of_lens(instrument, options)
-    _write(product, outputs, figure, mtf, as_json)
+        return _write(_of_field(instrument, field, channels, mtf, options), outputs, figure)
+    if channels is not None:
+        return _write(_in_colour(instrument, channels, mtf, options), outputs, figure)
+    return _write(_of_lens(instrument, mtf, options), outputs, figure)
 
 
-_STACK = ("stack", "step", "depth")
-
-
-def _write(product: _Product[Any], outputs: tuple[Path, ...], figure: Path | None, mtf: bool, as_json: bool) -> None:
-    """Compute a product, write its files, and print its description."""
+def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | None) -> Report:
+    """Compute a product, write its files, and return its report."""
     # All is checked before anything is computed.
-    written = [place for path in outputs for place in product.find(path, "--output").places(path)]
-    for path in (*outputs, *written):
+    files = [place for path in outputs for place in product.find(path, "--output").places(path)]
+    for path in (*outputs, *files):
         require_folder(path)
     drawn = [path for path in outputs if product.sections and path.suffix.lower() == ".png"]
-    drawn += [] if figure is None else [figure]
     for path in drawn:
         figure_format(path)
+    if figure is not None:
+        drawn.append(figure)
+        files.append(figure)
     with progress(product.size):
         start = time.perf_counter()
         made = product.make()
-        facts = product.describe(made, time.perf_counter() - start)
-        if mtf and product.mtf is not None:
-            facts |= {"mtf": product.mtf(made)}
+        report = product.report(made, time.perf_counter() - start)
         for path in outputs:
             if path not in drawn:
                 made.save(path)
         if drawn:
-            picture = product.draw(made)
+            axes: Any = made.plot()
+            first = axes.flat[0] if hasattr(axes, "flat") else axes
+            product.entitle(first)
             for path in drawn:
-                save_figure(picture, path)
-    files = [*written, *([] if figure is None else [figure])]
-    if as_json:
-        print_json(facts | {"files": [str(path) for path in files]})
-        return
-    product.show(made, facts)
-    if "mtf" in facts:
-        tables.print_mtf(facts["mtf"])
-    for path in files:
-        click.echo(f"wrote {path}{product.drawn if path in drawn else product.note(made, path)}")
+                save_figure(first.figure, path)
+    return report + written(files, lambda path: product.drawn if path in drawn else product.note(made, path))
 
 
-def _of_lens(instrument: Instrument, options: Facts) -> _Product[PSF]:
+def _mtf(wanted: bool, *of: Any) -> Report:
+    """Return the report of the MTF if it is wanted."""
+    return reports.describe_mtf(*of) if wanted else Report({}, [])
+
+
+def _of_lens(instrument: Instrument, mtf: bool, options: Facts) -> _Product[PSF]:
     """Return the PSF of a lens on the axis."""
 
-    def show(made: PSF, facts: Facts) -> None:
-        tables.print_lens(facts)
-        tables.print_psf(made, facts["psf"])
-
-    def draw(made: PSF) -> Figure:
-        axes = _first(made.plot())
-        axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9)
-        found: Figure = axes.figure
-        return found
+    def report(made: PSF, seconds: float) -> Report:
+        of_psf = reports.describe_psf(made, seconds)
+        return reports.describe_lens(instrument) + of_psf + _mtf(mtf, instrument)
 
     return _Product(
         size=_size(instrument.window),
         find=psf_files.find,
         make=lambda: compute(instrument.pupil(), instrument.window, instrument.pixel, **options),
-        describe=lambda made, seconds: (
-            reports.describe_lens(instrument) | {"psf": reports.describe_psf(made, seconds)}
-        ),
-        show=show,
-        draw=draw,
-        mtf=lambda _: reports.describe_mtf(instrument),
-        note=picture_size,
+        report=report,
+        entitle=lambda axes: axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9),
+        note=_picture_note,
         drawn=": square root of the values",
     )
 
 
 def _of_field(
-    instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, options: Facts
+    instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, mtf: bool, options: Facts
 ) -> _Product[PSFGrid]:
     """Return PSFs on a grid over the sensor, in channels where these are given."""
     if not isinstance(field, tuple):
         raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
     rows, columns = field
-    colours = {} if channels is None else {"channels": channels}
-    given = {"shape": instrument.window, "pixel": instrument.pixel, **options, **colours}
+    if channels is not None:
+        options["channels"] = channels
 
     def make() -> PSFGrid:
         field_map = instrument.field()
         assert instrument.sensor is not None  # which a lens file with a field has
+        given = {"shape": instrument.window, "pixel": instrument.pixel, **options}
         return field_map.grid(rows, columns, sensor=instrument.sensor, **given)
 
-    def describe(made: PSFGrid, seconds: float) -> Facts:
+    def report(made: PSFGrid, seconds: float) -> Report:
         if isinstance(made.psf, ColourPSF):
-            return reports.describe_colour(instrument, made.psf, seconds)
-        return reports.describe_field(instrument, made, seconds)
-
-    def show(made: PSFGrid, facts: Facts) -> None:
-        if channels is None:
-            tables.print_field(made, facts)
+            found = reports.describe_colour(instrument, made.psf, seconds)
         else:
-            tables.print_colour(facts)
-
-    def draw(made: PSFGrid) -> Figure:
-        axes = _first(made.plot())
-        axes.set_title(instrument.name, fontsize=9, loc="left", pad=22)
-        found: Figure = axes.figure
-        return found
+            found = reports.describe_field(instrument, made, seconds)
+        return found + _mtf(mtf, instrument, made, channels)
 
     return _Product(
         size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
         find=partial(field_files.find, holding="" if channels is None else field_files.SEVERAL),
         make=make,
-        describe=describe,
-        show=show,
-        draw=draw,
-        mtf=lambda made: reports.describe_mtf(instrument, made, channels),
+        report=report,
+        entitle=lambda axes: axes.set_title(instrument.name, fontsize=9, loc="left", pad=22),
         drawn="" if channels else ": square root of the values, each PSF normalized to its maximum",
     )
 
 
-def _in_colour(instrument: Instrument, channels: Channels, options: Facts) -> _Product[ColourPSF]:
+def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: Facts) -> _Product[ColourPSF]:
     """Return the PSFs of a lens in colour channels."""
 
-    def draw(made: ColourPSF) -> Figure:
-        found: Figure = _first(made.plot()).figure
-        found.suptitle(instrument.name, fontsize=9)
-        return found
+    def report(made: ColourPSF, seconds: float) -> Report:
+        return reports.describe_colour(instrument, made, seconds) + _mtf(mtf, instrument, None, channels)
 
     return _Product(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
         find=colour_files.find,
         make=lambda: colour_psf(instrument.pupil(), instrument.window, instrument.pixel, channels, **options),
-        describe=lambda made, seconds: reports.describe_colour(instrument, made, seconds),
-        show=lambda _, facts: tables.print_colour(facts),
-        draw=draw,
-        mtf=lambda _: reports.describe_mtf(instrument, None, channels),
+        report=report,
+        entitle=lambda axes: axes.figure.suptitle(instrument.name, fontsize=9),
     )
 
 
@@ -288,14 +232,9 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
     """Return the PSF of a microscope in all planes of its stack."""
     stack = microscope.planes > 1
 
-    def show(made: PSF, facts: Facts) -> None:
-        tables.print_microscope(facts)
-        tables.print_stack(made, facts["psf"])
-
-    def draw(made: PSF) -> Figure:
-        found: Figure = _first(made.plot()).figure
-        found.suptitle(microscope.name, fontsize=9)
-        return found
+    def report(made: PSF, seconds: float) -> Report:
+        of_psf = reports.describe_stack(made, seconds)
+        return reports.describe_microscope(microscope, foci=False) + of_psf
 
     return _Product(
         size=(f"{microscope.planes} x " if stack else "") + _size(microscope.window),
@@ -303,12 +242,9 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
         make=lambda: compute(
             microscope.pupil(), microscope.window, microscope.pixel, integrate=microscope.integrate, **options
         ),
-        describe=lambda made, seconds: (
-            reports.describe_microscope(microscope, foci=False) | {"psf": reports.describe_stack(made, seconds)}
-        ),
-        show=show,
-        draw=draw,
-        note=picture_size,
+        report=report,
+        entitle=lambda axes: axes.figure.suptitle(microscope.name, fontsize=9),
+        note=_picture_note,
         drawn=f": {'sections xy, xz and yz, ' if stack else ''}square root of the values",
         sections=stack,
     )
@@ -318,9 +254,16 @@ def _size(window: tuple[int, int]) -> str:
     return f"{window[0]} x {window[1]} pixels"
 
 
-def _first(axes: Any) -> Any:
-    """Return the axes of a figure, the first of several."""
-    return axes.flat[0] if hasattr(axes, "flat") else axes
+def _picture_note(psf: PSF, path: Path) -> str:
+    """Return a note on the size of a PSF's picture, or an empty text for a file of another format."""
+    if path.suffix.lower() != ".png":
+        return ""
+    from lommel.io.psf_formats import enlargement
+
+    scale = enlargement(psf)
+    height, width = (scale * side for side in psf.shape)
+    each = f"{scale} x {scale} for each pixel of the PSF, " if scale > 1 else ""
+    return f": {width} x {height} pixels, {each}square root of the values, 16 bit"
 
 
 def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,33 +11,21 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 from numpy.typing import ArrayLike
+from rich.text import Text
 
-from lommel.cli import tables
-from lommel.cli.options import (
-    FILE,
-    JSON,
-    LENS,
-    OBJECT_DISTANCE,
-    SQUARE_PIXEL,
-    Command,
-    Facts,
-    Option,
-    command,
-    documented,
-    figure_format,
-    instrument_of,
-    plot_option,
-    print_json,
-    save_figure,
-    under,
-)
+from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
+from lommel.cli.options import FILE, JSON, Command, Option, command, documented, plot_option, under
+from lommel.cli.output import Facts, Report, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
+from lommel.estimation.phase_retrieval import label
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.io import zernike_tables
 from lommel.io.photos import read_images
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from lommel.estimation.phase_retrieval import Retrieval
 
 _UNITS = ("radians", "waves", "nm", "um")
@@ -117,9 +106,8 @@ def retrieve(
     unit: str,
     output: Path | None,
     figure: Path | None,
-    as_json: bool,
     **changes: object,
-) -> None:
+) -> Report:
     """Estimate a wavefront from star images (phase retrieval).
 
     IMAGES, of a star or another point source, are TIFF (one image per page), NPY, FITS or 16-bit PNG files of one
@@ -138,8 +126,6 @@ def retrieve(
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    if figure is not None:
-        figure_format(figure)
     instrument = instrument_of(lens, **changes)
     noise = Noise(white=white, read=read, offset=offset)
     with progress("reading") as started:
@@ -165,13 +151,36 @@ def retrieve(
         found.save(output)
     if figure is not None:
         save_figure(found.plot(), figure)
-    written = [path for path in (output, figure) if path is not None]
-    if as_json:
-        print_json(_facts(found) | {"files": [str(path) for path in written]})
-        return
-    tables.print_retrieval(found, unit)
-    for path in written:
-        click.echo(f"wrote {path}{': square roots of images and model' if path == figure else ''}")
+    files = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
+    return Report(_facts(found), _parts(found, unit)) + files
+
+
+def _parts(found: Retrieval, unit: str) -> list[RenderableType]:
+    """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
+    short = {"radians": "rad"}.get(unit, unit)
+    values, deviations = found.in_unit(unit)
+    rows = [(label(name), *_with_error(value, deviations[name])) for name, value in values.items()]
+    for name in found.coefficients.keys() - values.keys():
+        cells = _with_error(found.coefficients[name], found.deviation[name])
+        rows.append((f"{name} {found.units[name]}".rstrip(), *cells))
+    each = dict(zip(("row", "column"), found.center.T, strict=True)) | {"flux": found.flux}
+    each["background"] = found.background
+    own = [name for name in each if name in found.deviation]
+    images = []
+    for k in range(len(found.flux)):
+        pairs = [_with_error(float(each[name][k]), float(found.deviation[name][k])) for name in own]
+        images.append([str(k), *(cell for pair in pairs for cell in pair)])
+    names = ["image", *(column for name in own for column in (name, "std. error"))]
+    table = table_of(("term", short, "std. error"), rows)
+    return [table, "", table_of(names, images), "", Text(found.message)]
+
+
+def _with_error(value: float, deviation: float) -> tuple[str, str]:
+    """Return a number and its standard error, which has two digits, to the same place."""
+    if not 0.0 < deviation < math.inf:
+        return f"{value:.6g}", "-" if deviation == 0.0 else "inf"
+    places = max(0, 1 - math.floor(math.log10(deviation)))
+    return f"{value:.{places}f}", f"{deviation:.{places}f}"
 
 
 def _files(paths: tuple[Path, ...]) -> list[Path]:

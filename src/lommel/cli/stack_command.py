@@ -9,18 +9,9 @@ from pathlib import Path
 import click
 import numpy as np
 
-from lommel.cli.options import (
-    JSON,
-    LENS,
-    SHAPE,
-    SQUARE_PIXEL,
-    Length,
-    Option,
-    command,
-    documented,
-    instrument_of,
-    print_json,
-)
+from lommel.cli.instruments import LENS, SHAPE, SQUARE_PIXEL, instrument_of
+from lommel.cli.options import JSON, LENGTH, Option, command, documented
+from lommel.cli.output import Report
 from lommel.cli.progress import progress
 from lommel.psf import psf
 from lommel.stacks.compute import psf_to
@@ -28,7 +19,7 @@ from lommel.stacks.compute import psf_to
 
 @command(
     LENS,
-    Option("--between", type=Length(), nargs=2, required=True, metavar="NEAR FAR",
+    Option("--between", type=LENGTH, nargs=2, required=True, metavar="NEAR FAR",
            help="Nearest and farthest object distance, such as 1m 3m or 1m inf."),
     Option("--count", type=click.IntRange(2, 10**9), required=True,
            help="Number of distances, equally spaced in defocus."),
@@ -47,9 +38,8 @@ def stack(
     output: Path,
     tol: float | None,
     chunk: int | None,
-    as_json: bool,
     **given: object,
-) -> None:
+) -> Report:
     """Compute PSFs over a range of object distances, on disk.
 
     The PSFs are written to a store on disk, which may be larger than memory. An interrupted command can be repeated:
@@ -84,10 +74,8 @@ def stack(
             progress=done,
         )
     bound, seconds = float(made.error_bound.max()), time.perf_counter() - begun
-    if as_json:
-        facts = {"store": str(output), "shape": list(made.shape), "dtype": str(made.dtype), "seconds": seconds}
-        bounded = None if math.isnan(bound) else bound
-        print_json(facts | {"chunks": made.done[1], "computed": steps, "error_bound": bounded})
-        return
+    facts = {"store": str(output), "shape": list(made.shape), "dtype": str(made.dtype), "seconds": seconds}
+    facts |= {"chunks": made.done[1], "computed": steps, "error_bound": None if math.isnan(bound) else bound}
     shown = "no error bound" if math.isnan(bound) else f"error at most {bound:.2g} of the peak"
-    click.echo(f"{made!r}: {shown}; {steps} of {made.done[1]} chunks computed in {seconds:.3g} s")
+    computed = f"{steps} of {made.done[1]} chunks computed in {seconds:.3g} s"
+    return Report(facts, [f"{made!r}: {shown}; {computed}"])

@@ -1,0 +1,98 @@
+"""The lens or the microscope of a command: the file, the options that change it, and what these describe."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from lommel.base import validation
+from lommel.base.units import format_length
+from lommel.cli.options import FILE, LENGTH, SIDES, WINDOW, Option, under
+from lommel.cli.output import Facts
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.instrument import Instrument
+    from lommel.lensfiles.microscope_files import Microscope
+
+LENS = click.Argument(["lens"], type=FILE)
+OBJECT_DISTANCE = Option(
+    "--object-distance", type=LENGTH, help="Object distance, such as 1.5m or inf; overrides the file."
+)
+PIXEL = Option(
+    "--pixel", type=SIDES, help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file."
+)
+SQUARE_PIXEL = Option("--pixel", type=LENGTH, help="Pixel pitch, such as 3.45um; overrides the file.")
+SHAPE = Option(
+    "--shape", type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
+)
+INTEGRATE = Option(
+    "--integrate/--sample", default=None,
+    help="Pixel-integrated values, as a sensor records them, or values at the pixel centres; overrides the file.",
+)  # fmt: skip
+STACK = under(
+    "Microscopes",
+    Option("--stack", type=click.IntRange(1, 4096), metavar="PLANES",
+           help="Number of planes along the optical axis; by default that of the file."),
+    Option("--step", type=LENGTH, help="Stage step between planes, such as 100nm; by default that of the file."),
+    Option("--depth", type=LENGTH,
+           help="Depth of the emitter below the cover glass, such as 2um; by default that of the file."),
+)  # fmt: skip
+DEPTH = STACK[-1]
+
+
+def instrument_of(lens: Path, **given: object) -> Instrument:
+    """Return the instrument of a lens file, changed by the options of a command."""
+    from lommel.lensfiles.lens_files import load_instrument
+
+    changes: Facts = {name: value for name, value in given.items() if value is not None}
+    if "pixel" in changes:
+        for side in changes["pixel"] if isinstance(changes["pixel"], tuple) else [changes["pixel"]]:
+            validation.pixel(side, metric=True)
+        changes["pixel"] = validation.pitch("pixel", changes["pixel"])
+    if "shape" in changes:
+        changes["shape"] = validation.image_shape(changes["shape"])
+    return dataclasses.replace(load_instrument(lens), **changes)
+
+
+_OF_LENSES = {
+    "object_distance": "--depth sets the position of the emitter",
+    "field": "its PSF is the on-axis one",
+    "mtf": "use PSF.mtf in Python for that of a stack",
+    "colour": "its emitter has one wavelength; use lommel.colour_psf with its pupil",
+}
+
+
+def microscope_of(lens: Path, **given: object) -> Microscope | None:
+    """Return the microscope of a file, changed by the options of a command, or None for a lens file."""
+    from lommel.lensfiles.microscope_files import describes_microscope, load_microscope, stage_step
+
+    changes: Facts = {name: value for name, value in given.items() if value is not None}
+    if not describes_microscope(lens):
+        for name in ("stack", "step", "depth"):
+            if name in changes:
+                raise ValueError(f"--{name} is for microscopes, files with a section [objective]; {lens} has none")
+        return None
+    for name, instead in _OF_LENSES.items():
+        if name in changes:
+            raise ValueError(
+                f"--{name.replace('_', '-')} is for lenses, and {lens} describes a microscope: {instead}"
+            )
+    found = load_microscope(lens)
+    if "pixel" in changes:
+        validation.pixel(changes["pixel"], metric=True)
+    if "shape" in changes:
+        changes["shape"] = validation.image_shape(changes["shape"])
+    if "stack" in changes:
+        changes["planes"] = changes.pop("stack")
+    if "step" in changes:
+        stage_step(changes["step"])
+    planes = changes.get("planes", found.planes)
+    if planes > 1 and not changes.get("step", found.step):
+        most = format_length(found.objective.nyquist(wavelength=found.wavelength).axial, digits=3)
+        raise ValueError(f"--stack needs --step, where the file has no stack; Nyquist sampling needs at most {most}")
+    if "step" in changes and planes == 1:
+        raise ValueError("--step needs --stack, where the file has no stack")
+    return dataclasses.replace(found, **changes)

@@ -401,9 +401,9 @@ class Nodes:
         return np.ones((len(places), 1)) if self.count == 1 else np.asarray(self._matrix(places).toarray())
 
     def shares(self, places: Array) -> list[tuple[int, Array]]:
-        """Return the columns of :meth:`weights` that are not 0, each with its number, for places of any shape."""
+        """Return the columns of :meth:`weights` that are not 0, each with its number, as places; of one node 1."""
         if self.count == 1:
-            return [(0, np.ones(places.shape))]
+            return [(0, np.ones(()))]
         matrix, found = self._matrix(places.ravel()).tocsc(), []
         for node in range(self.count):
             part = slice(matrix.indptr[node], matrix.indptr[node + 1])

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from functools import cache, partial, reduce
 from itertools import pairwise
-from typing import Any, Unpack, cast
+from typing import Any, NamedTuple, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +14,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
+from lommel.base.threads import side_by_side
 from lommel.field.maps import FieldMap, require_light
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens
@@ -118,39 +117,33 @@ class FieldBlur(LinearBlur):
         self.pixel = validation.pixel(pixel, metric=metric)
         validation.pixel_on(self.pixel, light.scale, metric=metric)
         validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
-        whole = isinstance(options.get("energy"), int | float) and options["energy"] == 1.0
-        settings = Settings.of(FieldBlur, {**options, "energy": 0.98} if whole else options, FieldKeywords)
+        settings = Settings.of(FieldBlur, options, FieldKeywords)
         self.border, self.dtype = settings.border, cast("np.dtype[np.floating]", settings.dtype)
-        self.threads = settings.threads or os.cpu_count() or 1
+        self.threads = settings.threads or 0
         self.y, self.x = self._places(center, sensor)
-        self.lens, self.defocus = self._focus(depth, lens)
+        self.lens, self.defocus = lens, self._focus(depth, lens)
         spans = [(float(along[0]), float(along[-1])) for along in (self.y, self.x)]
-        spans.append((0.0, 0.0) if self.defocus is None else (float(self.defocus.min()), float(self.defocus.max())))
+        spans.append((float(self.defocus.min()), float(self.defocus.max())))
         if channels is not None and not metric:
             raise ValueError("channels need a map with a wavelength, to which theirs are related")
         colours = (None,) if channels is None else spectra("channels", channels)
-        known: dict[Any, tuple[FieldBank, tuple[Part, ...]]] = {}
-        for spectrum in colours:
-            if spectrum not in known:
-                bank = build_field_bank(
-                    PointLight(
-                        field_map,
-                        None if self.lens is None else self.lens.phase,
-                        spectrum,
-                        self.pixel,
-                        min(1e-6, max(1e-10, 1e-3 * tol)),
-                        settings.threads,
-                    ),
-                    spans,
-                    tol=tol,
-                    energy=1.0 if whole else settings.energy,
-                    largest=settings.largest or max(1, min(self.shape) // 2),
-                    farthest=max(self.shape),
-                    dtype=self.dtype,
-                )
-                known[spectrum] = bank, self._made(bank)
-        self.banks = tuple(known[spectrum][0] for spectrum in colours)
-        self._parts = tuple(known[spectrum][1] for spectrum in colours)
+
+        @cache
+        def made(spectrum: tuple[tuple[float, float], ...] | None) -> tuple[FieldBank, tuple[MixedBlur, ...]]:
+            phase, accuracy = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
+            bank = build_field_bank(
+                PointLight(field_map, phase, spectrum, self.pixel, accuracy, settings.threads),
+                spans,
+                tol=tol,
+                energy=settings.energy,
+                largest=settings.largest or max(1, min(self.shape) // 2),
+                farthest=max(self.shape),
+                dtype=self.dtype,
+            )
+            return bank, self._made(bank)
+
+        self.banks: tuple[FieldBank, ...] = tuple(made(spectrum)[0] for spectrum in colours)
+        self._parts = tuple(made(spectrum)[1] for spectrum in colours)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -178,26 +171,19 @@ class FieldBlur(LinearBlur):
         row = validation.integer("row", row, least=0, most=height - 1)
         column = validation.integer("column", column, least=0, most=width - 1)
         bank = self.banks[validation.integer("channel", channel, least=0, most=self.channels - 1)]
-        defocus = 0.0 if self.defocus is None else float(self.defocus[row, column])
-        return bank.window(float(self.y[row]), float(self.x[column]), defocus)
+        return bank.window(float(self.y[row]), float(self.x[column]), float(self.defocus[row, column]))
 
     def forward(self, image: Values) -> Values:
         """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
-
-        def spread(channel: int, plane: Values) -> Values:
-            first, *more = (part.spread(plane) for part in self._parts[channel])
-            return sum(more, first)
-
-        return self.by_channel(image, spread)
+        return self.by_channel(
+            image, lambda channel, plane: reduce(np.add, (part.spread(plane) for part in self._parts[channel]))
+        )
 
     def adjoint(self, image: Values) -> Values:
         """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
-
-        def collect(channel: int, plane: Values) -> Values:
-            first, *more = (part.collect(plane) for part in self._parts[channel])
-            return sum(more, first)
-
-        return self.by_channel(image, collect)
+        return self.by_channel(
+            image, lambda channel, plane: reduce(np.add, (part.collect(plane) for part in self._parts[channel]))
+        )
 
     def _places(self, center: tuple[float, float] | None, sensor: tuple[float, float] | None) -> tuple[Array, Array]:
         """Return y of the rows and x of the columns in the field."""
@@ -221,13 +207,13 @@ class FieldBlur(LinearBlur):
             ) from None
         return y, x
 
-    def _focus(self, depth: ArrayLike | None, lens: Lens | None) -> tuple[Lens | None, Array | None]:
-        """Return the lens and the defocus of each point."""
+    def _focus(self, depth: ArrayLike | None, lens: Lens | None) -> Array:
+        """Return the defocus of each point, 0 without a depth."""
         if (depth is None) != (lens is None):
             missing = "lens" if lens is None else "depth"
             raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
         if lens is None or depth is None:
-            return None, None
+            return np.broadcast_to(0.0, self.shape)
         require_lens(lens, "field_map, shape, pixel, and depth= and lens=")
         distances = require_depth(depth)
         if distances.shape != self.shape:
@@ -235,33 +221,21 @@ class FieldBlur(LinearBlur):
         require_light(self.field_map.pupil_without_wavefront, lens)
         defocus = lens.defocus(distances)
         defocus.flags.writeable = False
-        return lens, defocus
+        return defocus
 
-    def _made(self, bank: FieldBank) -> tuple[Part, ...]:
+    def _made(self, bank: FieldBank) -> tuple[MixedBlur, ...]:
         """Return the operators of a channel: of its windows, and of the light beyond them."""
-        down, across, focus = bank.axes
-        near = Part(
-            bank.coefficients,
-            (down.weights(self.y), across.weights(self.x)),
-            border=self.border,
-            threads=self.threads,
-            focus=focus,
-            defocus=self.defocus,
-        )
+        made = partial(MixedBlur, border=self.border, threads=self.threads)
+        focus, down, across = bank.axes[2], bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
+        near = made(bank.coefficients, (down, across), focus, self.defocus)
         if bank.far is None:
             return (near,)
         held = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
-        inside = [down.weights(self.y) @ plane @ across.weights(self.x).T for plane in np.moveaxis(held, 2, 0)]
-        places = [(0, np.ones(()))] if self.defocus is None else focus.shares(self.defocus)
-        beyond = 1.0 - sum(share * inside[place] for place, share in places)
-        far = Part(
-            bank.far.kernel.astype(self.dtype)[None, None, None],
-            (np.ones((len(self.y), 1)), np.ones((len(self.x), 1))),
-            border=self.border,
-            threads=self.threads,
-            share=np.asarray(beyond, dtype=self.dtype),
-        )
-        return near, far
+        inside = [down @ plane @ across.T for plane in np.moveaxis(held, 2, 0)]
+        beyond = 1.0 - sum(share * inside[node] for node, share in focus.shares(self.defocus))
+        kernel, alike = bank.far.kernel.astype(self.dtype), (np.ones((len(self.y), 1)), np.ones((len(self.x), 1)))
+        share = np.asarray(beyond, dtype=self.dtype)
+        return near, made(kernel[None, None, None], alike, Nodes(0.0, 0.0, 1), self.defocus, share=share)
 
 
 _KEPT = 2**29  # bytes of spectra that are kept, 512 MiB
@@ -269,8 +243,7 @@ _LONGEST = 512  # side of a transform, where windows do not make it longer
 _OVERHEAD = 20_000  # of a block, in samples of a transform
 
 
-@dataclass(frozen=True)
-class Block:
+class Block(NamedTuple):
     """Some of the points that spread light, and the nodes whose windows they mix."""
 
     rows: slice
@@ -279,74 +252,97 @@ class Block:
     across: slice
 
 
-class Blocks:
-    """Blur by windows mixed of nodes, and its transpose.
+class MixedBlur:
+    """Blur by windows mixed of nodes, with the borders of an image, and its transpose.
 
     ``out[q] = sum_kl sum_p D[p_y, k] A[p_x, l] sum_i c_i[p] x[p] W[k, l, i, q - p]``. A block of points takes one
     transform for each node that it mixes, and one back: the transforms are linear. Those along rows are made before
     the weights down the image are applied, which they do not depend on.
     """
 
-    def __init__(self, windows: Values, down: Array, across: Array, threads: int) -> None:
-        self.windows, self.threads = windows, threads
-        self.down, self.across = (weights.astype(windows.dtype) for weights in (down, across))
+    def __init__(
+        self,
+        windows: Values,
+        weights: tuple[Array, Array],
+        focus: Nodes,
+        defocus: Array,
+        *,
+        border: str,
+        threads: int,
+        share: Values | float = 1.0,
+    ) -> None:
+        self.windows, self.focus, self.defocus, self.threads, self.share = windows, focus, defocus, threads, share
         self.beyond = windows.shape[-1] - 1  # rows and columns that a block spreads beyond its own
+        margin = 0 if border == "zero" else self.beyond // 2
+        self.before = margin + self.beyond // 2  # the first pixel of the image, in what blocks make
+        mode: Any = "symmetric" if border == "reflect" else "edge"
+        # Which row or column each of those is a copy of that spread light, the ones beyond the edges too.
+        self.rows, self.columns = (
+            np.pad(np.arange(len(part), dtype=np.int64), margin, mode=mode) for part in weights
+        )
+        self.down, self.across = weights[0][self.rows], weights[1][self.columns]
+        self.down, self.across = (part.astype(windows.dtype) for part in (self.down, self.across))
         self.sides = _sides(self.down.shape, self.across.shape, self.beyond + 1)
-        self._rows, self._columns = (
-            _parts(weights, side - self.beyond)
-            for weights, side in zip((self.down, self.across), self.sides, strict=True)
+        self._parts = (
+            _parts(self.down, self.sides[0] - self.beyond),
+            _parts(self.across, self.sides[1] - self.beyond),
         )
         self._spectra: Values | None = None
 
-    def spread(self, light: Values, shares: Shares | None = None) -> Values:
-        """Return the blurred light, shape (height + side - 1, width + side - 1), of points."""
-        out = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
+    def spread(self, plane: Values) -> Values:
+        """Return the blurred image of a plane of light."""
+        light = (self.share * plane)[self.rows[:, None], self.columns]
+        room = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
 
         def made(block: Block) -> Values:
             points = light[block.rows, block.columns]
-            total: Any = 0.0
-            for place, share in _shares(shares, block):
-                total = total + self._mixed(block, points if share is None else share * points, place)
-            return self._back(total, [side + self.beyond for side in points.shape])
+            mixed = reduce(np.add, (self._mixed(block, share * points, node) for node, share in self._shares(block)))
+            return self._back(mixed, [side + self.beyond for side in points.shape])
 
         for block, part in self._each(made):
-            rows, columns = (slice(s.start, s.stop + self.beyond) for s in (block.rows, block.columns))
-            out[rows, columns] += part
-        return out
+            room[self._reached(block)] += part
+        return room[self.before :, self.before :][: plane.shape[0], : plane.shape[1]]
 
-    def collect(self, room: Values, shares: Shares | None = None) -> Values:
-        """Return the transpose of :meth:`spread` applied to its result, shape (height, width)."""
-        out = np.empty([side - self.beyond for side in room.shape], dtype=room.dtype)
+    def collect(self, plane: Values) -> Values:
+        """Return the transpose of :meth:`spread` applied to an image."""
+        room = np.pad(plane, self.before)
+        taken = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
 
         def made(block: Block) -> Values:
-            rows, columns = (slice(s.start, s.stop + self.beyond) for s in (block.rows, block.columns))
-            spectrum = self._transformed(room[rows, columns])
-            total: Any = 0.0
-            for place, share in _shares(shares, block):
-                part = self._taken(block, spectrum, place)
-                total = total + (part if share is None else share * part)
-            return np.broadcast_to(total, [s.stop - s.start for s in (block.rows, block.columns)])
+            spectrum = self._transformed(room[self._reached(block)])
+            return reduce(np.add, (share * self._taken(block, spectrum, node) for node, share in self._shares(block)))
 
         for block, part in self._each(made):
-            out[block.rows, block.columns] = part
-        return out
+            taken[block.rows, block.columns] = part
+        # What points beyond the edges took goes to those that they are copies of.
+        found = gathered(gathered(taken, self.rows, plane.shape[0]).T, self.columns, plane.shape[1]).T
+        return self.share * found
 
     def _each(self, made: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
         """Yield blocks and their results, a row of blocks at a time."""
-        with ThreadPoolExecutor(self.threads) as pool:
-            for rows, down in self._rows:
-                blocks = [Block(rows, columns, down, across) for columns, across in self._columns]
-                yield from zip(blocks, pool.map(made, blocks), strict=True)
+        for rows, down in self._parts[0]:
+            blocks = [Block(rows, columns, down, across) for columns, across in self._parts[1]]
+            yield from zip(blocks, side_by_side(made, blocks, self.threads), strict=True)
 
-    def _mixed(self, block: Block, points: Values, place: int) -> Values:
-        """Return the transform of the light that points spread by the windows at one place along their third axis."""
+    def _reached(self, block: Block) -> tuple[slice, slice]:
+        """Return the rows and columns that the light of a block reaches."""
+        rows, columns = (slice(part.start, part.stop + self.beyond) for part in (block.rows, block.columns))
+        return rows, columns
+
+    def _shares(self, block: Block) -> list[tuple[int, Values]]:
+        """Return nodes over defocus, and the weight of each for the points of a block."""
+        places = self.defocus[self.rows[block.rows][:, None], self.columns[block.columns]]
+        return [(node, share.astype(self.windows.dtype)) for node, share in self.focus.shares(places)]
+
+    def _mixed(self, block: Block, points: Values, node: int) -> Values:
+        """Return the transform of the light that points spread by the windows at one node over defocus."""
         from scipy.fft import fft, rfft
 
         down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
         lines = rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
         planes = down.T[:, None, :, None] * lines
         spectra = fft(planes, n=self.sides[0], axis=-2, overwrite_x=True)
-        spectra *= self._of(block, place)
+        spectra *= self._of(block, node)
         return np.asarray(spectra.sum(axis=(0, 1)))
 
     def _back(self, spectrum: Values, shape: Sequence[int]) -> Values:
@@ -355,26 +351,26 @@ class Blocks:
         lines = ifft(spectrum, axis=0, overwrite_x=True)[: shape[0]]
         return np.asarray(irfft(lines, n=self.sides[1], axis=1)[:, : shape[1]])
 
-    def _taken(self, block: Block, spectrum: Values, place: int) -> Values:
+    def _taken(self, block: Block, spectrum: Values, node: int) -> Values:
         """Return the transpose of :meth:`_mixed` and :meth:`_back`."""
         from scipy.fft import ifft, irfft
 
         down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
-        spectra = np.conj(self._of(block, place))
+        spectra = np.conj(self._of(block, node))
         spectra *= spectrum
         planes = ifft(spectra, axis=-2, overwrite_x=True)[..., : len(down), :]
         planes = planes * down.T[:, None, :, None]
         lines = irfft(planes.sum(axis=0), n=self.sides[1], axis=-1)[..., : len(across)]
         return np.asarray((lines * across.T[:, None, :]).sum(axis=0))
 
-    def _of(self, block: Block, place: int) -> Values:
+    def _of(self, block: Block, node: int) -> Values:
         """Return the transforms of the windows that a block mixes."""
         if self._spectra is None:
             count, size = math.prod(self.windows.shape[:3]), self.sides[0] * (self.sides[1] // 2 + 1)
             if count * size * 2 * self.windows.itemsize > _KEPT:
-                return self._transformed(self.windows[block.down, block.across, place])
+                return self._transformed(self.windows[block.down, block.across, node])
             self._spectra = self._transformed(self.windows)
-        return self._spectra[block.down, block.across, place]
+        return self._spectra[block.down, block.across, node]
 
     def _transformed(self, images: Values) -> Values:
         """Return the transforms of images, smaller than these, without those of rows beyond them."""
@@ -382,13 +378,6 @@ class Blocks:
 
         lines = rfft(images, n=self.sides[1], axis=-1)
         return np.asarray(fft(lines, n=self.sides[0], axis=-2, overwrite_x=True))
-
-
-Shares = Callable[[slice, slice], list[tuple[int, Values]]]
-
-
-def _shares(shares: Shares | None, block: Block) -> Sequence[tuple[int, Values | None]]:
-    return [(0, None)] if shares is None else list(shares(block.rows, block.columns))
 
 
 def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple[int, int]:
@@ -427,56 +416,3 @@ def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
         used = np.flatnonzero(weights[first:last].any(axis=0))
         parts.append((slice(first, last), slice(int(used[0]), int(used[-1]) + 1)))
     return parts
-
-
-class Part:
-    """Blur by windows mixed of nodes with the borders of an image, and its transpose."""
-
-    def __init__(
-        self,
-        windows: Values,
-        weights: tuple[Array, Array],
-        *,
-        border: str,
-        threads: int,
-        focus: Nodes | None = None,
-        defocus: Array | None = None,
-        share: Values | None = None,
-    ) -> None:
-        reach = windows.shape[-1] // 2
-        margin = 0 if border == "zero" else reach
-        mode: Any = "symmetric" if border == "reflect" else "edge"
-        # Which row or column each of those is a copy of that spread light, the ones beyond the edges too.
-        self.rows, self.columns = (
-            np.pad(np.arange(len(part), dtype=np.int64), margin, mode=mode) for part in weights
-        )
-        self.before = margin + reach  # the first pixel of the image, in what blocks make
-        down, across = weights
-        self.blocks = Blocks(windows, down[self.rows], across[self.columns], threads)
-        self.focus, self.defocus, self.share = focus, defocus, share
-
-    def spread(self, plane: Values) -> Values:
-        """Return the blurred image of a plane of light."""
-        source = plane if self.share is None else self.share * plane
-        made = self.blocks.spread(source[self.rows[:, None], self.columns], self._shares())
-        height, width = plane.shape
-        return made[self.before :, self.before :][:height, :width]
-
-    def collect(self, plane: Values) -> Values:
-        """Return the transpose of :meth:`spread` applied to an image."""
-        taken = self.blocks.collect(np.pad(plane, self.before), self._shares())
-        # What points beyond the edges took goes to those that they are copies of.
-        found = gathered(gathered(taken, self.rows, plane.shape[0]).T, self.columns, plane.shape[1]).T
-        return found if self.share is None else self.share * found
-
-    def _shares(self) -> Shares | None:
-        """Return the weights of the windows over defocus for the points of a block, for :class:`Blocks`."""
-        if self.focus is None or self.defocus is None:
-            return None
-        focus, defocus, dtype = self.focus, self.defocus, self.blocks.windows.dtype
-
-        def shares(down: slice, across: slice) -> list[tuple[int, Values]]:
-            places = defocus[self.rows[down][:, None], self.columns[across]]
-            return [(place, share.astype(dtype)) for place, share in focus.shares(places)]
-
-        return shares

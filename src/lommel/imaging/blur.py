@@ -94,13 +94,7 @@ class DepthBlur(LinearBlur):
         **options: Unpack[BlurKeywords],
     ) -> None:
         require_lens(lens, "depth, lens, pixel")
-        if not lens.aberrations.radial or lens.aberrations.shape != ():
-            raise ValueError("lens must have radially symmetric aberrations, and one set of them")
-        if lens.spider or lens.vignetting or lens.mask:
-            raise ValueError(
-                "lens must have a round aperture for photographs, without spider, vignetting and mask: leave these "
-                "out, or ask lommel.psf for the image of single points"
-            )
+        require_round("lens", lens)
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
         validation.pixel_on(self.pixel, lens.wavelength * lens.working_f_number, metric=True)
@@ -317,6 +311,17 @@ def require_lens(lens: Any, order: str) -> None:
     """Raise TypeError unless `lens` is one, saying in which `order` arguments are given."""
     if not isinstance(lens, Lens):
         raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")
+
+
+def require_round(name: str, lens: Lens) -> None:
+    """Raise ValueError unless a lens, called `name`, has one set of radially symmetric PSFs."""
+    if not lens.aberrations.radial or lens.aberrations.shape != ():
+        raise ValueError(f"{name} must have radially symmetric aberrations, and one set of them")
+    if lens.spider or lens.vignetting or lens.mask:
+        raise ValueError(
+            f"{name} must have a round aperture, without spider, vignetting and mask: leave these out, or ask "
+            "lommel.psf for the image of single points"
+        )
 
 
 def require_depth(depth: ArrayLike) -> Array:

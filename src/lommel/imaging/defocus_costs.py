@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -30,22 +30,17 @@ _SURE = 4.0  # standard deviations of the energy of noise above which there is t
 # least there on average, of every texture, and half of it is minus the logarithm of the likelihood. Frequencies that
 # noise hides get the weight S |h|^2 / (1 + S |h|^2), S the power of texture over that of noise, which makes the
 # least variance: a wrong S makes the answer less exact, not wrong.
-@dataclass(frozen=True, eq=False)
 class Transform:
     """Several images of one channel at the frequencies of their transfer functions, in both halves."""
 
-    shape: tuple[int, int]
-    top: NDArray[np.complex64]  # (images, height // 2 + 1, width // 2 + 1), at rising frequencies down
-    bottom: NDArray[np.complex64]  # at falling ones
-
-    @classmethod
-    def of(cls, images: Values) -> Transform:
-        """Transform images of shape (images, height, width)."""
+    def __init__(self, images: Values) -> None:
         from scipy.fft import rfft2
 
         made = rfft2(images.astype(np.float32, copy=False))
         rows = np.arange(images.shape[1] // 2 + 1)
-        return cls(images.shape[1:], made[:, rows], made[:, -rows])
+        self.shape: tuple[int, int] = images.shape[1:]
+        # Of shape (images, height // 2 + 1, width // 2 + 1), at rising frequencies down, and at falling ones.
+        self.top, self.bottom = made[:, rows], made[:, -rows]
 
     def sum(self, filters: Values) -> NDArray[np.float32]:
         """Return the sum of the images, each through an even filter of the shape of `top`."""
@@ -99,16 +94,13 @@ def residuals(h: Values) -> Iterator[Values]:
         length = more
 
 
-class Weights(NamedTuple):
-    """Gaussian windows, as products with narrow matrices on either side."""
+class Weights:
+    """Gaussian windows of an rms width, as products with narrow matrices on either side.
 
-    # Which pixels, with margins, a part of the tile is made of, and how much of each; rows sum to 1.
-    down: list[tuple[slice, NDArray[np.float32]]]
-    across: list[tuple[slice, NDArray[np.float32]]]
+    They end after five of that width, and with the tile.
+    """
 
-    @classmethod
-    def of(cls, sides: tuple[int, int], margin: int, core: tuple[int, int], window: float) -> Weights:
-        """Return windows of an rms width, which end after five of it, and with the tile."""
+    def __init__(self, sides: tuple[int, int], margin: int, core: tuple[int, int], window: float) -> None:
         reach = math.ceil(5.0 * window)
 
         def matrices(side: int, inner: int) -> list[tuple[slice, NDArray[np.float32]]]:
@@ -121,18 +113,13 @@ class Weights(NamedTuple):
                 out.append((taken, np.asarray(made / made.sum(axis=1, keepdims=True), dtype=np.float32)))
             return out
 
-        return cls(matrices(sides[0], core[0]), matrices(sides[1], core[1]))
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Pixels that the tile answers for, down and across."""
-        rows, columns = (sum(len(matrix) for _, matrix in side) for side in self)
-        return rows, columns
+        # Which pixels, with margins, a part of the tile is made of, and how much of each; rows sum to 1.
+        self._down, self._across = (matrices(*side) for side in zip(sides, core, strict=True))
 
     def __call__(self, image: Values) -> NDArray[np.float32]:
         """Return the weighted mean round each pixel that the tile answers for."""
-        rows = np.concatenate([matrix @ image[taken] for taken, matrix in self.down])
-        return np.concatenate([rows[:, taken] @ matrix.T for taken, matrix in self.across], axis=1)
+        rows = np.concatenate([matrix @ image[taken] for taken, matrix in self._down])
+        return np.concatenate([rows[:, taken] @ matrix.T for taken, matrix in self._across], axis=1)
 
 
 def whitened(images: Values, variances: Values, transfers: Values) -> tuple[Transform, Values, Values]:
@@ -141,7 +128,7 @@ def whitened(images: Values, variances: Values, transfers: Values) -> tuple[Tran
     ratio = ratio / ratio.mean()
     local = (variances / ratio[:, None, None]).mean(axis=0)
     scale = 1.0 / np.sqrt(ratio * local.mean())
-    transform = Transform.of((images - images.mean(axis=(1, 2), keepdims=True)) * scale[:, None, None])
+    transform = Transform((images - images.mean(axis=(1, 2), keepdims=True)) * scale[:, None, None])
     return transform, transfers * (1.0 / np.sqrt(ratio)).astype(np.float32)[:, None, None, None], local
 
 
@@ -170,34 +157,30 @@ class Costs:
     def _level(self) -> None:
         """Compute all candidates by the weights of the next level."""
         k, count = len(self.values), self._h.shape[1]
-        self.values.append(np.empty((count, *self._weigh.shape), dtype=np.float32))
-        self._textures.append(np.empty((self._of_texture.shape[2], *self._weigh.shape), dtype=np.float32))
-        for c in range(count):
-            self._candidate(k, c, self._h[:, c], self._slopes[:, c])
-
-    def _candidate(self, k: int, c: int, h: Values, slope: Values) -> None:
-        """Compute one candidate, from its transfer functions and their slope."""
-        hh = (h * h).sum(axis=0) + np.float32(1e-12)
-        across = np.maximum((slope * slope).sum(axis=0) - (h * slope).sum(axis=0) ** 2 / hh, 0.0)
-        filters = list(residuals(h))
-        full = self._spectrum * hh
-        signal = np.float32(_LEVELS[k]) * full
-        weight = signal / (1.0 + signal)
-        root = np.sqrt(weight)
-        self.known[k, c] = len(filters) * self._mean(weight)
-        self.spread[k, c] = 0.5 * len(filters) * self._mean(weight**2)
-        energy = sum(self._energy(one * root) for one in filters)
-        self.values[k][c] = 0.5 * (energy - self.known[k, c])
-        moved = weight * across
-        self.curvature[k, c] = self._mean(moved * self._spectrum)
-        self.by_texture[k, c] = self._mean(moved * weight * self._spectrum)
-        self.by_noise[k, c] = self._mean(moved * weight / hh)
-        if c % _COARSE == 0:
-            filtered = signal / (1.0 + signal) ** 2  # of the least variance for texture of this level
-            self._textures[k][c // _COARSE] = self._energy(h * np.sqrt(filtered / hh))
-            self._of_texture[:, k, c // _COARSE] = [
-                self._mean(values) for values in (filtered, filtered * full, filtered**2)
-            ]
+        self.values.append(np.empty((count, *self.coverage.shape), dtype=np.float32))
+        self._textures.append(np.empty((self._of_texture.shape[2], *self.coverage.shape), dtype=np.float32))
+        for c, (h, slope) in enumerate(zip(self._h.swapaxes(0, 1), self._slopes.swapaxes(0, 1), strict=True)):
+            hh = (h * h).sum(axis=0) + np.float32(1e-12)
+            across = np.maximum((slope * slope).sum(axis=0) - (h * slope).sum(axis=0) ** 2 / hh, 0.0)
+            filters = list(residuals(h))
+            full = self._spectrum * hh
+            signal = np.float32(_LEVELS[k]) * full
+            weight = signal / (1.0 + signal)
+            root = np.sqrt(weight)
+            self.known[k, c] = len(filters) * self._mean(weight)
+            self.spread[k, c] = 0.5 * len(filters) * self._mean(weight**2)
+            energy = sum(self._energy(one * root) for one in filters)
+            self.values[k][c] = 0.5 * (energy - self.known[k, c])
+            moved = weight * across
+            self.curvature[k, c] = self._mean(moved * self._spectrum)
+            self.by_texture[k, c] = self._mean(moved * weight * self._spectrum)
+            self.by_noise[k, c] = self._mean(moved * weight / hh)
+            if c % _COARSE == 0:
+                filtered = signal / (1.0 + signal) ** 2  # of the least variance for texture of this level
+                self._textures[k][c // _COARSE] = self._energy(h * np.sqrt(filtered / hh))
+                self._of_texture[:, k, c // _COARSE] = [
+                    self._mean(values) for values in (filtered, filtered * full, filtered**2)
+                ]
 
     def _mean(self, values: Values) -> float:
         """Return the mean over all frequencies."""
@@ -259,60 +242,6 @@ class Found(NamedTuple):
     level: Values  # power of the texture at 1 cycle a pixel over that of noise
 
 
-class Tile(NamedTuple):
-    """Photographs of a part of a scene."""
-
-    images: Values  # (channels, photographs, height, width): electrons of equal exposures, with margins
-    variances: Values  # of the noise of each
-    valid: NDArray[np.float32]  # 1 where pixels are known, 0 elsewhere
-    own: NDArray[np.float32]  # 1 where they are of the image rather than mirrored
-
-
-def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, window: float) -> Found:
-    """Return the depth of each pixel that a tile answers for."""
-    channels = [
-        Costs(images, variances, tile.valid, transfer, weigh)
-        for images, variances, transfer in zip(tile.images, tile.variances, transfers, strict=True)
-    ]
-    share = channels[0].coverage
-    independent = 4.0 * np.pi * window**2 * share
-    levels = [one.choose(_least(one.values[0]), independent) for one in channels]
-    parts = [one.of_level(level) for one, level in zip(channels, levels, strict=True)]
-    cost = parts[0] if len(parts) == 1 else np.sum(parts, axis=0)
-    at = _least(cost)
-    position, curvature, least = _minimum(cost, at)
-    noise = sum(one.known[level, at] for one, level in zip(channels, levels, strict=True))
-    misfit = np.maximum(1.0 + 2.0 * least / np.maximum(noise, 1e-30), 0.0)
-    worse = np.maximum(misfit, 1.0)
-    # How much better the best candidate is than the mean of all, as the logarithm of a likelihood.
-    drop = (cost.mean(axis=0) - least) * independent / worse
-    clear = drop > _CLEAR
-    sure = clear.copy()
-    slope, expected, power = np.zeros((3, *at.shape))
-    steepest = sum(one.curvature[level, at] for one, level in zip(channels, levels, strict=True))
-    for one, level in zip(channels, levels, strict=True):
-        texture, more = one.texture(at, level, np.minimum(worse, _NOISIER), independent)
-        # Where the minimum is clear its curvature is the better estimate of the texture.
-        texture = np.where(clear, np.maximum(curvature / steepest, 0.0), texture)
-        sure |= more
-        expected += texture * one.curvature[level, at]
-        slope += texture * one.by_texture[level, at] + one.by_noise[level, at]
-        power += texture * one.power / len(channels)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        variance = slope / (np.minimum(curvature, 2.0 * expected) ** 2 * independent) * worse**2
-    # One narrow minimum among others that are nearly as low is chance.
-    variance = np.maximum(variance, _spread(cost, at, independent / worse))
-    chance = sum(one.spread[level, at] for one, level in zip(channels, levels, strict=True))
-    enough = np.maximum(_DROP, _SURE_OF_BEST * np.sqrt(chance * independent))
-    # Less than half of what a window has of the image is not to be believed.
-    whole = share >= 0.5 * weigh(tile.own)
-    known = sure & whole & (curvature > 0.0) & np.isfinite(variance) & (drop >= enough)
-    variance[~known] = np.inf
-    outside = (at == 0) | (at == len(cost) - 1)
-    variance[outside], position[outside] = np.inf, np.nan
-    return Found(position, variance, misfit, power)
-
-
 def _least(cost: Values) -> NDArray[np.int64]:
     """Return the place of the least along the first axis, as argmin does ten times as slowly."""
     at, least = np.zeros(cost.shape[1:], dtype=np.int64), cost[0].copy()
@@ -360,36 +289,15 @@ def _minimum(cost: Values, at: NDArray[np.int64]) -> tuple[Values, Values, Value
     return start + _STENCIL // 2 + x, derivative(2), derivative(0)
 
 
-def sharpen(
-    images: Values, variances: Values, transfers: Values, position: Values, level: float, inner: tuple[slice, slice]
-) -> Array:
-    """Return the scene of one channel in focus, by Wiener's filter at the depth of each pixel."""
-    transform, h, local = whitened(images, variances, transfers)
-    spectrum = squared_frequency(transform.shape).astype(np.float32)
-    spectrum[0, 0] = np.inf
-    spectrum = level / spectrum
-    count = h.shape[1]
-    place = np.clip(position, 0.0, count - 1.0)
-    out = np.zeros(position.shape)
-    for c in np.unique(np.concatenate([np.floor(place), np.ceil(place)])).astype(int):
-        part = h[:, c]
-        filters = spectrum * part / (1.0 + spectrum * (part * part).sum(axis=0))
-        near = np.maximum(1.0 - np.abs(place - c), 0.0)
-        out += near * transform.sum(filters)[inner]
-    weight = 1.0 / variances.mean(axis=(1, 2))
-    mean = float((images.mean(axis=(1, 2)) * weight).sum() / weight.sum())
-    return out * math.sqrt(float(local.mean())) + mean
-
-
 _CORE = 256  # most that a tile answers for, pixels a side
 _LEAST_MARGIN = 24
 
-Places = NDArray[np.int64]
+Window = tuple[slice, slice]
+Places = tuple[NDArray[np.int64], ...]
 Transfer = Callable[[Lens, Array, Sequence[tuple[float, float]], float, tuple[int, int], int], NDArray[np.float32]]
 
 
-@dataclass(frozen=True, eq=False)
-class Exposures:
+class Exposures(NamedTuple):
     """Several photographs of one scene, as electrons."""
 
     images: NDArray[np.float32]  # (channels, photographs, height, width): over the relative exposure of each
@@ -398,21 +306,11 @@ class Exposures:
     exposures: tuple[float, ...]  # light of each photograph over that of the first
 
 
-@dataclass(frozen=True, eq=False)
 class Tiling:
-    """Photographs cut into tiles, with the transfer functions of all candidates."""
+    """Photographs cut into tiles, with the transfer functions of all lenses at all candidates in all channels."""
 
-    exposed: Exposures
-    transfers: list[NDArray[np.float32]]
-    core: tuple[int, int]  # pixels that a tile answers for
-    margin: int  # pixels beyond these on either side
-    sides: tuple[int, int]  # of the transforms
-    blur: float  # largest radius, pixels
-    window: float
-
-    @classmethod
-    def of(
-        cls,
+    def __init__(
+        self,
         exposed: Exposures,
         lenses: Sequence[Lens],
         distances: Array,
@@ -420,88 +318,121 @@ class Tiling:
         pixel: float,
         window: float,
         transfer: Transfer,
-    ) -> Tiling:
-        """Return tiles, with the transfer functions of all lenses at all distances in all channels."""
+    ) -> None:
         from scipy.fft import next_fast_len
+        from scipy.ndimage import distance_transform_edt
 
         blur = max(float(lens.pupil(distances).geometric_radius().max()) for lens in lenses) / pixel
-        half = half_window(lenses, distances, pixel)
-        margin = max(_LEAST_MARGIN, math.ceil(2.0 * blur + 3.0 * window))
-        shape = exposed.valid.shape
-        core = tuple(math.ceil(side / math.ceil(side / _CORE)) for side in shape)
-        sides = tuple(next_fast_len(max(side + 2 * margin, 2 * half + 1), real=True) for side in core)
-        known: dict[tuple[tuple[float, float], ...], NDArray[np.float32]] = {}
-        for spectrum in map(tuple, spectra):
-            if spectrum not in known:
-                known[spectrum] = np.stack(
-                    [transfer(lens, distances, spectrum, pixel, sides, half) for lens in lenses]
-                )
-        return cls(
-            exposed, [known[tuple(spectrum)] for spectrum in spectra], core, margin, sides, blur, window
-        )  # fmt: skip
+        half, margin = half_window(lenses, distances, pixel), max(_LEAST_MARGIN, math.ceil(2.0 * blur + 3.0 * window))
+        # The pixels that a tile answers for, and those of its transforms, which have margins.
+        height, width = (math.ceil(side / math.ceil(side / _CORE)) for side in exposed.valid.shape)
+        rows, columns = (next_fast_len(max(side + 2 * margin, 2 * half + 1), real=True) for side in (height, width))
+        self._window, self._margin, self._core, self._sides = window, margin, (height, width), (rows, columns)
+        self._weigh = Weights(self._sides, margin, self._core, window)
+
+        @cache
+        def transfers(spectrum: tuple[tuple[float, float], ...]) -> NDArray[np.float32]:
+            return np.stack([transfer(lens, distances, spectrum, pixel, self._sides, half) for lens in lenses])
+
+        self._transfers = [transfers(tuple(spectrum)) for spectrum in spectra]
+        self._shape = exposed.valid.shape
+        around = [
+            (margin, (whole - 1) // core * core + side - margin - whole)
+            for whole, core, side in zip(self._shape, self._core, self._sides, strict=True)
+        ]
+        self._images, self._variances = (
+            np.pad(part, [(0, 0), (0, 0), *around], mode="symmetric") for part in (exposed.images, exposed.variances)
+        )
+        # 1 where pixels are of the image rather than mirrored, and where they are known as far as light is spread.
+        known = exposed.valid if exposed.valid.all() else distance_transform_edt(exposed.valid) > blur + 1.0
+        self._own, self._trusted = (np.pad(part.astype(np.float32), around) for part in (np.ones(self._shape), known))
 
     def search(self, progress: Callable[[int, int], object] | None = None) -> Found:
         """Return the depth of all tiles."""
-        shape = self.exposed.valid.shape
-        out = Found(*(np.empty(shape, dtype=np.float64) for _ in Found._fields))
-        trust = self._trusted()
-        weigh = Weights.of(self.sides, self.margin, self.core, self.window)
+        out = Found(*(np.empty(self._shape, dtype=np.float64) for _ in Found._fields))
         tiles = list(self._tiles())
-        for done, (inside, at, within) in enumerate(tiles, 1):
-            own = self._own(inside)
-            tile = Tile(self.exposed.images[:, :, *at], self.exposed.variances[:, :, *at], trust[at] * own, own)
-            for whole, part in zip(out, search(tile, self.transfers, weigh, self.window), strict=True):
-                whole[inside] = part[within]
+        for done, (inside, at) in enumerate(tiles, 1):
+            for whole, part in zip(out, self._found(at), strict=True):
+                height, width = whole[inside].shape
+                whole[inside] = part[:height, :width]
             if progress is not None:
                 progress(done, len(tiles))
         return out
 
+    def _found(self, at: Places) -> Found:
+        """Return the depth of each pixel that a tile answers for."""
+        channels = [
+            Costs(images, variances, self._trusted[at], transfer, self._weigh)
+            for images, variances, transfer in self._channels(at)
+        ]
+        share = channels[0].coverage
+        independent = 4.0 * np.pi * self._window**2 * share
+        levels = [one.choose(_least(one.values[0]), independent) for one in channels]
+        parts = [one.of_level(level) for one, level in zip(channels, levels, strict=True)]
+        cost = parts[0] if len(parts) == 1 else np.sum(parts, axis=0)
+        best = _least(cost)
+        position, curvature, least = _minimum(cost, best)
+        noise = sum(one.known[level, best] for one, level in zip(channels, levels, strict=True))
+        misfit = np.maximum(1.0 + 2.0 * least / np.maximum(noise, 1e-30), 0.0)
+        worse = np.maximum(misfit, 1.0)
+        # How much better the best candidate is than the mean of all, as the logarithm of a likelihood.
+        drop = (cost.mean(axis=0) - least) * independent / worse
+        clear = drop > _CLEAR
+        sure = clear.copy()
+        slope, expected, power = np.zeros((3, *best.shape))
+        steepest = sum(one.curvature[level, best] for one, level in zip(channels, levels, strict=True))
+        for one, level in zip(channels, levels, strict=True):
+            texture, more = one.texture(best, level, np.minimum(worse, _NOISIER), independent)
+            # Where the minimum is clear its curvature is the better estimate of the texture.
+            texture = np.where(clear, np.maximum(curvature / steepest, 0.0), texture)
+            sure |= more
+            expected += texture * one.curvature[level, best]
+            slope += texture * one.by_texture[level, best] + one.by_noise[level, best]
+            power += texture * one.power / len(channels)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            variance = slope / (np.minimum(curvature, 2.0 * expected) ** 2 * independent) * worse**2
+        # One narrow minimum among others that are nearly as low is chance.
+        variance = np.maximum(variance, _spread(cost, best, independent / worse))
+        chance = sum(one.spread[level, best] for one, level in zip(channels, levels, strict=True))
+        enough = np.maximum(_DROP, _SURE_OF_BEST * np.sqrt(chance * independent))
+        # Less than half of what a window has of the image is not to be believed.
+        whole = share >= 0.5 * self._weigh(self._own[at])
+        known = sure & whole & (curvature > 0.0) & np.isfinite(variance) & (drop >= enough)
+        variance[~known] = np.inf
+        outside = (best == 0) | (best == len(cost) - 1)
+        variance[outside], position[outside] = np.inf, np.nan
+        return Found(position, variance, misfit, power)
+
     def sharp(self, position: Array, level: float) -> Array:
         """Return the electrons of the scene in focus, (channels, height, width), at positions of candidates."""
-        out = np.empty((len(self.transfers), *position.shape))
-        rows, columns = (slice(self.margin, self.margin + side) for side in self.core)
-        inner = rows, columns
-        for inside, at, within in self._tiles():
-            place = position[at][inner]
-            for channel, transfer in enumerate(self.transfers):
-                images, variances = (part[channel][:, *at] for part in (self.exposed.images, self.exposed.variances))
-                out[channel][inside] = sharpen(images, variances, transfer, place, level, inner)[within]
+        out = np.empty((len(self._transfers), *position.shape))
+        square = squared_frequency(self._sides).astype(np.float32)
+        square[0, 0] = np.inf
+        spectrum, count = level / square, self._transfers[0].shape[1]
+        for inside, at in self._tiles():
+            place = np.clip(position[inside], 0.0, count - 1.0)
+            rows, columns = (slice(self._margin, self._margin + side) for side in place.shape)
+            for channel, (images, variances, transfers) in enumerate(self._channels(at)):
+                transform, h, local = whitened(images, variances, transfers)
+                made = np.zeros(place.shape)
+                for c in np.unique(np.concatenate([np.floor(place), np.ceil(place)])).astype(int):
+                    # Wiener's filter of one candidate.
+                    filters = spectrum * h[:, c] / (1.0 + spectrum * (h[:, c] * h[:, c]).sum(axis=0))
+                    made += np.maximum(1.0 - np.abs(place - c), 0.0) * transform.sum(filters)[rows, columns]
+                weight = 1.0 / variances.mean(axis=(1, 2))
+                mean = float((images.mean(axis=(1, 2)) * weight).sum() / weight.sum())
+                out[channel][inside] = made * math.sqrt(float(local.mean())) + mean
         return out
 
-    def _tiles(self) -> Iterator[tuple[tuple[slice, slice], tuple[Places, Places], tuple[slice, slice]]]:
-        """Yield where each tile answers, the pixels that it is made of, mirrored, and the part of it that is used."""
-        height, width = self.exposed.valid.shape
-        for top in range(0, height, self.core[0]):
-            for left in range(0, width, self.core[1]):
-                rows, columns = (
-                    _mirrored(np.arange(side) + first - self.margin, whole)
-                    for side, first, whole in zip(self.sides, (top, left), (height, width), strict=True)
-                )
-                inside = slice(top, min(top + self.core[0], height)), slice(left, min(left + self.core[1], width))
-                within = slice(inside[0].stop - top), slice(inside[1].stop - left)
-                yield inside, (rows[:, None], columns), within
+    def _tiles(self) -> Iterator[tuple[Window, Places]]:
+        """Yield where each tile answers, and the pixels of the mirrored photographs that it is made of."""
+        (height, width), (rows, columns) = self._core, self._sides
+        for top in range(0, self._shape[0], height):
+            for left in range(0, self._shape[1], width):
+                inside = slice(top, min(top + height, self._shape[0])), slice(left, min(left + width, self._shape[1]))
+                yield inside, np.ogrid[top : top + rows, left : left + columns]
 
-    def _own(self, inside: tuple[slice, slice]) -> NDArray[np.float32]:
-        """Return 1 where a tile is made of the image, 0 where it is made of mirrored copies."""
-        own = np.zeros(self.sides, dtype=np.float32)
-        first = [part.start - self.margin for part in inside]
-        rows, columns = (
-            slice(max(0, -start), whole - start) for start, whole in zip(first, self.exposed.valid.shape, strict=True)
-        )
-        own[rows, columns] = 1.0
-        return own
-
-    def _trusted(self) -> NDArray[np.float32]:
-        """Return 1 where pixels are known as far as light is spread, 0 elsewhere."""
-        valid = self.exposed.valid
-        if valid.all():
-            return valid.astype(np.float32)
-        from scipy.ndimage import distance_transform_edt
-
-        return np.asarray(distance_transform_edt(valid) > self.blur + 1.0, dtype=np.float32)
-
-
-def _mirrored(index: NDArray[np.int64], count: int) -> NDArray[np.int64]:
-    """Return pixels of a side of an image for those beyond its ends."""
-    turned = index % (2 * count)
-    return np.where(turned < count, turned, 2 * count - 1 - turned)
+    def _channels(self, at: Places) -> Iterator[tuple[Values, Values, Values]]:
+        """Yield the photographs of each channel in a tile, the variances of their noise, and transfer functions."""
+        for images, variances, transfer in zip(self._images, self._variances, self._transfers, strict=True):
+            yield images[:, *at], variances[:, *at], transfer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,8 +17,9 @@ from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.estimation.noise import Noise
+from lommel.imaging.blur import require_round
 from lommel.imaging.defocus_costs import Exposures, Tiling, Transfer
-from lommel.imaging.photograph import fill_missing
+from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.sensor_light import sensor_transfer
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depthmaps import write_depth
@@ -63,7 +64,7 @@ class DefocusDepth:
     candidates: Array
     exposures: tuple[float, ...]
     encoding: str
-    _sharpen: Callable[[Array], Values] = field(repr=False)
+    _sharpen: Callable[[Array], Values]
 
     @property
     def known(self) -> float:
@@ -217,7 +218,7 @@ def depth_from_defocus(
         ((channel, 1.0),) if isinstance(channel, float) else tuple(channel)
         for channel in settings.channels(first.shape, lights[0].wavelength)
     ]
-    tiling = Tiling.of(exposed, lights, distances, spectra, pitch, width, transfer)
+    tiling = Tiling(exposed, lights, distances, spectra, pitch, width, transfer)
     position, variance, misfit, level = tiling.search(progress)
     deviation = np.hypot(np.sqrt(variance), _SIDE * width * _slope(position, width)) * step
     unknown = ~(deviation <= _KNOWN * (vergence[-1] - vergence[0])) | ~np.isfinite(position)
@@ -230,17 +231,14 @@ def depth_from_defocus(
         place = (1.0 / filled - vergence[0]) / step
         # What does not fit the photographs is as noise to the sharp image.
         clean = float(np.median(level) / np.maximum(misfit, 1.0).mean())
-        electrons = np.moveaxis(tiling.sharp(place, clean), 0, 2).reshape(first.shape)
-        light = noise.image(electrons if first.ndim == 2 else np.moveaxis(electrons, 2, 0))
-        light = light if first.ndim == 2 else np.moveaxis(light, 0, 2)
+        light = np.moveaxis(noise.image(tiling.sharp(place, clean)), 0, 2).reshape(first.shape)
         if first.dtype.kind != "f":
             light = np.clip(light, 0.0, 1.0)
         elif encoding == "srgb":
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    maps = [np.asarray(each, dtype=np.float64) for each in (depth, sigma, misfit)]
-    return DefocusDepth(maps[0], maps[1], maps[2], distances, exposed.exposures, encoding, sharpen)
+    return DefocusDepth(depth, sigma, misfit, distances, exposed.exposures, encoding, sharpen)
 
 
 def _slope(position: Values, window: float) -> Array:
@@ -264,13 +262,7 @@ def _lenses(lenses: Sequence[Lens]) -> list[Lens]:
             f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
         )
     for k, lens in enumerate(lenses):
-        if not lens.aberrations.radial or lens.aberrations.shape != ():
-            raise ValueError(f"lenses[{k}] must have radially symmetric aberrations, and one set of them")
-        if lens.spider or lens.vignetting or lens.mask:
-            raise ValueError(
-                f"lenses[{k}] must have a round aperture, without spider, vignetting and mask: leave these out where "
-                "they take little of the light"
-            )
+        require_round(f"lenses[{k}]", lens)
     return list(lenses)
 
 
@@ -316,13 +308,14 @@ def expose(
     window: float,
 ) -> Exposures:
     """Return photographs as electrons; arguments as of :func:`lommel.imaging.depth_from_defocus`."""
-    stored = [_checked(f"photographs[{k}]", one) for k, one in enumerate(photographs)]
-    shapes = [one.shape for one in stored]
-    if len(set(shapes)) > 1:
-        raise ValueError(f"photographs must be of one shape, got {', '.join(map(str, shapes))}")
+    stored = {f"photographs[{k}]": validation.array(f"photographs[{k}]", one) for k, one in enumerate(photographs)}
+    for name, one in stored.items():
+        require_image(name, one.shape)
+    if len({one.shape for one in stored.values()}) > 1:
+        shapes = ", ".join(str(one.shape) for one in stored.values())
+        raise ValueError(f"photographs must be of one shape, got {shapes}")
     electrons, known = zip(
-        *(_electrons(f"photographs[{k}]", one, encoding, noise, saturation) for k, one in enumerate(stored)),
-        strict=True,
+        *(_electrons(name, one, encoding, noise, saturation) for name, one in stored.items()), strict=True
     )
     images = np.stack(electrons, axis=1)
     valid = np.all(known, axis=0)
@@ -332,7 +325,10 @@ def expose(
         images, valid = _rescaled(images, valid, lenses)
     light = _relative(images[..., valid], exposures)
     mean = _smooth(images, window)
-    variances = noise.variance(np.maximum(mean, 0.0)) + _leaked(images - mean, window)
+    energy = (images - mean) ** 2
+    # Stronger texture beyond a window is noise too, since no filter ends with the window.
+    leaked = _LEAK**2 * np.maximum(_smooth(energy, _FAR * window) - _smooth(energy, window), 0.0)
+    variances = noise.variance(np.maximum(mean, 0.0)) + leaked
     over = np.asarray(light)[:, None, None]
     variances = np.maximum(variances, _LEAST * float(variances.mean())) / over**2
     if not np.all(variances > 0.0):
@@ -349,21 +345,6 @@ def _smooth(images: Array, width: float) -> Array:
         for _ in range(3):
             images = uniform_filter1d(images, side, axis=axis, mode="reflect")
     return images
-
-
-def _leaked(texture: Array, window: float) -> Array:
-    """Return the noise by stronger texture beyond a window, since no filter ends with the window."""
-    energy = texture**2
-    return _LEAK**2 * np.maximum(_smooth(energy, _FAR * window) - _smooth(energy, window), 0.0)
-
-
-def _checked(name: str, photograph: ArrayLike) -> Values:
-    values = validation.array(name, photograph)
-    if values.ndim not in (2, 3) or 0 in values.shape:
-        raise ValueError(
-            f"{name} must have the shape (height, width) or (height, width, channels), got {values.shape}"
-        )
-    return values
 
 
 def _electrons(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -44,8 +45,7 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
         half = min(half, largest)
         reach = int(np.ceil(_BEYOND * half))
         windows = light.windows(places, reach)
-        found = _least(windows, half, tol)
-        if found is not None:
+        if _off(windows, half) <= tol:
             break
         if half == largest:
             raise ValueError(
@@ -53,9 +53,10 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
                 f"allow larger windows than largest={largest}, ask for a larger tol, or for less light (energy=)"
             )
         half *= 2
-    least, error = found
-    tails = windows.copy()
-    tails[:, reach - least : reach + least + 1, reach - least : reach + least + 1] = 0.0
+    # The smaller the window, the more there is to be off.
+    half = 1 + bisect_left(range(1, half), True, key=lambda smaller: _off(windows, smaller) <= tol)
+    error, tails = _off(windows, half), windows.copy()
+    tails[:, reach - half : reach + half + 1, reach - half : reach + half + 1] = 0.0
     beyond = 1.0 - windows.sum(axis=(1, 2))
     # The share beyond a square falls as one over its side, which that of one over r^3 does.
     enough = int(np.ceil(4.0 * float(beyond.max()) / tol * (reach + 0.5)))
@@ -68,26 +69,11 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
         ring = ring**-3.0
         kernel += ring * (float(beyond.sum()) * (1.0 - (reach + 0.5) / (side + 0.5)) / ring.sum())
     lost = float(beyond.max()) * (reach + 0.5) / (side + 0.5)
-    return FarLight(kernel / kernel.sum(), least, _ELSEWHERE * error, lost)
-
-
-def _least(windows: Array, most: int, tol: float) -> tuple[int, float] | None:
-    """Return half of the smallest windows beyond which the light of all points is alike, and its error."""
-    low, high, known = 0, most, _off(windows, most)
-    if _ELSEWHERE * known > tol:
-        return None
-    while high - low > 1:  # The smaller the window, the more there is to be off.
-        half = (low + high) // 2
-        error = _off(windows, half)
-        if _ELSEWHERE * error <= tol:
-            high, known = half, error
-        else:
-            low = half
-    return high, known
+    return FarLight(kernel / kernel.sum(), half, error, lost)
 
 
 def _off(windows: Array, half: int) -> float:
-    """Return the largest sum of absolute differences between tails and their mean, scaled to their light."""
+    """Return the largest sum of absolute differences between tails and their mean, scaled, with room for others."""
     reach = windows.shape[-1] // 2
     inner = slice(reach - half, reach + half + 1)
     outside = np.ones(windows.shape[1:], dtype=np.bool_)
@@ -95,7 +81,7 @@ def _off(windows: Array, half: int) -> float:
     tails: Values = windows[:, outside]
     bright = tails.sum(axis=1)
     mean = tails.sum(axis=0) / bright.sum()
-    return float(np.abs(tails - bright[:, None] * mean).sum(axis=1).max())
+    return _ELSEWHERE * float(np.abs(tails - bright[:, None] * mean).sum(axis=1).max())
 
 
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
@@ -124,7 +110,7 @@ class FieldBank:
         found half-way between nodes.
     """
 
-    axes: tuple[Nodes, Nodes, Nodes]
+    axes: tuple[Nodes, ...]
     coefficients: Values
     far: FarLight | None
     lost: float
@@ -173,7 +159,12 @@ def build_field_bank(
     while True:
         side = 2 * half + 1
         if math.prod(nodes.count for nodes in axes) * side * side > _MAX_VALUES:
-            raise _too_many(axes, side, tol)
+            counts = " x ".join(str(nodes.count) for nodes in axes)
+            raise ValueError(
+                f"a bank of {counts} windows (down, across, over defocus) of {side} x {side} pixels exceeds the "
+                f"limit of {_MAX_VALUES} values; ask for a larger tol than {tol:g}, for less light (energy=), or for "
+                "parts of the image, by center="
+            )
         windows = light.windows(lattice([nodes.places for nodes in axes]), half)
         held = windows.sum(axis=(1, 2))
         if far is None and held.min() < energy:  # between the places that were looked at
@@ -186,7 +177,11 @@ def build_field_bank(
         coefficients: Values = windows.reshape(*(nodes.count for nodes in axes), side, side)
         for axis, nodes in enumerate(axes):
             coefficients = nodes.coefficients(coefficients, axis)
-        places = _half_way(axes)
+        places = lattice(
+            [nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes]
+        )
+        if len(places) > _CHECKED:
+            places = places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]
         exact = light.windows(places, half)
         between = exact.sum(axis=(1, 2))
         if far is None:
@@ -202,23 +197,13 @@ def build_field_bank(
         times = max(1.02, (error / (0.9 * room)) ** (1.0 / (degree + 1)))
         # Where nodes that are closer do not help, axes of a single one may need more.
         single, before = error > 0.9 * before, error
-        y, x, defocus = (
+        axes = tuple(
             nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes
             for nodes in axes
         )
-        axes = y, x, defocus
 
 
-def _too_many(axes: Sequence[Nodes], side: int, tol: float) -> ValueError:
-    counts = " x ".join(str(nodes.count) for nodes in axes)
-    return ValueError(
-        f"a bank of {counts} windows (down, across, over defocus) of {side} x {side} pixels exceeds the limit of "
-        f"{_MAX_VALUES} values; ask for a larger tol than {tol:g}, for less light (energy=), or for parts of the "
-        "image, by center="
-    )
-
-
-def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, Nodes, Nodes]:
+def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, ...]:
     """Return nodes that are close enough along lines through the spans."""
     # Fewer nodes, of which more count at each place: worth it where there are many.
     degree = 5 if tol < _FINE or spans[2][0] < spans[2][1] else 3
@@ -243,17 +228,7 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
                 f"than {tol:g}, or for parts of the image, by center="
             )
         found.append(nodes)
-    y, x, defocus = found
-    return y, x, defocus
-
-
-def _half_way(axes: Sequence[Nodes]) -> Array:
-    """Return the middles between nodes, shape (n, 3), some of them if they are many."""
-    ticks = [nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes]
-    places = lattice(ticks)
-    if len(places) <= _CHECKED:
-        return places
-    return places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]
+    return tuple(found)
 
 
 def _mixed(axes: Sequence[Nodes], coefficients: Values, places: Array) -> Iterator[Array]:

@@ -136,10 +136,15 @@ def output(
     return out
 
 
-def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> None:
-    """Refuse shapes that are not those of an image, called `name`, and of its depth map."""
+def require_image(name: str, shape: tuple[int, ...]) -> None:
+    """Refuse a shape that is not that of an image, called `name`."""
     if len(shape) not in (2, 3) or 0 in shape:
         raise ValueError(f"{name} must have the shape (height, width) or (height, width, channels), got {shape}")
+
+
+def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> None:
+    """Refuse shapes that are not those of an image, called `name`, and of its depth map."""
+    require_image(name, shape)
     if depth != shape[:2]:
         raise ValueError(f"depth must have the shape of the {name}, {shape[:2]}, got {depth}")
 

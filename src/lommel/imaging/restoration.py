@@ -32,6 +32,7 @@ from lommel.imaging.photograph import (
     depth_range,
     fill_missing,
     output,
+    require_image,
     require_scene,
     stored,
     tiles_of,
@@ -294,8 +295,7 @@ def restore(
 
 def recorded(photo: Pixels, encoding: str, saturation: float | None = None) -> tuple[Array, float]:
     """Return the light of a photograph, NaN where it is unknown, and the light from which on it is saturated."""
-    if photo.ndim not in (2, 3) or 0 in photo.shape:
-        raise ValueError(f"photo must have the shape (height, width) or (height, width, channels), got {photo.shape}")
+    require_image("photo", photo.shape)
     limit = 1.0
     if saturation is not None:
         limit = validation.real("saturation", saturation, above=0.0, infinite=True)

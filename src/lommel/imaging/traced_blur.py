@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.imaging.blur import require_lens
+from lommel.imaging.blur import require_lens, require_round
 from lommel.imaging.sensor_light import SensorLight
 from lommel.methods.pixels.rule import octant
 from lommel.optics.lens import Lens
@@ -162,10 +162,9 @@ def traced_blur(
     L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), Theorem 8.2.
     """
     require_lens(lens, "lens, distances, pixel")
-    if lens.model != "paraxial" or not lens.aberrations.radial or lens.aberrations.shape:
-        raise ValueError("lens must be paraxial, with one set of radially symmetric aberrations")
-    if lens.spider or lens.vignetting or lens.mask:
-        raise ValueError("lens must have a round aperture, without spider, vignetting and mask")
+    require_round("lens", lens)
+    if lens.model != "paraxial":
+        raise ValueError(f'lens must be paraxial, with model="paraxial", got {lens.model!r}')
     pitch = validation.pixel(pixel, metric=True)
     share = validation.real("energy", energy, above=0.0, below=1.0)
     allowed = validation.real("tol", tol, least=1e-9, below=1e-1)

@@ -15,7 +15,7 @@ DRAW = np.random.default_rng(0)
 def test_a_sum_of_filtered_images_is_that_of_the_discrete_fourier_transform(shape):
     images = DRAW.normal(size=(3, *shape))
     filters = DRAW.normal(size=(3, shape[0] // 2 + 1, shape[1] // 2 + 1)).astype(np.float32)
-    found = Transform.of(images).sum(filters)
+    found = Transform(images).sum(filters)
     rows, columns = (np.minimum(np.arange(side), side - np.arange(side)) for side in shape)
     whole = filters[:, rows[:, None], columns]
     expected = np.fft.ifft2((np.fft.fft2(images) * whole).sum(axis=0)).real
@@ -41,7 +41,7 @@ def test_residuals_do_not_jump_where_a_transfer_function_changes_its_sign():
 
 
 def test_windows_are_gaussian_and_sum_to_one():
-    weigh = Weights.of((40, 50), 8, (24, 34), 3.0)
+    weigh = Weights((40, 50), 8, (24, 34), 3.0)
     image = np.zeros((40, 50), dtype=np.float32)
     image[20, 25] = 1.0
     found = weigh(image)
@@ -60,7 +60,7 @@ def scene(power, shape=(96, 96), seed=1):
     transfers = np.stack([np.exp(-((3.0 * (1.0 + u) * f) ** 2)), np.exp(-((3.0 * (1.0 - u) * f) ** 2))])
     spectrum = f**2
     spectrum[0, 0] = np.inf
-    white = Transform.of(draw.normal(size=(1, *shape)))
+    white = Transform(draw.normal(size=(1, *shape)))
     at = 8
     images = [
         white.sum((np.sqrt(power / spectrum) * transfers[k, at])[None].astype(np.float32)) + draw.normal(size=shape)
@@ -72,10 +72,10 @@ def scene(power, shape=(96, 96), seed=1):
 def test_the_level_of_the_texture_and_its_depth_are_found():
     for power in (3.0, 100.0):
         images, transfers, at = scene(power)
-        transform = Transform.of(images)
+        transform = Transform(images)
         assert transform.level(transfers) == pytest.approx(power, rel=0.8)  # about, whatever the depth
         assert transform.level(transfers[:, at : at + 1]) == pytest.approx(power, rel=0.1)
-    weigh = Weights.of((96, 96), 16, (64, 64), 4.0)
+    weigh = Weights((96, 96), 16, (64, 64), 4.0)
     valid = np.ones((96, 96), dtype=np.float32)
     costs = Costs(images, np.ones_like(images), valid, transfers, weigh)
     assert np.mean(costs.values[0].argmin(axis=0) == at) > 0.99
@@ -98,7 +98,7 @@ def test_noise_is_no_texture():
     images, transfers, at = scene(100.0)
     noise = DRAW.normal(size=images.shape)
     images[:, :, 40:] = noise[:, :, 40:]  # and the edge is sharp in both: some texture beside it
-    weigh = Weights.of((96, 96), 16, (64, 64), 4.0)
+    weigh = Weights((96, 96), 16, (64, 64), 4.0)
     valid = np.ones((96, 96), dtype=np.float32)
     costs = Costs(images, np.ones_like(images), valid, transfers, weigh)
     place, independent = np.full((64, 64), at), 4.0 * np.pi * 16.0 * np.ones((64, 64))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 import lommel as lm
 from lommel.imaging import defocus_costs
@@ -23,13 +22,6 @@ def test_tiles_tell_what_the_whole_does(monkeypatch):
     assert np.median(np.abs(parts.depth - whole.depth)[known] / whole.deviation[known]) < 0.1
     assert np.abs(parts.depth - whole.depth)[known].max() < 3.0 * whole.deviation[known].max()
     assert np.abs(parts.sharp - whole.sharp)[8:-8, 8:-8].std() < 0.1 * (whole.sharp - images[0])[8:-8, 8:-8].std()
-
-
-@pytest.mark.parametrize("count", [1, 2, 5])
-def test_images_are_mirrored_beyond_their_borders_however_far(count):
-    values = np.arange(count)
-    found = defocus_costs._mirrored(np.arange(-12, count + 12), count)
-    assert np.array_equal(values[found], np.pad(values, 12, mode="symmetric"))
 
 
 def test_mirrored_copies_are_not_counted_as_pixels():

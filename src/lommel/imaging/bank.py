@@ -17,7 +17,7 @@ _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
 _GAPS = 12  # between the windows that are tried first, or twice as many and so on: a radian apart at most
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Bank:
     """Windows of one channel, equally spaced in defocus.
 
@@ -184,17 +184,14 @@ def build_bank(
 def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
     """Return windows, shape (count + 1, half + 1, stride), with the padding that the compiled core needs."""
     count, side, _ = quarter.shape
-    windows = _at_cache_lines((count + 1, side, ((side - 1) // 16 + 1) * 16), dtype)
-    windows[:-1, :, :side] = quarter
-    return windows
-
-
-def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[np.floating]) -> Values:
-    """Return zeros whose rows begin at cache lines where the stride lets them: vectors then are loaded faster."""
+    shape = count + 1, side, ((side - 1) // 16 + 1) * 16
+    # Rows begin at cache lines where the stride lets them: vectors then are loaded faster.
     size = math.prod(shape) * dtype.itemsize
     room = np.zeros(size + 64, dtype=np.uint8)
     first = -room.ctypes.data % 64
-    return room[first : first + size].view(dtype).reshape(shape)
+    windows = room[first : first + size].view(dtype).reshape(shape)
+    windows[:-1, :, :side] = quarter
+    return windows
 
 
 def _interpolation_error(exact: Array, middle: Array) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import math
+import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -18,8 +19,8 @@ from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank, stored_windows
-from lommel.imaging.linear import LinearBlur, folded, gathered
-from lommel.imaging.remainder import Beyond
+from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
+from lommel.imaging.remainder import MirroredKernels, Remainder
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
@@ -150,27 +151,38 @@ class DepthBlur(LinearBlur):
 
     def forward(self, image: Values, weight: Values | None = None) -> Values:
         """Return the image that the lens makes of an `image`, or of its points in the bool map `weight` only."""
-        out = self.by_channel(
-            image, lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))])
-        )
-        if self.beyond is not None:
-            light = list(self.apart(image if weight is None else (image.T * weight.T).T))
-            made = self.beyond.spread(self, range(self.channels), light)
-            for onto, more in zip(self.apart(out), made, strict=True):
-                onto += more
-        return out
+        return np.stack(self.act(self.planes(image), weight), axis=-1).reshape(np.shape(image))
 
     def adjoint(self, image: Values, weight: Values | None = None) -> Values:
         """Return the transpose of :meth:`forward` applied to an `image`; points outside of `weight` receive 0."""
-        taken = self.by_channel(
-            image,
-            lambda channel, plane: next(self.collect(channel, plane, [Points(self._positions(channel, weight))])),
-        )
+        taken = self.act(self.planes(image), weight, transposed=True)
+        return np.stack(taken, axis=-1).reshape(np.shape(image))
+
+    def act(
+        self,
+        planes: Sequence[Values] | Values,
+        weight: Values | None = None,
+        *,
+        slopes: bool = False,
+        transposed: bool = False,
+    ) -> list[Values]:
+        """Return what :meth:`forward`, or its transpose, makes of the planes of all channels.
+
+        With `slopes` windows are replaced by their derivatives by positions.
+        """
+        made = []
+        for channel, plane in enumerate(planes):
+            points = Points(self._positions(channel, weight))
+            if transposed:
+                made.append(next(self.collect(channel, plane, [points], slopes=slopes)))
+            else:
+                made.append(self.spread(channel, [(plane, points)], slopes=slopes))
         if self.beyond is not None:
-            made = self.beyond.collect(self, range(self.channels), list(self.apart(image)))
-            for onto, more in zip(self.apart(taken), made, strict=True):
-                onto += more if weight is None else more * weight
-        return taken
+            light = planes if weight is None or transposed else [plane * weight for plane in planes]
+            far = self.beyond.act(self, range(self.channels), light, slopes=slopes, transposed=transposed)
+            for onto, more in zip(made, far, strict=True):
+                onto += more if weight is None or not transposed else more * weight
+        return made
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -284,9 +296,7 @@ class DepthBlur(LinearBlur):
         channel = self._at(channel)
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
-            known = {(bank.start, bank.spacing): bank.positions(self.defocus) for bank in self.banks}
-            for positions in known.values():
-                np.maximum(positions, 0.0, out=positions)
+            known = {(b.start, b.spacing): np.maximum(b.positions(self.defocus), 0.0) for b in self.banks}
             each = tuple(known[bank.start, bank.spacing] for bank in self.banks)
             self._placed = placed = self.defocus, self.banks, each
         return placed[2][channel]
@@ -338,6 +348,85 @@ def require_depth(depth: ArrayLike) -> Array:
             raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres
+
+
+_ROUNDING = 32.0  # units that a sum in single precision may be off; measured: 9
+_LARGE = 2**16  # pixels from which threads are worth their start
+
+
+class Beyond:
+    """The remainders of all channels of a blur: of every point a little light on every pixel, and the transpose."""
+
+    def __init__(self, remainders: Sequence[Remainder], tol: float) -> None:
+        self._remainders, self._tol = remainders, tol
+        self._kernels: dict[tuple[Remainder, tuple[int, int], str], MirroredKernels] = {}
+        self._factors: dict[Remainder, tuple[Array, Values]] = {}
+
+    def error(self, blur: DepthBlur) -> float:
+        """Return the sum over pixels of the largest error of K, of any channel, for this scene."""
+        # In darkness nothing comes from farther away than the image is large.
+        shape = blur.shape if blur.border == "zero" else None
+        found = max(
+            remainder.error(blur.positions(channel), shape) + self._kernels_of(blur, channel).error
+            for channel, remainder in enumerate(self._remainders)
+        )
+        return found + self.rounding(blur.dtype)
+
+    @staticmethod
+    def rounding(dtype: np.dtype[np.floating]) -> float:
+        """Return the rounding error of sums of this type, over the brightest point."""
+        return _ROUNDING * float(np.finfo(dtype).eps)
+
+    def act(
+        self,
+        blur: DepthBlur,
+        channels: Sequence[int],
+        planes: Sequence[Values] | Values,
+        *,
+        slopes: bool = False,
+        transposed: bool = False,
+    ) -> list[Values]:
+        """Return the light beyond the windows of planes of these channels, as :meth:`DepthBlur.act`."""
+        threads = (blur.threads or os.cpu_count() or 1) if math.prod(blur.shape) >= _LARGE else 1
+        kernels = [self._kernels_of(blur, channel) for channel in channels]
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
+        if transposed:
+            given = [each.known(plane, threads) for each, plane in zip(kernels, planes, strict=True)]
+        else:
+            given = [np.ascontiguousarray(plane) for plane in planes]
+
+        def part(at: tuple[int, int]) -> Values:
+            index, r = at
+            if transposed:
+                return np.asarray(kernels[index].taken(r, given[index]) * factors[index][r])
+            return kernels[index].transformed(r, factors[index][r] * given[index])
+
+        each = [(index, r) for index, found in enumerate(factors) for r in range(len(found))]
+        sums: list[Values] = []
+        for (_, r), found in zip(each, side_by_side(part, each, threads), strict=True):
+            if r == 0:
+                sums.append(found)
+            else:
+                sums[-1] += found
+        return sums if transposed else [each.image(total, threads) for each, total in zip(kernels, sums, strict=True)]
+
+    def _kernels_of(self, blur: DepthBlur, channel: int) -> MirroredKernels:
+        """Return the kernels of a channel for images of this shape and border; kept."""
+        remainder = self._remainders[channel]
+        key = (remainder, blur.shape, blur.border)
+        if key not in self._kernels:
+            self._kernels[key] = MirroredKernels(remainder, blur.shape, blur.border, blur.dtype, self._tol)
+        return self._kernels[key]
+
+    def _factors_of(self, blur: DepthBlur, channel: int, slopes: bool) -> Values:
+        """Return the a_r of all points, kept for the depth of the last call, or their derivatives, which are not."""
+        remainder, positions = self._remainders[channel], blur.positions(channel)
+        if slopes:
+            return np.asarray(remainder.slopes(positions, blur.dtype) * blur.dtype.type(remainder.spacing))
+        last = self._factors.get(remainder)
+        if last is None or last[0] is not positions:
+            last = self._factors[remainder] = positions, remainder.factors(positions, blur.dtype)
+        return last[1]
 
 
 # Differences of fourth order: over steps of so much of C_d, of which phases turn by twice as much, and of the scale.
@@ -402,29 +491,11 @@ class BlurSlopes:
             raise ValueError(f"change must have the shape of the depth, {self.shape}, got {metres.shape}")
         radians = metres * self._per_metre
         moved = [plane * self._steps(channel, radians) for channel, plane in enumerate(self._planes)]
-        made = [
-            self._blur.spread(channel, [(plane, self._points(channel))], slopes=True)
-            for channel, plane in enumerate(moved)
-        ]
-        if (beyond := self._blur.beyond) is not None:
-            for onto, more in zip(
-                made, beyond.spread(self._blur, range(len(moved)), moved, slopes=True), strict=True
-            ):
-                onto += more
-        return np.stack(made, axis=-1).reshape(self._shape)
+        return np.stack(self._blur.act(moved, slopes=True), axis=-1).reshape(self._shape)
 
     def adjoint(self, image: Values) -> Values:
         """Return the gradient, per metre of depth, of the sum of `image` times the photograph."""
-        given = list(self._blur.planes(image))
-        taken = [
-            next(self._blur.collect(channel, plane, [self._points(channel)], slopes=True))
-            for channel, plane in enumerate(given)
-        ]
-        if (beyond := self._blur.beyond) is not None:
-            for onto, more in zip(
-                taken, beyond.collect(self._blur, range(len(given)), given, slopes=True), strict=True
-            ):
-                onto += more
+        taken = self._blur.act(self._blur.planes(image), slopes=True, transposed=True)
         total = np.zeros(self.shape, dtype=self._blur.dtype)
         for channel, plane in enumerate(self._planes):
             total += taken[channel] * plane * self._steps(channel, self._per_metre)
@@ -441,28 +512,14 @@ class BlurSlopes:
         if blur.beyond is not None:
             raise ValueError("energy must be below 1 for the derivative by focus, such as 0.9999, got 1")
         moved = copy.copy(blur)
-        known: dict[int, Bank] = {}
-        for bank, spectrum in zip(blur.banks, blur.spectra, strict=True):
-            if id(bank) not in known:
-                known[id(bank)] = _by_sensor(blur, bank, spectrum)
-        moved.banks = tuple(known[id(bank)] for bank in blur.banks)
-        made = [moved.spread(channel, [(plane, self._points(channel))]) for channel, plane in enumerate(self._planes)]
-        return np.stack(made, axis=-1).reshape(self._shape) / blur.lens.sensor_distance
+        distinct = dict(zip(blur.banks, blur.spectra, strict=True))
+        slopes = {bank: _by_sensor(blur, bank, spectrum) for bank, spectrum in distinct.items()}
+        moved.banks = tuple(slopes[bank] for bank in blur.banks)
+        return np.stack(moved.act(self._planes), axis=-1).reshape(self._shape) / blur.lens.sensor_distance
 
     def as_linear_operator(self) -> LinearOperator:
         """Return the operator for SciPy's solvers, from depths in metres to values of the photograph, as vectors."""
-        from scipy.sparse.linalg import LinearOperator
-
-        shape = math.prod(self._shape), math.prod(self.shape)
-        return LinearOperator(
-            shape,
-            matvec=lambda vector: self.forward(np.reshape(vector, self.shape)).reshape(-1),
-            rmatvec=lambda vector: self.adjoint(np.reshape(vector, self._shape)).reshape(-1),
-            dtype=self._blur.dtype,
-        )
-
-    def _points(self, channel: int) -> Points:
-        return Points(self._blur.positions(channel))
+        return linear_operator(self.forward, self.adjoint, self._shape, self.shape, self._blur.dtype)
 
     def _steps(self, channel: int, radians: Array) -> Values:
         """Return changes of C_d as changes of positions in a bank."""

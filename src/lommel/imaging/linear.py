@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Values
@@ -99,50 +100,32 @@ class LinearBlur(ABC):
         >>> bool(np.all(operator @ light.ravel() == blur.forward(light).ravel()))
         True
         """
-        from scipy.sparse.linalg import LinearOperator
-
         dims = self.shape if self.channels == 1 else (*self.shape, self.channels)
-        size = int(np.prod(dims))
+        return linear_operator(self.forward, self.adjoint, dims, dims, self.dtype)
 
-        def applied(way: Callable[[Values], Values]) -> Callable[[Values], Values]:
-            return lambda vector: way(np.asarray(vector, dtype=self.dtype).reshape(dims)).reshape(-1)
-
-        operator = LinearOperator(
-            (size, size), matvec=applied(self.forward), rmatvec=applied(self.adjoint), dtype=self.dtype
-        )
-        operator.dims = dims
-        return operator
-
-    def require(self, image: Values) -> None:
-        """Raise TypeError or ValueError unless `image` holds finite floats and has the shape of the operator."""
-        array = validation.array("image", image)
+    def require(self, image: ArrayLike, name: str = "image", *, missing: bool = False) -> Values:
+        """Return `image` as an array; TypeError or ValueError unless finite, or NaN if `missing`, and in shape."""
+        array = validation.array(name, image)
+        if array.dtype.kind != "f":
+            raise TypeError(f"{name} must hold floats in proportion to light, got {array.dtype}")
         wanted = (*self.shape, self.channels) if array.ndim == 3 or self.channels > 1 else self.shape
         if array.shape != wanted:
-            raise ValueError(f"image must have the shape {wanted}, got {array.shape}")
-        if array.dtype.kind != "f":
-            raise TypeError(f"image must hold floats in proportion to light, got {array.dtype}")
-        if not np.all(np.isfinite(array)):
-            raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
+            raise ValueError(f"{name} must have the shape {wanted}, got {array.shape}")
+        fine = np.isfinite(array) | np.isnan(array) if missing else np.isfinite(array)
+        if not fine.all():
+            limit = "finite, or NaN where it is unknown" if missing else "finite"
+            raise ValueError(f"{name} must be {limit}, got {array[~fine].flat[0]}")
+        return array
 
     def planes(self, image: Values) -> Values:
         """Return the channels of an `image`, of the type of the sums; ValueError if that overflows."""
-        self.require(image)
-        made = self.apart(image)
-        if made.dtype != np.asarray(image).dtype and not np.all(np.isfinite(made)):
-            most = float(np.abs(image).max())
-            raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {most:g}")
-        return made
-
-    def apart(self, image: Values) -> Values:
-        """Return the channels of an `image` as :meth:`planes`, without its checks; TypeError if it is no array."""
-        given = validation.array("image", image)
-        if given.dtype.kind != "f":
-            raise TypeError(f"image must hold floats in proportion to light, got {validation.shown(image)}")
-        if given.size != self.shape[0] * self.shape[1] * self.channels or given.shape[:2] != self.shape:
-            raise ValueError(f"image must have the shape {(*self.shape, self.channels)}, got {given.shape}")
+        given = self.require(image)
         with np.errstate(over="ignore"):
-            array = np.require(given, self.dtype, "A")
-        return np.moveaxis(array.reshape(*self.shape, self.channels), 2, 0)
+            made = np.require(given, self.dtype, "A")
+        if made.dtype != given.dtype and not np.all(np.isfinite(made)):
+            most = float(np.abs(given).max())
+            raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {most:g}")
+        return np.moveaxis(made.reshape(*self.shape, self.channels), 2, 0)
 
     def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
         """Return the image made by `make`, of channel and plane, from an `image`; ValueError if misshapen."""
@@ -155,6 +138,29 @@ class LinearBlur(ABC):
                 raise ValueError(f"make must return planes of the shape {self.shape}, got {made.shape}")
             out[..., channel] = made
         return out.reshape(np.shape(image))
+
+
+def linear_operator(
+    forward: Callable[[Values], Values],
+    adjoint: Callable[[Values], Values],
+    made: tuple[int, ...],
+    dims: tuple[int, ...],
+    dtype: np.dtype[np.floating],
+) -> LinearOperator:
+    """Return functions of images, of the shape `dims`, and of results, of the shape `made`, for SciPy's solvers."""
+    from scipy.sparse.linalg import LinearOperator
+
+    def of_vectors(way: Callable[[Values], Values], shape: tuple[int, ...]) -> Callable[[Values], Values]:
+        def act(vector: Values) -> Values:
+            return way(np.asarray(vector, dtype=np.result_type(vector, np.float32)).reshape(shape)).reshape(-1)
+
+        return act
+
+    operator = LinearOperator(
+        (math.prod(made), math.prod(dims)), of_vectors(forward, dims), of_vectors(adjoint, made), dtype=dtype
+    )
+    operator.dims = dims
+    return operator
 
 
 def folded(room: Values, beyond: int, count: int) -> Values:

@@ -6,7 +6,7 @@ import copy
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,29 +28,6 @@ class Group(NamedTuple):
     taken_off: bool = False  # whether it is subtracted
 
 
-def groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:
-    """Return the groups of points for a blur that does not truncate the PSF.
-
-    The remainder must show nothing hidden: a window holds the PSF less the remainder there, which is never occluded.
-    A point that some pixel in its window does not see spreads its PSF, occluded, less the remainder within the
-    window.
-    """
-    from scipy.ndimage import minimum_filter
-
-    assert blur.beyond is not None
-    within, filled = blur.banks[channel].apart()
-    scene, *behind = sources
-    assert scene.layers is not None
-    least = minimum_filter(seen, 2 * within.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
-    free = least >= scene.layers + 1
-    groups = [Group([(0, Points(np.where(free, scene.positions, -1.0)))], hidden=False)]
-    if behind or not free.all():
-        hidden = np.where(free, -1.0, scene.positions)
-        groups.append(Group([(0, Points(hidden, scene.layers)), *((1, points) for points in behind)], within))
-        groups.append(Group([(0, Points(hidden))], filled, hidden=False, taken_off=True))
-    return groups
-
-
 def spread_groups(
     blur: DepthBlur, channel: int, planes: Sequence[Values], seen: Values, groups: list[Group]
 ) -> Values:
@@ -61,23 +38,8 @@ def spread_groups(
         made = blur.spread(channel, given, seen if group.hidden else None, bank=group.bank)
         total += -made if group.taken_off else made
     if blur.beyond is not None:
-        total += blur.beyond.spread(blur, [channel], [planes[0]])[0]
+        total += blur.beyond.act(blur, [channel], [planes[0]])[0]
     return total
-
-
-def collect_groups(
-    blur: DepthBlur, channel: int, plane: Values, seen: Values, groups: list[Group]
-) -> tuple[Values, Values]:
-    """Return the transpose of :func:`spread_groups` of a plane: for the scene, and for the light behind it."""
-    taken = np.zeros((2, *blur.shape), dtype=blur.dtype)
-    for group in groups:
-        points = [each for _, each in group.sources]
-        given = blur.collect(channel, plane, points, seen if group.hidden else None, bank=group.bank)
-        for (behind, _), more in zip(group.sources, given, strict=True):
-            taken[behind] += -more if group.taken_off else more
-    if blur.beyond is not None:
-        taken[0] += blur.beyond.collect(blur, [channel], [plane])[0]
-    return taken[0], taken[1]
 
 
 MOST_LAYERS = 64  # layers are made thicker than a pixel of blur where there would be more of them
@@ -91,12 +53,6 @@ class _Edges(NamedTuple):
 
     points: NDArray[np.int64]
     sources: NDArray[np.int64]
-
-    @classmethod
-    def of(cls, behind: NDArray[np.int64]) -> Self:
-        """Return the edges where an index of something behind is not negative."""
-        points = np.flatnonzero(behind >= 0)
-        return cls(points, behind.reshape(-1)[points])
 
     def behind(self, plane: Values) -> Values:
         """Return the values behind each point that hides something; elsewhere zeros."""
@@ -207,11 +163,20 @@ class Occlusion(LinearBlur):
             edges, shares = self._looked()
             seen, total, groups = shares[channel]
             even = plane / (total + _TRACE)
-            taken, hidden = collect_groups(self.blur, channel, even, seen, groups)
-            taken += _TRACE * even
+            # The transpose of `spread_groups`: for the scene, and for the light behind it.
+            taken = np.zeros((2, *self.shape), dtype=self.dtype)
+            for group in groups:
+                points, shown = [each for _, each in group.sources], seen if group.hidden else None
+                given = self.blur.collect(channel, even, points, shown, bank=group.bank)
+                for (behind, _), more in zip(group.sources, given, strict=True):
+                    taken[behind] += -more if group.taken_off else more
+            scene: Values = taken[0]
+            if self.blur.beyond is not None:
+                scene += self.blur.beyond.act(self.blur, [channel], [even], transposed=True)[0]
+            scene += _TRACE * even
             # One point may stand for several.
-            np.add.at(taken, np.unravel_index(edges.sources, taken.shape), hidden.reshape(-1)[edges.points])
-            return taken
+            np.add.at(scene, np.unravel_index(edges.sources, scene.shape), taken[1].reshape(-1)[edges.points])
+            return scene
 
         return self.by_channel(image, make)
 
@@ -220,15 +185,15 @@ class Occlusion(LinearBlur):
         blur, made = self.blur, self._made
         if made is None or made[0] is not blur.defocus or made[1] is not blur.banks:
             layer, radius = _layers(blur, self._reach)
-            edges = _Edges.of(_behind(layer, radius))
-            known: dict[int, _Shares] = {}
+            behind = _behind(layer, radius).reshape(-1)
+            points = np.flatnonzero(behind >= 0)
+            edges = _Edges(points, behind[points])
             # Of the layers that there are, from their middle: what is seen of them is then rounded less.
             levels, number = np.unique(layer, return_inverse=True)
             centred = (number.reshape(layer.shape) - levels.size // 2).astype(blur.dtype)
-            for channel, bank in enumerate(blur.banks):
-                if id(bank) not in known:
-                    known[id(bank)] = _shares(blur, channel, centred, edges)
-            self._made = made = blur.defocus, blur.banks, edges, tuple(known[id(bank)] for bank in blur.banks)
+            channels = {bank: channel for channel, bank in enumerate(blur.banks)}
+            shares = {bank: _shares(blur, channel, centred, edges) for bank, channel in channels.items()}
+            self._made = made = blur.defocus, blur.banks, edges, tuple(shares[bank] for bank in blur.banks)
         return made[2:]
 
 
@@ -265,10 +230,32 @@ def _shares(blur: DepthBlur, channel: int, layer: Values, edges: _Edges) -> _Sha
             break
     groups = [Group(list(enumerate(sources)))]
     if blur.beyond is not None:
-        groups = groups_of_whole(blur, channel, sources, seen)
+        groups = _groups_of_whole(blur, channel, sources, seen)
         whites = [(points.positions >= 0.0).astype(blur.dtype) for points in sources]
         total = spread_groups(cover, channel, whites, seen, groups)
     return _Shares(seen, total, groups)
+
+
+def _groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:
+    """Return the groups of points for a blur that does not truncate the PSF.
+
+    The remainder must show nothing hidden: a window holds the PSF less the remainder there, which is never occluded.
+    A point that some pixel in its window does not see spreads its PSF, occluded, less the remainder within the
+    window.
+    """
+    from scipy.ndimage import minimum_filter
+
+    within, filled = blur.banks[channel].apart()
+    scene, *behind = sources
+    assert scene.layers is not None
+    least = minimum_filter(seen, 2 * within.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
+    free = least >= scene.layers + 1
+    groups = [Group([(0, Points(np.where(free, scene.positions, -1.0)))], hidden=False)]
+    if behind or not free.all():
+        hidden = np.where(free, -1.0, scene.positions)
+        groups.append(Group([(0, Points(hidden, scene.layers)), *((1, points) for points in behind)], within))
+        groups.append(Group([(0, Points(hidden))], filled, hidden=False, taken_off=True))
+    return groups
 
 
 def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:
@@ -302,7 +289,12 @@ def _behind(layer: NDArray[np.int64], radius: Array) -> NDArray[np.int64]:
     little beyond the rim; the percent of light there is filled by dividing.)
     """
     behind = np.full(layer.shape, -1, dtype=np.int64)
-    if not _torn(radius):
+    # Radii that differ by more than the distance of points anywhere do so, but for 8 %, between neighbours: paths
+    # over neighbours are at most so much longer than straight.
+    limit, root = math.cos(math.pi / 8.0), math.sqrt(2.0)
+    steps = [(radius[1:], radius[:-1], 1.0), (radius[:, 1:], radius[:, :-1], 1.0)]
+    steps += [(radius[1:, 1:], radius[:-1, :-1], root), (radius[1:, :-1], radius[:-1, 1:], root)]
+    if not any(bool(np.any(np.abs(a - b) > limit * step)) for a, b, step in steps):
         return behind
     from scipy.ndimage import distance_transform_edt
 
@@ -318,14 +310,3 @@ def _behind(layer: NDArray[np.int64], radius: Array) -> NDArray[np.int64]:
         mirrored = np.where(inside & far.ravel()[mirrored], mirrored, row * width + column)
         behind = np.where(found, mirrored, behind)
     return behind
-
-
-def _torn(radius: Array) -> bool:
-    """Return whether radii differ by more than the distance of the points anywhere.
-
-    Then they do, but for 8 %, between neighbours: paths over neighbours are at most so much longer than straight.
-    """
-    limit = math.cos(math.pi / 8.0)
-    steps = [(radius[1:], radius[:-1], 1.0), (radius[:, 1:], radius[:, :-1], 1.0)]
-    steps += [(radius[1:, 1:], radius[:-1, :-1], math.sqrt(2.0)), (radius[1:, :-1], radius[:-1, 1:], math.sqrt(2.0))]
-    return any(bool(np.any(np.abs(a - b) > limit * step)) for a, b, step in steps)

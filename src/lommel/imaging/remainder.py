@@ -10,18 +10,15 @@ discrete sine and cosine transforms", IEEE Trans. Signal Process. 42, 1038 (1994
 from __future__ import annotations
 
 import math
-import os
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base.arrays import Array, Values
-from lommel.base.threads import side_by_side
-from lommel.imaging.sensor_light import DefocusNodes, ring_shares
+from lommel.imaging.sensor_light import DefocusNodes, of_neighbours, ring_shares
 from lommel.methods.pixels.rule import cells_alike, octant, quarters
 
 _GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
@@ -47,7 +44,7 @@ def reach_of(half: int, step: float) -> int:
 # defocus whose windows leave it out. Farther away they are sums of (r^2 + s^2)^(-3/2 - j), j = 0, 1, 2, the mean of
 # the tail of an aperture without its fine rings; these have Fourier transforms in closed form, and the light beyond
 # the reach, which is known, is held exactly. So is all light: the a_r are those of least error that lose none.
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Remainder:
     """The light beyond the windows of one channel."""
 
@@ -155,28 +152,17 @@ def fit(
     missed = left * (within - exact)
     between = np.abs(_halfway(exact + missed) - middle)
     np.abs(missed, out=missed)
-    off = _of_neighbours(np.maximum(np.maximum(missed[1:-2], missed[2:-1]), between)).astype(np.float32)
+    off = of_neighbours(np.maximum(np.maximum(missed[1:-2], missed[2:-1]), between)).astype(np.float32)
     inner = some[(some > 0) & (some < len(at) - 2)]
     there = nodes.values(at[inner] + 0.5 * spacing)
-    off_far = _largest(knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:])
+    wrong = np.vstack([knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:]])
     # Beyond the reach the misfit falls with r as the tail does, or faster: its sum is to that of a ring as 1 / reach
     # to 1 / begin - 1 / reach.
     misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
     # Points so far away are of many defocus, whose rings differ: no one of them is the worst everywhere.
     rings = float((np.abs(misfit) @ alike[ring]).max()) * begin / (reach - begin)
     lacking = float(np.abs(knots[some] @ held - beyond).max())
-    return Remainder(knots, spacing, table, smooth, scale, off, off_far, rings, lacking), within
-
-
-def _of_neighbours(values: Array) -> Array:
-    """Return the largest of each row, the one before and the one after."""
-    padded = np.pad(values, ((1, 1), (0, 0)), mode="edge")
-    return np.asarray(np.maximum(np.maximum(padded[:-2], padded[2:]), values))
-
-
-def _largest(*wrong: Array) -> Array:
-    """Return the largest error of each pixel, over all defocus."""
-    return np.asarray(np.max([np.abs(part).max(axis=0) for part in wrong if len(part)], axis=0))
+    return Remainder(knots, spacing, table, smooth, scale, off, np.abs(wrong).max(axis=0), rings, lacking), within
 
 
 def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
@@ -387,112 +373,3 @@ def _smooth_spectra(height: int, width: int, scale: float, kind: str) -> Values:
     """Return the transforms of the smooth parts, shape (3, height, width)."""
     down, across = ((np.arange(side) / (2.0 * side)).astype(kind) for side in (height, width))
     return smooth_transforms(np.hypot(down[:, None], across), scale)
-
-
-_ROUNDING = 32.0  # units that a sum in single precision may be off; measured: 9
-_LARGE = 2**16  # pixels from which threads are worth their start
-
-
-class Blur(Protocol):
-    """A blur, as far as its remainders need it."""
-
-    border: str
-    dtype: np.dtype[np.floating]
-    threads: int
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Height and width of the images."""
-
-    def positions(self, channel: int) -> Array:
-        """Return where each point is in the bank of a channel."""
-
-
-class Beyond:
-    """The remainders of all channels of a blur: of every point a little light on every pixel, and the transpose."""
-
-    def __init__(self, remainders: Sequence[Remainder], tol: float) -> None:
-        self._remainders = list(remainders)
-        self._tol = tol
-        self._kernels: dict[tuple[int, tuple[int, int], str], MirroredKernels] = {}
-        self._factors: dict[int, tuple[Array, Values]] = {}
-
-    def error(self, blur: Blur) -> float:
-        """Return the sum over pixels of the largest error of K, of any channel, for this scene."""
-        # In darkness nothing comes from farther away than the image is large.
-        shape = blur.shape if blur.border == "zero" else None
-        found = max(
-            remainder.error(blur.positions(channel), shape) + self._kernels_of(blur, channel).error
-            for channel, remainder in enumerate(self._remainders)
-        )
-        return found + self.rounding(blur.dtype)
-
-    @staticmethod
-    def rounding(dtype: np.dtype[np.floating]) -> float:
-        """Return the rounding error of sums of this type, over the brightest point."""
-        return _ROUNDING * float(np.finfo(dtype).eps)
-
-    def spread(
-        self, blur: Blur, channels: Sequence[int], planes: Sequence[Values], *, slopes: bool = False
-    ) -> list[Values]:
-        """Return the light beyond the windows of planes of these channels, or its derivatives by positions."""
-        kernels = [self._kernels_of(blur, channel) for channel in channels]
-        light = [np.ascontiguousarray(plane) for plane in planes]
-
-        def part(index: int, r: int, factor: Values) -> Values:
-            return kernels[index].transformed(r, factor * light[index])
-
-        sums = self._summed(blur, channels, slopes, part)
-        return [each.image(total, _threads(blur)) for each, total in zip(kernels, sums, strict=True)]
-
-    def collect(
-        self, blur: Blur, channels: Sequence[int], planes: Sequence[Values], *, slopes: bool = False
-    ) -> list[Values]:
-        """Return the transpose of :meth:`spread` applied to planes."""
-        kernels = [self._kernels_of(blur, channel) for channel in channels]
-        known = [each.known(plane, _threads(blur)) for each, plane in zip(kernels, planes, strict=True)]
-
-        def part(index: int, r: int, factor: Values) -> Values:
-            taken = kernels[index].taken(r, known[index])
-            taken *= factor
-            return taken
-
-        return self._summed(blur, channels, slopes, part)
-
-    def _summed(
-        self, blur: Blur, channels: Sequence[int], slopes: bool, part: Callable[[int, int, Values], Values]
-    ) -> list[Values]:
-        """Return for each channel the sum over r of its parts, of its index, r and a_r, made side by side."""
-        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
-        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
-        sums: list[Values] = []
-        for (_, r), found in zip(
-            asked, side_by_side(lambda at: part(*at, factors[at[0]][at[1]]), asked, _threads(blur)), strict=True
-        ):
-            if r == 0:
-                sums.append(found)
-            else:
-                sums[-1] += found
-        return sums
-
-    def _kernels_of(self, blur: Blur, channel: int) -> MirroredKernels:
-        """Return the kernels of a channel for images of this shape and border; kept."""
-        remainder = self._remainders[channel]
-        key = (id(remainder), blur.shape, blur.border)
-        if key not in self._kernels:
-            self._kernels[key] = MirroredKernels(remainder, blur.shape, blur.border, blur.dtype, self._tol)
-        return self._kernels[key]
-
-    def _factors_of(self, blur: Blur, channel: int, slopes: bool) -> Values:
-        """Return the a_r of all points, kept for the depth of the last call, or their derivatives, which are not."""
-        remainder, positions = self._remainders[channel], blur.positions(channel)
-        if slopes:
-            return np.asarray(remainder.slopes(positions, blur.dtype) * blur.dtype.type(remainder.spacing))
-        last = self._factors.get(id(remainder))
-        if last is None or last[0] is not positions:
-            last = self._factors[id(remainder)] = positions, remainder.factors(positions, blur.dtype)
-        return last[1]
-
-
-def _threads(blur: Blur) -> int:
-    return (blur.threads or os.cpu_count() or 1) if blur.shape[0] * blur.shape[1] >= _LARGE else 1

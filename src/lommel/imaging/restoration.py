@@ -153,14 +153,7 @@ def restore_with(
     validation.instance("blur", blur, LinearBlur)
     validation.instance("noise", noise, Noise)
     way = _checked(method, progress)
-    recorded = validation.array("light", light)
-    if recorded.dtype.kind != "f":
-        raise TypeError(f"light must hold floats in proportion to light, got {recorded.dtype}")
-    if np.isinf(recorded).any():
-        raise ValueError("light must be finite, or NaN where it is unknown, got infinity")
-    wanted = (*blur.shape, blur.channels) if recorded.ndim == 3 or blur.channels > 1 else blur.shape
-    if recorded.shape != wanted:
-        raise ValueError(f"light must have the shape of the blur, {wanted}, got {recorded.shape}")
+    recorded = blur.require(light, "light", missing=True)
     limit = validation.real("saturation", saturation, infinite=True)
     observed = Observed.of(blur, recorded, noise, limit)
     with shown(progress) as tell:
@@ -277,8 +270,11 @@ def restore(
         distances = validation.array("depth", depth)
         if tile is not None:
             require_scene("photo", given.shape, distances.shape)
-            restored = _Tiles(given, distances, lens, pixel, encoding, noise, saturation, tile, settings)
-            return restored.solve(way, output(out, "photo", given.shape, given.dtype), progress)
+            if settings.missing == "nearest":
+                distances = fill_missing(distances, "nearest")
+            parts = TileBlur(given.shape, depth_range(distances, settings.missing), lens, pixel, encoding, settings)
+            out = output(out, "photo", given.shape, given.dtype)
+            return _by_tiles(given, distances, parts, tile, noise, saturation, way, out, progress)
         light, limit = recorded(given, encoding, saturation)
         distances = fill_missing(distances, settings.missing)
         require_scene("photo", given.shape, distances.shape)
@@ -340,69 +336,23 @@ def _over_the_field(
     return FieldBlur(field_map, (shape[0], shape[1]), pixel, channels=channels, **options)  # type: ignore[arg-type]
 
 
-class _Tiles:
-    """A photograph that is restored by tiles, and the discrepancies of the parts that these answer for."""
+def _by_tiles(
+    photo: Pixels,
+    depth: Pixels,
+    blur: TileBlur,
+    side: int,
+    noise: Noise,
+    saturation: float | None,
+    method: Method,
+    out: Pixels,
+    progress: Callable[..., object] | None,
+) -> Restoration:
+    """Return the photograph restored by tiles, its values in `out`."""
 
-    def __init__(
-        self,
-        photo: Pixels,
-        depth: Pixels,
-        lens: Lens,
-        pixel: float,
-        encoding: str,
-        noise: Noise,
-        saturation: float | None,
-        side: int,
-        settings: Settings,
-    ) -> None:
-        self._depth = fill_missing(depth, "nearest") if settings.missing == "nearest" else depth
-        depths = depth_range(self._depth, settings.missing)
-        self._blur = TileBlur(photo.shape, depths, lens, pixel, encoding, settings)
-        self._parts = list(tiles_of(photo.shape, side, 2 * self._blur.overlap + 2 * self._blur.half))
-        self._photo, self._encoding, self._noise, self._saturation = photo, encoding, noise, saturation
-        self._threads = settings.threads or 0
-        channels = 1 if photo.ndim == 2 else photo.shape[2]
-        self._known = np.zeros(channels, dtype=np.int64)
-        self._after, self._before = np.zeros((2, channels))
-
-    def solve(self, method: Method, out: Pixels, progress: Callable[..., object] | None) -> Restoration:
-        """Return the restored photograph, its values in `out`."""
-        shape = self._photo.shape
-
-        def from_middle(part: tuple[Window, Window, Window]) -> float:
-            return math.hypot(*(at.start + at.stop - size for at, size in zip(part[0], shape, strict=False)))
-
-        middle = min(self._parts, key=from_middle)
-        first = method.solve(self._observed(middle[1]), _silent)
-        alike = method
-        if first.steps and isinstance(method, RichardsonLucy):
-            alike = replace(method, steps=first.steps, target=0.0)
-        elif first.strength is not None and isinstance(method, TotalVariation):
-            alike = replace(method, strength=first.strength)
-        clipped = 0.0
-        for done, part in enumerate(self._parts, 1):
-            place, around, within = part
-            seen = self._observed(around)
-            found = first if part is middle else alike.solve(seen, _silent)
-            self._count(seen, found.light, within)
-            inside = np.ascontiguousarray(found.light[within])
-            out[place], share = stored(inside, self._encoding, out.dtype, self._threads)
-            clipped += share * inside.size / out.size
-            if progress is not None:
-                progress(done, len(self._parts))
-        total = float(self._known.sum())
-        after, before = float(self._after.sum()) / total, float(self._before.sum()) / total
-        each = tuple(map(float, self._after / np.maximum(self._known, 1)))
-        agrees = first.stopped != NOISE or after <= 1.0
-        return Restoration(
-            out, None, after, each, before, first.steps, first.stopped if agrees else STEPS, first.strength,
-            1.0 - total / out.size, clipped,
-        )  # fmt: skip
-
-    def _observed(self, around: Window) -> Observed:
+    def observed(around: Window) -> Observed:
         """Return what was observed of a part."""
         try:
-            light, limit = recorded(np.asarray(self._photo[around]), self._encoding, self._saturation)
+            light, limit = recorded(np.asarray(photo[around]), blur.encoding, saturation)
         except ValueError as error:
             rows, columns = around
             raise ValueError(
@@ -410,19 +360,46 @@ class _Tiles:
                 "larger tiles (tile=) hold more"
             ) from None
         # Parameters of the noise that each pixel has its own of are cut too.
-        parts = {name: each if np.ndim(each) == 0 else each[around] for name, each in vars(self._noise).items()}
-        return Observed.of(self._blur.operator(np.asarray(self._depth[around])), light, Noise(**parts), limit)
+        parts = {name: each if np.ndim(each) == 0 else each[around] for name, each in vars(noise).items()}
+        return Observed.of(blur.operator(np.asarray(depth[around])), light, Noise(**parts), limit)
 
-    def _count(self, seen: Observed, light: Values, within: Window) -> None:
-        """Add the discrepancies inside a tile, of the result and of the photograph itself."""
-        here = np.zeros(seen.blur.shape, dtype=bool)
+    def from_middle(tile: tuple[Window, Window, Window]) -> float:
+        return math.hypot(*(at.start + at.stop - size for at, size in zip(tile[0], photo.shape, strict=False)))
+
+    tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
+    middle = min(tiles, key=from_middle)
+    first = method.solve(observed(middle[1]), _silent)
+    alike = method
+    if first.steps and isinstance(method, RichardsonLucy):
+        alike = replace(method, steps=first.steps, target=0.0)
+    elif first.strength is not None and isinstance(method, TotalVariation):
+        alike = replace(method, strength=first.strength)
+    known, clipped = np.zeros(photo.shape[2:] or 1, dtype=np.int64), 0.0
+    after, before = np.zeros((2, *known.shape))
+    for done, tile in enumerate(tiles, 1):
+        place, around, within = tile
+        seen = observed(around)
+        found = first if tile is middle else alike.solve(seen, _silent)
+        # The discrepancies inside the tile, of the result and of the photograph itself.
+        here = np.zeros((*seen.blur.shape, *(1,) * (photo.ndim - 2)), dtype=bool)
         here[within] = True
-        here = here.reshape(here.shape + (1,) * (light.ndim - 2))
         full = None if seen.full is None else seen.full & here
         inside = replace(seen, weight=seen.weight * here, full=full)
-        self._known += inside.known
-        for total, scene in ((self._after, light), (self._before, seen.image)):
+        known += inside.known
+        for total, scene in ((after, found.light), (before, seen.image)):
             total += inside.discrepancies_of(scene) * np.maximum(inside.known, 1)
+        values = np.ascontiguousarray(found.light[within])
+        out[place], share = stored(values, blur.encoding, out.dtype, blur.whole.threads)
+        clipped += share * values.size / out.size
+        if progress is not None:
+            progress(done, len(tiles))
+    count = float(known.sum())
+    discrepancy, each = float(after.sum()) / count, tuple(map(float, after / np.maximum(known, 1)))
+    agrees = first.stopped != NOISE or discrepancy <= 1.0
+    return Restoration(
+        out, None, discrepancy, each, float(before.sum()) / count, first.steps, first.stopped if agrees else STEPS,
+        first.strength, 1.0 - count / out.size, clipped,
+    )  # fmt: skip
 
 
 def _silent(*_: object) -> None:

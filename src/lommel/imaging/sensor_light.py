@@ -264,7 +264,13 @@ def find_cuts(octants: Array, half: int, energy: float) -> Array:
     over = np.maximum(0.0, sums[rows, outer] - energy)
     own = outer - np.divide(over, ring, out=np.zeros(len(sums)), where=outer > 0)
     # What the neighbours take counts: those between are to hold enough as well.
-    return np.asarray(np.max([own[np.clip(rows + k, 0, len(own) - 1)] for k in (-1, 0, 1)], axis=0))
+    return of_neighbours(own)
+
+
+def of_neighbours(values: Array) -> Array:
+    """Return the largest of each value or row, the one before and the one after."""
+    padded = np.concatenate([values[:1], values, values[-1:]])
+    return np.asarray(np.maximum(np.maximum(padded[:-2], padded[2:]), values))
 
 
 def ring_shares(cuts: Array, half: int) -> Array:

@@ -86,10 +86,10 @@ def test_what_progress_raises_ends_the_work() -> None:
         ({"method": "tv"}, TypeError, r"method must be RichardsonLucy\(\.\.\.\) or TotalVariation"),
         ({"method": TotalVariation}, TypeError, "brackets"),
         ({"progress": 3}, TypeError, "progress must be callable"),
-        ({"light": np.ones((8, 9))}, ValueError, r"light must have the shape of the blur, \(8, 8\)"),
+        ({"light": np.ones((8, 9))}, ValueError, r"light must have the shape \(8, 8\)"),
         ({"light": np.ones((8, 8, 2))}, ValueError, r"\(8, 8, 1\), got \(8, 8, 2\)"),
         ({"light": np.ones((8, 8), np.uint8)}, TypeError, "light must hold floats"),
-        ({"light": np.full((8, 8), np.inf)}, ValueError, "infinity"),
+        ({"light": np.full((8, 8), np.inf)}, ValueError, "got inf"),
         ({"light": np.full((8, 8), np.nan)}, ValueError, "no pixel"),
     ],
 )

@@ -166,9 +166,9 @@ class DepthBlur(LinearBlur):
         slopes: bool = False,
         transposed: bool = False,
     ) -> list[Values]:
-        """Return what :meth:`forward`, or its transpose, makes of the planes of all channels.
+        """Return what :meth:`forward` makes of the `planes` of all channels, or with `transposed` :meth:`adjoint`.
 
-        With `slopes` windows are replaced by their derivatives by positions.
+        `weight` is as there; with `slopes` windows are replaced by their derivatives by positions.
         """
         made = []
         for channel, plane in enumerate(planes):

@@ -104,7 +104,10 @@ class LinearBlur(ABC):
         return linear_operator(self.forward, self.adjoint, dims, dims, self.dtype)
 
     def require(self, image: ArrayLike, name: str = "image", *, missing: bool = False) -> Values:
-        """Return `image` as an array; TypeError or ValueError unless finite, or NaN if `missing`, and in shape."""
+        """Return `image` as an array; TypeError or ValueError with its `name` unless it is finite and of this shape.
+
+        With `missing` it may hold NaN.
+        """
         array = validation.array(name, image)
         if array.dtype.kind != "f":
             raise TypeError(f"{name} must hold floats in proportion to light, got {array.dtype}")

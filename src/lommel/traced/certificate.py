@@ -15,6 +15,7 @@ opposite h, so that half of the angles suffice.
 from __future__ import annotations
 
 import math
+from functools import reduce
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,35 +28,6 @@ from lommel.traced.phases import PhaseRule
 
 _MOST = 60.0  # of a logarithm that is exponentiated: more counts as infinite
 _ROOM = 1.001  # for what is computed in float32
-
-
-class Exponents(NamedTuple):
-    """Numbers of ellipses and of points on each, and how much samples are widened; see :func:`quadrature`.
-
-    `widening` multiplies the largest sample; where `curved` is not 0, neighbours are joined, and it is added times
-    the largest phase.
-    """
-
-    curves: int
-    points: int
-    widening: float
-    curved: float
-
-
-def quadrature(ns: Namespace, rule: Exponents, tables: Tables, c: Tensor, unit: float) -> Tensor:
-    """Return a bound on the error of quadrature on the radius, shape (n,)."""
-    xp = ns.xp
-    phase = xp.abs(ns.matmul(c, tables["imaginary"]))
-    phase = xp.reshape(phase, (phase.shape[0], rule.curves, rule.points))
-    if rule.curved:
-        pairs = xp.maximum(phase[..., 1:], phase[..., :-1]) + tables["kernel"]
-        largest = xp.max(pairs, axis=-1) + rule.curved * xp.max(phase, axis=-1)
-    else:
-        largest = xp.max(phase + tables["kernel"], axis=-1) * rule.widening
-    # Rounding of the products above, and of the sums of logarithms.
-    lost = (c.shape[-1] + 8) * (unit + ns.coarseness(unit)) * ns.matmul(xp.abs(c), tables["most"])
-    logarithm = xp.min(largest + lost + tables["constant"], axis=-1)
-    return exponential(ns, logarithm)
 
 
 def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
@@ -75,18 +47,15 @@ class FieldError(NamedTuple):
         Unit roundoff of the sums.
     sums : float
         Largest sum over nodes of the factors of the waves.
-    rounding : float
-        Of sums, waves and tables.
-    left_out : float
-        From phase and amplitude that the terms leave out.
+    added : float
+        Rounding of sums, waves and tables; phase and amplitude that the terms leave out.
     products : float
         Factor of `sums` for matrix products that round their operands.
     """
 
     unit: float
     sums: float
-    rounding: float
-    left_out: float
+    added: float
     products: float
 
     def total(
@@ -98,8 +67,7 @@ class FieldError(NamedTuple):
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
         each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
         error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
-        error = error + (self.rounding + self.left_out)
-        return xp.where(size <= rule.limit, error, _infinite(ns, error))
+        return xp.where(size <= rule.limit, error + self.added, _infinite(ns, error))
 
 
 def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
@@ -147,10 +115,7 @@ class Mean(NamedTuple):
 
     def logarithm(self, ns: Namespace, tables: Tables, name: str, c: Tensor) -> Tensor:
         """Return a bound on the logarithm of the error of the sum, shape (n,)."""
-        total = self._of_disk(ns, tables, f"{name} 0", c)
-        for k in range(1, self.disks):
-            total = ns.xp.logaddexp(total, self._of_disk(ns, tables, f"{name} {k}", c))
-        return total
+        return reduce(ns.xp.logaddexp, (self._of_disk(ns, tables, f"{name} {k}", c) for k in range(self.disks)))
 
     def _of_disk(self, ns: Namespace, tables: Tables, name: str, c: Tensor) -> Tensor:
         xp, terms = ns.xp, c.shape[-1]

@@ -92,21 +92,16 @@ def folded_intensity(
 
     `waves` are cosine and sine at each of :data:`IMAGES`, ``(nodes, n)``, `axes` those of columns and rows.
     """
-    parts = [part for images in zip(*waves, strict=True) for part in _transformed(ns, kernels, images)]
+    sides = [(along, across) for across in ("across even", "across odd") for along in ("along even", "along odd")]
+    # One after the other: intermediate results then stay in the cache.
+    parts = [
+        ns.apart(_part(ns, *side), *(kernels[name] for name in side), *images)
+        for images in zip(*waves, strict=True)
+        for side in sides
+    ]
     image = ns.apart(_assembled(ns, axes), *ns.apart(_quadrants(axes), *parts))
     across, down, count = image.shape
     return ns.xp.permute_dims(ns.xp.reshape(image, (across * down, count)), (1, 0))
-
-
-def _transformed(ns: Namespace, kernels: Tables, images: tuple[Tensor, ...]) -> list[Tensor]:
-    """Return the sums of parts even in both, odd in y, odd in x and odd in both, each ``(columns, rows, n)``."""
-    found: list[Tensor] = []
-    for across in ("across even", "across odd"):
-        for along in ("along even", "along odd"):
-            part, given = _part(ns, along, across), (kernels[along], kernels[across], *images)
-            # One after the other: intermediate results then stay in the cache.
-            found.append(ns.apart(part, *given))
-    return found
 
 
 @cache
@@ -136,14 +131,11 @@ def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
         # In the order of IMAGES: signs are alike in the first and the last.
         there = [(alike, True), *([(other, True)] * down), *([(other, False)] * across)]
         there += [(alike, False)] * (across and down)
-        return tuple(_square(a + b, c - d) if add else _square(a - b, c + d) for (a, b, c, d), add in there)
+        fields = [(a + b, c - d) if add else (a - b, c + d) for (a, b, c, d), add in there]
+        return tuple(one * one + two * two for one, two in fields)
 
     across, down = (axis.negative > 0 for axis in axes)
     return made
-
-
-def _square(real: Tensor, imaginary: Tensor) -> Tensor:
-    return real * real + imaginary * imaginary
 
 
 @cache
@@ -279,20 +271,10 @@ class Chordal(NamedTuple):
                 total = total + exponential(ns, mean.logarithm(ns, tables, name, still))
                 continue
             amplitudes = xp.sqrt(ns.matmul(still * still, tables["pairs"]))
-            size = ns.matmul(amplitudes, tables["growth"]) * (
-                1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
-            )
+            rounded = 1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
+            size = ns.matmul(amplitudes, tables["growth"]) * rounded
             total = total + exponential(ns, xp.min(size + tables[name], axis=-1))
         return self.error.total(ns, self.phase, tables, still, total)
-
-
-def pairs(terms: tuple[Term, ...]) -> tuple[Array, Array]:
-    """Return which terms share a degree and abs(m), shape ``(terms, pairs)``, and the degree of each pair."""
-    kinds = sorted({(n, abs(m)) for n, m in terms})
-    matrix = np.zeros((len(terms), len(kinds)))
-    for j, (n, m) in enumerate(terms):
-        matrix[j, kinds.index((n, abs(m)))] = 1.0
-    return matrix, np.array([n for n, _ in kinds], dtype=np.float64)
 
 
 def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
@@ -312,14 +294,13 @@ def make(
     many chords.
     """
     y, x = window
-    terms, c = _terms(pupil)
+    names, c = columns(pupil)
+    terms = cast("tuple[Term, ...]", names)
     low, light = pupil.obscuration, pupil.illumination
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
-    where = terms, stretch, window
-    chords, nodes, means, bounds = _sampled(pupil, where, disks, error, UNIT[precision]) or _largest(
-        pupil, stretch, disks, reach, error
-    )
+    by_means = _by_means((terms, stretch, window), c, disks, error, UNIT[precision])
+    chords, nodes, means, bounds = by_means or _by_largest(terms, c, stretch, disks, reach, error)
     if max(chords, nodes) > _MOST:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
     px, py, weights = _rule(chords, nodes, disks, light)
@@ -337,7 +318,7 @@ def make(
     tables |= {name: arrays[name].reshape(len(IMAGES), py.size, -1) for name in phase.tables}
     (across, right), (down, below) = axis_of(x), axis_of(y)
     tables |= folded_tables(px, py, weights, right, below) | bounds
-    left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
+    left = FieldError(unit, sums, rounding + (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
     core = compiled_sums(pupil, grid, stretch, terms, (chords, nodes)) if precision == "float32" else None
     return Chordal(phase, left, (across, down), means, core), tables
 
@@ -345,45 +326,48 @@ def make(
 _Counts = tuple[int, int, tuple[Mean, Mean] | None, Tables]
 
 
-def _terms(pupil: Pupil) -> tuple[tuple[Term, ...], Array]:
-    """Return the Zernike terms of a stack that is not radial, and their coefficients."""
-    terms, c = columns(pupil)
-    return cast("tuple[Term, ...]", terms), c
-
-
-def _sampled(
-    pupil: Pupil,
+def _by_means(
     where: tuple[tuple[Term, ...], float, tuple[Array, Array]],
+    c: Array,
     disks: list[tuple[float, Apodization]],
     error: float,
     unit: float,
 ) -> _Counts | None:
     """Return chords, nodes and their bounds by means, for low degrees; `where` are terms, stretch and window."""
-    terms, c = _terms(pupil)
-    if max(n for n, _ in terms) > _SAMPLED:
+    degrees = [n for n, _ in where[0]]
+    if max(degrees) > _SAMPLED:
         return None
-    members = c[np.argsort(-np.abs(c) @ [n for n, _ in terms], kind="stable")[:_MEMBERS]]
+    members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MEMBERS]]
     # The inner disk has the weight of its area.
     of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
-    chords = fewest("chords", where, members, [(radius, of[0]) for radius, of in of_disks], 0.5 * error, 0, unit)
-    if chords is None:
-        return None
-    parts = [(radius, of[1]) for radius, of in of_disks]
-    nodes = fewest("nodes", where, members, parts, 0.5 * error, chords[0], unit)
-    return None if nodes is None else (chords[0], nodes[0], (chords[1], nodes[1]), chords[2] | nodes[2])
+    found: list[tuple[int, Mean, Tables]] = []
+    for k, name in enumerate(("chords", "nodes")):
+        constants = [(radius, of[k]) for radius, of in of_disks]
+        one = fewest(name, where, members, constants, 0.5 * error, found[0][0] if found else 0, unit)
+        if one is None:
+            return None
+        found.append(one)
+    (chords, across, tables), (nodes, along, others) = found
+    return chords, nodes, (across, along), tables | others
 
 
-def _largest(
-    pupil: Pupil, stretch: float, disks: list[tuple[float, Apodization]], reach: tuple[float, float], error: float
+def _by_largest(
+    terms: tuple[Term, ...],
+    c: Array,
+    stretch: float,
+    disks: list[tuple[float, Apodization]],
+    reach: tuple[float, float],
+    error: float,
 ) -> _Counts:
     """Return chords, nodes and their bounds by the largest values of the integrand."""
-    terms, c = _terms(pupil)
-    matrix, degrees = pairs(terms)
-    growth = stretch * np.sinh(np.minimum(degrees[:, None] * _B, 300.0))
+    # Terms that share a degree and abs(m) have one amplitude.
+    kinds = sorted({(n, abs(m)) for n, m in terms})
+    matrix = np.array([[float(kind == (n, abs(m))) for kind in kinds] for n, m in terms])
+    growth = stretch * np.sinh(np.minimum(np.outer([n for n, _ in kinds], _B), 300.0))
     size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
     # The integrand of the inner disk is no larger, but for its amplitude, and has the weight of its area.
     of_disks = [_constants(one, _B) for _, one in disks]
-    added = math.log1p(pupil.obscuration**2)
+    added = sum(math.log1p(radius**2) for radius, _ in disks[1:])
     parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
     needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
     chords, nodes = (even(float(each.min())) for each in needed)

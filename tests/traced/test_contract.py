@@ -12,7 +12,7 @@ import lommel as lm
 from frameworks import THERE
 from lommel.traced import certificate
 from lommel.traced.namespaces import Namespace
-from lommel.traced.pixels import Pixels
+from lommel.traced.traced_psf import Pixels
 
 WHITE = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
 SENSOR = {"wavelength": 550e-9, "f_number": 8.0}

@@ -198,16 +198,6 @@ def compiled_sums(
     return Sums(terms, stretch, pupil.obscuration, light, grid.shape, grid.axis, grid.step(pupil), *counts)
 
 
-def intensity(ns: Namespace, sums: Sums | None, c: Tensor, followed: Callable[[Tensor], Tensor]) -> Tensor:
-    """Return the intensity for coefficients `c` by the core where possible, else by the framework in `followed`."""
-    values = ns.values_now(c) if sums and c.shape[0] else None
-    if sums is None or values is None:
-        return followed(c)
-    if ns.name == "numpy":
-        return sums.intensity(values, 0)
-    return _of_torch().apply(c, sums, followed)  # type: ignore[no-any-return]
-
-
 @cache
 def _of_torch() -> Any:
     import torch
@@ -248,7 +238,7 @@ class Chordal(NamedTuple):
     phase: PhaseRule
     error: FieldError
     axes: tuple[Axis, Axis]
-    means: tuple[Mean, Mean] | None
+    mean: Mean | None
     sums: Sums | None
 
     def intensity(self, ns: Namespace, tables: Tables, c: Tensor) -> tuple[Tensor, Tensor]:
@@ -260,20 +250,23 @@ class Chordal(NamedTuple):
             return folded_intensity(ns, tables, both, self.axes)
 
         error = self._field_error(ns, tables, c)  # first: its memory is free again before the images
-        return intensity(ns, self.sums, c, followed), error
+        values = ns.values_now(c) if self.sums and c.shape[0] else None
+        if self.sums is None or values is None:
+            return followed(c), error
+        if ns.name == "numpy":
+            return self.sums.intensity(values, 0), error
+        return _of_torch().apply(c, self.sums, followed), error
 
     def _field_error(self, ns: Namespace, tables: Tables, c: Tensor) -> Tensor:
         xp = ns.xp
         still = ns.stop(xp.astype(c, tables["size"].dtype))
-        total: Tensor | float = 0.0
-        for name, mean in zip(("chords", "nodes"), self.means or (None, None), strict=True):
-            if mean is not None:
-                total = total + exponential(ns, mean.logarithm(ns, tables, name, still))
-                continue
-            amplitudes = xp.sqrt(ns.matmul(still * still, tables["pairs"]))
+        if self.mean is not None:
+            parts = [exponential(ns, self.mean.logarithm(ns, tables, name, still)) for name in ("chords", "nodes")]
+        else:
             rounded = 1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
-            size = ns.matmul(amplitudes, tables["growth"]) * rounded
-            total = total + exponential(ns, xp.min(size + tables[name], axis=-1))
+            size = ns.matmul(xp.sqrt(ns.matmul(still * still, tables["pairs"])), tables["growth"]) * rounded
+            parts = [exponential(ns, xp.min(size + tables[name], axis=-1)) for name in ("chords", "nodes")]
+        total = parts[0] + parts[1]
         return self.error.total(ns, self.phase, tables, still, total)
 
 
@@ -300,7 +293,7 @@ def make(
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
     by_means = _by_means((terms, stretch, window), c, disks, error, UNIT[precision])
-    chords, nodes, means, bounds = by_means or _by_largest(terms, c, stretch, disks, reach, error)
+    chords, nodes, mean, bounds = by_means or _by_largest(terms, c, stretch, disks, reach, error)
     if max(chords, nodes) > _MOST:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
     px, py, weights = _rule(chords, nodes, disks, light)
@@ -320,10 +313,10 @@ def make(
     tables |= folded_tables(px, py, weights, right, below) | bounds
     left = FieldError(unit, sums, rounding + (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
     core = compiled_sums(pupil, grid, stretch, terms, (chords, nodes)) if precision == "float32" else None
-    return Chordal(phase, left, (across, down), means, core), tables
+    return Chordal(phase, left, (across, down), mean, core), tables
 
 
-_Counts = tuple[int, int, tuple[Mean, Mean] | None, Tables]
+_Counts = tuple[int, int, Mean | None, Tables]
 
 
 def _by_means(
@@ -340,15 +333,13 @@ def _by_means(
     members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MEMBERS]]
     # The inner disk has the weight of its area.
     of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
-    found: list[tuple[int, Mean, Tables]] = []
-    for k, name in enumerate(("chords", "nodes")):
-        constants = [(radius, of[k]) for radius, of in of_disks]
-        one = fewest(name, where, members, constants, 0.5 * error, found[0][0] if found else 0, unit)
-        if one is None:
-            return None
-        found.append(one)
-    (chords, across, tables), (nodes, along, others) = found
-    return chords, nodes, (across, along), tables | others
+    parts = [(radius, of[0]) for radius, of in of_disks]
+    if (chords := fewest("chords", where, members, parts, 0.5 * error, 0, unit)) is None:
+        return None
+    parts = [(radius, of[1]) for radius, of in of_disks]
+    if (nodes := fewest("nodes", where, members, parts, 0.5 * error, chords[0], unit)) is None:
+        return None
+    return chords[0], nodes[0], chords[1], chords[2] | nodes[2]
 
 
 def _by_largest(
@@ -385,11 +376,8 @@ def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light
     """Return nodes of positive x and y, and weights with the amplitude: ``(chords,)``, ``(chords, nodes)`` twice."""
     angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
-    x, y, weights = [], [], []
-    for radius, _ in disks:
-        x.append(radius * np.cos(angle))
-        y.append(radius * np.sin(angle)[:, None] * eta)
-        sign = 1.0 if radius == 1.0 else -(radius**2)
-        weights.append(sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1))
-    px, py, w = (np.concatenate(part) for part in (x, y, weights))
+    px = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
+    py = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
+    signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
+    w = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1) for sign in signs])
     return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

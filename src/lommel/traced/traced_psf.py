@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -14,15 +16,16 @@ from lommel.base.optional import library
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
 from lommel.methods.method import Method
+from lommel.methods.pixels.rule import octant, pixel_rule
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil, checked
-from lommel.traced import certificate, chordal, pixels, radial
+from lommel.optics.pupil import Pupil
+from lommel.special.legendre import gauss_legendre
+from lommel.traced import certificate, chordal, radial
 from lommel.traced.chordal import Chordal
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 from lommel.traced.phases import UNIT
-from lommel.traced.pixels import Pixels
 from lommel.traced.radial import Radial
 
 _OF_NUMPY = (np.ndarray, np.generic)
@@ -30,7 +33,67 @@ _FINER = 0.1  # factor of the error of quadrature from one trial to the next
 _LEAST = 2.0**-52
 _MEMBERS, _BETWEEN = 128, 48  # pupils of the stack, and between these, that a tolerance is tried with
 _BLOCK = 2**21  # values that trials hold at once
+_RULE_ERROR = 1e-11  # of PixelRule over the largest intensity: ten times the largest measured
+_MOST_SAMPLES = 24  # a side of each pixel
 _X64 = '; call jax.config.update("jax_enable_x64", True) first, or give the plan a tolerance that float32 can prove'
+
+
+class Pixels(NamedTuple):
+    """Pixel averages and mirrored quadrants: how intensities become images.
+
+    Attributes
+    ----------
+    height, width : int
+    mirrored : bool
+        Whether values are those of a quadrant, each at an indexed radius.
+    growth : float
+        Largest factor by which averages multiply errors; 0 for point samples.
+    added : float
+        Error of the averages: over the largest intensity of a radial pupil, absolute of any other.
+    samples : int
+        A side of each pixel, of pupils that are not radial, and of averages off the axis; else 0.
+    """
+
+    height: int
+    width: int
+    mirrored: bool
+    growth: float
+    added: float
+    samples: int = 0
+
+    def means(
+        self, ns: Namespace, tables: Tables, values: Tensor, error: Tensor, unit: float
+    ) -> tuple[Tensor, Tensor]:
+        """Return the averages of intensities over pixels, and bounds on their errors."""
+        xp = ns.xp
+        if self.samples > 1:
+            if "index" in tables:
+                values = xp.take(values, tables["index"], axis=-1)
+            shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
+            values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
+            error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
+            return xp.permute_dims(xp.reshape(values, (-1, values.shape[-1])), (1, 0)), error
+        if self.growth:
+            most = xp.max(ns.stop(values), axis=-1)
+            lost = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
+            return ns.matmul(values, tables["matrix"]), self.growth * (error + lost * most) + self.added * most
+        return values, error
+
+    def unfold(self, ns: Namespace, tables: Tables, values: Tensor) -> Tensor:
+        """Return images ``(n, height, width)`` from values at distinct radii, of cells, or of pixels by columns."""
+        xp = ns.xp
+        if self.samples:
+            by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, values.shape[0]))
+            return ns.turned(by_column)
+        values = xp.take(values, tables["index"], axis=-1)
+        if not self.mirrored:
+            return xp.reshape(values, (values.shape[0], self.height, self.width))
+        down, across = self.height // 2, self.width // 2
+        quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
+        right = quarter[..., : across + 1 - (self.width + 1) % 2]
+        half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
+        lower = half[..., : down + 1 - (self.height + 1) % 2, :]
+        return xp.concat([xp.flip(half[..., 1:, :], axis=-2), lower], axis=-2) if down else lower
 
 
 class Distances(NamedTuple):
@@ -247,7 +310,7 @@ class TracedPSF:
     def _answer(self, c: Operand) -> tuple[Tensor, Tensor]:
         """Return images and bounds; in JAX always compiled, since operation by operation takes seconds."""
         if self._static.namespace.name == "jax":
-            return _compiled()(self, self._array(c))  # type: ignore[no-any-return]
+            return _of_jax()(self, self._array(c))
         return self._made(c)
 
     def _made(self, c: Operand) -> tuple[Tensor, Tensor]:
@@ -284,7 +347,15 @@ class TracedPSF:
         """Return values of pixels and bounds for checked coefficients `c` of the kept terms."""
         static = self._static
         ns = static.namespace
-        values, error, unit = self._intensities(c)
+        unit, parts = UNIT[static.precision], []
+        for (weight, light), tables in zip(static.lights, self.tables, strict=True):
+            intensity, of_field = light.intensity(ns, tables, c)
+            slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
+            parts.append((intensity if weight == 1.0 else weight * intensity, slack))
+        values, error = parts[0]
+        for intensity, slack in parts[1:]:
+            values, error = values + intensity, error + slack
+        values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
         still = ns.stop(values)
         stored = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
         bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
@@ -294,23 +365,6 @@ class TracedPSF:
             values *= static.scale
             return values, bound
         return values * static.scale, bound
-
-    def _intensities(self, c: Tensor) -> tuple[Tensor, Tensor, float]:
-        """Return intensities of pixels, bounds on their errors, and the unit roundoff."""
-        static = self._static
-        ns, unit = static.namespace, 0.0
-        values: Tensor | None = None
-        error: Tensor | None = None
-        for (weight, light), tables in zip(static.lights, self.tables, strict=True):
-            intensity, of_field = light.intensity(ns, tables, c)
-            unit = light.error.unit
-            slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
-            part = intensity if weight == 1.0 else weight * intensity
-            values, error = (part, slack) if values is None or error is None else (values + part, error + slack)
-        assert values is not None
-        assert error is not None
-        values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
-        return values, error, unit
 
     def _require(self, c: Operand, bound: Tensor) -> None:
         """Raise ToleranceError where a bound exceeds the tolerance, if it has a value now."""
@@ -349,22 +403,14 @@ def placed(static: Static, tables: tuple[Tables, ...], device: object = None) ->
     def put(values: Operand) -> Tensor:
         return ns.put(values, device, kind if values.dtype.kind == "f" else None)
 
-    made = TracedPSF(static, tuple({name: put(values) for name, values in one.items()} for one in tables))
     if ns.name == "jax":
-        _register()
-    return made
+        _of_jax()
+    return TracedPSF(static, tuple({name: put(values) for name, values in one.items()} for one in tables))
 
 
 @cache
-def _compiled() -> Any:
-    import jax
-
-    return jax.jit(TracedPSF._made)
-
-
-@cache
-def _register() -> None:
-    """Register the class with JAX as a tree of its tables."""
+def _of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
+    """Register the class with JAX as a tree of its tables; return the compiled evaluation."""
     import jax
 
     jax.tree_util.register_pytree_node(
@@ -372,6 +418,7 @@ def _register() -> None:
         lambda traced: ((traced.tables,), traced._static),
         lambda static, parts: TracedPSF(static, *parts),
     )
+    return jax.jit(TracedPSF._made)
 
 
 def traced(
@@ -384,13 +431,19 @@ def traced(
     """Return a traced plan for `values` tolerance, normalisation, type and `where` framework, device, precision."""
     tol, normalize, dtype = values
     ns, device = Namespace.of(where[0]), where[1]
-    precision = _precision(ns, device, where[2])
+    double, precision = ns.has_double(device), where[2]
+    if precision == "float64" and not double:
+        raise ValueError(
+            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
+            + (_X64 if ns.name == "jax" else "")
+        )
+    if precision == "auto":
+        precision = "float64" if double else "float32"
     if precision == "float32" and dtype == "float64":
         raise ValueError(
             'dtype must be float32 where precision is "float32", got float64'
             + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
         )
-    checked(pupil)
     if not pupil.circular:
         raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting and mask")
     if normalize == "emitted":
@@ -408,9 +461,13 @@ def traced(
     # The peak of a defocused pupil falls about as its phase rises; that of small aberrations of all kinds does not.
     size = float(np.abs(c).sum(axis=1).max())
     error = tol * pupil.amplitude * (0.04 / (2.0 * size + 1.0) if pupil.radial else 0.15)
+    there, distances = pupil.geometry, None
+    if there is not None and there.model == "paraxial" and pupil.wavelength is not None:
+        waves = math.pi / (2.0 * pupil.wavelength) * there.aperture_radius**2
+        distances = Distances(-there.in_focus, waves)
     while True:
         parts, image, tables = _fields(pupil, grid, lights, error, precision)
-        static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, _distances(pupil))
+        static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
         worst, most = _tried(static, tables, c)
         if most <= 0.6 * tol or error <= _LEAST:
             break
@@ -421,17 +478,6 @@ def traced(
             f"{worst:.2g} of the largest value{_X64 if ns.name == 'jax' and precision == 'float32' else ''}"
         )
     return placed(static, tables, device)
-
-
-def _precision(ns: Namespace, device: object, asked: str) -> str:
-    validation.choice("precision", asked, ("auto", *UNIT))
-    double = ns.has_double(device)
-    if asked == "float64" and not double:
-        raise ValueError(
-            f'precision must be "float32" or "auto" here: {ns.name} has no float64'
-            + (_X64 if ns.name == "jax" else "")
-        )
-    return asked if asked != "auto" else "float64" if double else "float32"
 
 
 def _components(pupil: Pupil, method: Method | None) -> list[Component]:
@@ -448,13 +494,6 @@ def _components(pupil: Pupil, method: Method | None) -> list[Component]:
     return parts
 
 
-def _distances(pupil: Pupil) -> Distances | None:
-    there = pupil.geometry
-    if there is None or there.model != "paraxial" or pupil.wavelength is None:
-        return None
-    return Distances(-there.in_focus, math.pi / (2.0 * pupil.wavelength) * there.aperture_radius**2)
-
-
 def _fields(
     pupil: Pupil, grid: Grid, lights: list[Component], error: float, precision: str
 ) -> tuple[tuple[tuple[float, Radial | Chordal], ...], Pixels, tuple[Tables, ...]]:
@@ -463,13 +502,13 @@ def _fields(
     fields: list[tuple[float, Radial | Chordal]] = []
     tables: list[Tables] = []
     if pupil.radial:
-        image, v, shared = pixels.of_radii(grid, step, stretch, error * pupil.amplitude)
+        image, v, shared = of_radii(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
             field, table = radial.make(pupil, part.stretch, part.stretch * v, error, precision)
             fields.append((part.weight, field))
             tables.append({**table})
     else:
-        image, lattice, shared = pixels.of_lattice(grid, step, stretch, error * pupil.amplitude)
+        image, lattice, shared = of_lattice(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
             window = (part.stretch * lattice[0], part.stretch * lattice[1])
             chords, arrays = chordal.make(pupil, grid, part.stretch, window, error, precision)
@@ -491,14 +530,11 @@ def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float,
         parts = (many[k : k + rows, static.kept] for k in range(0, len(many), rows))
         return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
 
-    worst = largest(_some(c))
-    return worst, max(worst, largest(_between(c, boxed=boxed)))
-
-
-def _some(c: Array) -> Array:
-    """Return the members of a stack, or of many those with the largest phases and a few others."""
+    # Of many pupils those with the largest phases and a few others.
     order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
-    return np.asarray(c[np.concatenate([order[:_MEMBERS], order[_MEMBERS :: max(1, len(c) // _MEMBERS)]])])
+    some = np.concatenate([order[:_MEMBERS], order[_MEMBERS :: max(1, len(c) // _MEMBERS)]])
+    worst = largest(c[some])
+    return worst, max(worst, largest(_between(c, boxed=boxed)))
 
 
 def _between(c: Array, *, boxed: bool) -> Array:
@@ -512,3 +548,64 @@ def _between(c: Array, *, boxed: bool) -> Array:
     inside = draw.random((_BETWEEN, c.shape[1]))
     inside[: _BETWEEN // 2] = np.round(inside[: _BETWEEN // 2])
     return np.asarray(low + inside * (high - low))
+
+
+def of_radii(
+    grid: Grid, step: float, stretch: float, allowed: float
+) -> tuple[Pixels, Array, dict[str, NDArray[Any]]]:
+    """Return the pixels of a radial pupil, the radii in v of its samples, and tables.
+
+    `step` is the pitch in v, `stretch` its factor at the shortest wavelength, `allowed` the error of averages.
+    """
+    height, width = grid.shape
+    if grid.integrate and not grid.centered:
+        pixels, (rows, cols), shared = of_lattice(grid, step, stretch, allowed)
+        radii, index = np.unique(np.hypot(cols[:, None], rows), return_inverse=True)
+        return pixels, radii, shared | {"index": _places(index)}
+    if grid.integrate:
+        half = max(1, height // 2, width // 2)
+        rule = pixel_rule(half, step * stretch)
+        column, row = octant(half)
+        cell = np.empty((half + 1, half + 1), dtype=np.int64)
+        cell[row, column] = cell[column, row] = np.arange(row.size)
+        used, index = np.unique(cell[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True)
+        matrix = np.ascontiguousarray(rule.matrix[:, used])
+        pixels = Pixels(height, width, True, float(np.abs(matrix).sum(axis=0).max()), _RULE_ERROR)
+        return pixels, step * rule.radii, {"matrix": matrix, "index": _places(index)}
+    middle = grid.axis
+    down, across = np.arange(height) - middle[0], np.arange(width) - middle[1]
+    if grid.centered:
+        down, across = down[height // 2 :: -1], across[width // 2 :: -1]
+    squares, index = np.unique(down[:, None] ** 2 + across**2, return_inverse=True)
+    return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _places(index)}
+
+
+def _places(index: NDArray[Any]) -> NDArray[np.int32]:
+    return index.ravel().astype(np.int32)
+
+
+def of_lattice(
+    grid: Grid, step: float, stretch: float, allowed: float
+) -> tuple[Pixels, tuple[Array, Array], dict[str, NDArray[Any]]]:
+    """Return the pixels of any pupil, the rows and columns in v of its samples, and tables."""
+    # I(v) = U(v) conj(U(conj(v))) is entire in either coordinate, and at most exp(2 |Im v|) times the square of the
+    # amplitude of the pupil. On the ellipse of b round a pixel that is exp(step sinh b), so that p Gauss nodes a side
+    # err by at most 2 (32/15) exp(step sinh b - 2 p b) / (1 - exp(-2 b)).
+    grid.require_one_axis()
+    rows, cols = step / grid.side * grid.y, step / grid.side * grid.x
+    if not grid.integrate:
+        return Pixels(grid.height, grid.width, False, 0.0, 0.0, 1), (rows, cols), {}
+    b = np.linspace(0.05, 5.0, 200)
+    for count in range(2, _MOST_SAMPLES + 1):
+        exponent = stretch * step * np.sinh(b) - 2.0 * count * b - np.log(-np.expm1(-2.0 * b))
+        error = 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0))
+        if error <= allowed:
+            break
+    else:
+        raise ValueError(
+            f"pixel must be smaller where wavefronts depend on the direction: {stretch * step:g} in v is too large"
+        )
+    nodes, weights = gauss_legendre(count, -0.5 * step, 0.5 * step)
+    share = (weights[:, None, None, None] * weights[:, None]) / step**2
+    lattice = (rows[:, None] + nodes).ravel(), (cols[:, None] + nodes).ravel()
+    return Pixels(grid.height, grid.width, False, 1.0, error, count), lattice, {"share": share}

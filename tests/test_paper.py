@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.paper import bessel_forms, families, methods_cost, numbers, spherical, validity, write
+from lommel.paper import figures, methods_cost, numbers, write
 from lommel.paper.setting import VARIANTS, Setting
 
 SMALL = Setting(shape=96)
@@ -89,7 +89,7 @@ def test_the_mean_over_a_square_of_one_is_one_and_of_v_squared_two_thirds_of_the
 
 
 def test_errors_of_the_comparison_are_those_of_its_images():
-    data = families.compare_with_fft(SMALL)
+    data = figures.compare_with_fft(SMALL)
     exact = lm.psf(lm.Pupil(lm.Wavefront(10.0)), 96, SMALL.pixel, method=lm.Hankel(), normalize="strehl")
     np.testing.assert_allclose(data.arrays["exact"], exact.values / exact.values.max(), atol=1e-6)
     for variant in VARIANTS:
@@ -100,29 +100,29 @@ def test_errors_of_the_comparison_are_those_of_its_images():
 
 
 def test_rings_at_the_edge_fade_as_the_series_of_erf_gets_longer():
-    data = families.by_terms(SMALL)
+    data = figures.vary("terms", SMALL)
     for variant in VARIANTS:
-        rims = [data.arrays[f"{variant}_{n}"][0].mean() for n in families.TERMS]
+        rims = [data.arrays[f"{variant}_{n}"][0].mean() for n in figures.VARIED["terms"].values]
         assert all(later < earlier for earlier, later in pairwise(rims))
         errors = [panel[variant]["mse"] for panel in data.facts["panels"]]
         assert errors == sorted(errors, reverse=True)
 
 
 def test_strong_defocus_is_worse_as_printed():
-    panels = families.by_defocus(SMALL).facts["panels"]
+    panels = figures.vary("defocus", SMALL).facts["panels"]
     errors = [panel["printed"]["mse"] for panel in panels if panel["defocus"] >= 10]
     assert errors == sorted(errors)
 
 
 def test_the_tangent_line_figure_has_the_settings_of_the_table():
-    data = families.by_tangent(SMALL)
+    data = figures.vary("tangent", SMALL)
     assert (data.facts["defocus"], data.facts["window"]) == (numbers.SECOND.defocus, numbers.SECOND.window)
     errors = {panel["tangent"]: panel["printed"]["mse"] for panel in data.facts["panels"]}
     assert errors[200.0] < 0.2 * errors[100.0]
 
 
 def test_forms_of_j0_agree_where_each_is_meant_to_hold():
-    c = bessel_forms.compute(samples=301).columns
+    c = figures.bessel_forms(samples=301).columns
     assert np.abs(c["error of series"][c["a"] <= 1.0]).max() < 5e-4
     assert np.abs(c["error of asymptotic"][c["a"] > 50.0]).max() < 5e-4
     beyond = c["a"] > 1.0
@@ -143,7 +143,7 @@ def test_costs_are_ratios_to_one_fft_and_a_method_over_its_budget_is_left_out():
 
 
 def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
-    data = spherical.compute(samples=4000, most=5)
+    data = figures.quartic_phase(samples=4000, most=5)
     for kind in ("printed", "corrected"):
         mean = np.mean(data.columns[f"{kind} error"] ** 2)
         assert data.facts[kind]["mse"] == pytest.approx(mean, rel=1e-2)
@@ -155,11 +155,11 @@ def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
     ("data", "draw", "panels"),
     [
         (lambda: methods_cost.compute(sizes=(16,), budget=0.0), methods_cost.draw, 2),
-        (lambda: bessel_forms.compute(samples=51), bessel_forms.draw, 2),
-        (lambda: families.compare_with_fft(SMALL), families.draw_comparison, 7),
-        (lambda: families.compute("terms", (10, 30), SMALL), families.draw_intensity, 5),
-        (lambda: families.compute("defocus", (5.0, 20.0), SMALL), families.draw_error, 5),
-        (lambda: spherical.compute(samples=50, most=5), spherical.draw, 3),
+        (lambda: figures.bessel_forms(samples=51), figures.draw_bessel_forms, 2),
+        (lambda: figures.compare_with_fft(SMALL), figures.draw_comparison, 7),
+        (lambda: figures.vary("terms", SMALL, (10, 30)), figures.draw_varied, 5),
+        (lambda: figures.vary("defocus", SMALL, (5.0, 20.0)), write._draw_errors, 5),
+        (lambda: figures.quartic_phase(samples=50, most=5), figures.draw_quartic_phase, 3),
     ],
     ids=["cost", "bessel", "comparison", "intensity", "error", "spherical"],
 )
@@ -180,7 +180,7 @@ def test_every_figure_is_drawn_and_its_data_read_back(data, draw, panels):
 
 
 def test_pictures_compared_with_each_other_share_their_scale():
-    figure = families.draw_error(families.compute("terms", (10, 30), SMALL))
+    figure = write._draw_errors(figures.vary("terms", SMALL, (10, 30)))
     limits = {(image.norm.vmin, image.norm.vmax) for axes in figure.axes for image in axes.images}
     assert len(limits) == 1
 
@@ -197,7 +197,7 @@ def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
     assert len(facts["files"]) == 6
 
 
-TINY = write._Plan("tiny", lambda: bessel_forms.compute(51), bessel_forms.draw)
+TINY = write._Plan("tiny", lambda: figures.bessel_forms(51), figures.draw_bessel_forms)
 
 
 def test_figures_that_are_written_are_told(call_lommel, tmp_path, monkeypatch):
@@ -283,11 +283,11 @@ def test_a_folder_made_in_vain_is_taken_away_again(call_lommel, tmp_path, monkey
 
 
 def test_the_tuned_form_holds_everywhere_on_the_map_and_the_paper_s_nowhere_near():
-    made = validity.compute(5, 31)
+    made = figures.validity(5, 31)
     largest = made.facts["largest"]
     assert largest["tuned to 1e-4"] <= 1e-4
     assert min(largest[name] for name in ("printed", "corrected", "corrected, exact erf")) > 0.1
     assert made.arrays["printed"].shape == (5, 31)
-    figure = validity.draw(made)
+    figure = figures.draw_validity(made)
     figure.canvas.draw()
     assert len(figure.axes) == 5

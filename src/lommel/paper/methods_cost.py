@@ -15,7 +15,7 @@ from lommel.methods import ClosedForm, Fraunhofer, Hankel, HuygensFresnel, Metho
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.paper.drawing import new_figure, panels
+from lommel.paper.figures import new_figure, panels
 from lommel.paper.setting import REFERENCE, FigureData
 from lommel.psf import psf
 from lommel.special.erf import AbramowitzErf, FresnelErf

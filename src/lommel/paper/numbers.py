@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.paper import families, spherical
+from lommel.paper.figures import SPHERICAL, VARIED, fit_quartic
 from lommel.paper.setting import REFERENCE, VARIANTS, Facts, Setting, measures, middle_row
 
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 FIRST = Setting()
-SECOND = Setting(window=families.TANGENT_WINDOW, defocus=families.TANGENT_DEFOCUS)
+SECOND = replace(FIRST, **VARIED["tangent"].fixed)  # type: ignore[arg-type]
 """Where both errors of the tangent-line comparison come closest to the paper's; see :func:`tangent_search`."""
 
 WINDOWS = np.arange(100.0, 301.0, 1.0)
@@ -100,18 +100,16 @@ def _tangent_rows(setting: Setting) -> list[Facts]:
 
 
 def _pieces_row() -> Facts:
-    at = spherical.SPHERICAL
-
     def missed(variant: str, c: float) -> float:
-        return spherical.FITS[variant](c).mse((0.0, c))
+        return fit_quartic(variant, c).mse((0.0, c))
 
     return {
         "quantity": "MSE of 5 quadratic exponentials",
         "paper": PAPER_PIECES,
-        **{variant: missed(variant, at) for variant in VARIANTS},
+        **{variant: missed(variant, SPHERICAL) for variant in VARIANTS},
         "against_fft": None,
-        "settings": f"C_s = {at:g} (not in the paper), C_d = 0; printed: linear split, no constant; corrected: "
-        "optimal split, constants gamma_i",
+        "settings": f"C_s = {SPHERICAL:g} (not in the paper), C_d = 0; printed: linear split, no constant; "
+        "corrected: optimal split, constants gamma_i",
         "searched": f"C_s from {SPHERICALS[0]:g} to {SPHERICALS[-1]:g}",
         "closest": {
             v: _closest("spherical", SPHERICALS, [missed(v, float(c)) for c in SPHERICALS], PAPER_PIECES)

@@ -8,13 +8,14 @@ import json
 import tempfile
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from lommel.base import atomic
-from lommel.paper import bessel_forms, families, methods_cost, numbers, spherical, validity
+from lommel.paper import figures, methods_cost, numbers
 from lommel.paper.setting import Facts, FigureData
 
 if TYPE_CHECKING:
@@ -28,18 +29,19 @@ class _Plan:
     draw: Callable[[FigureData], Figure]
 
 
+_draw_errors = partial(figures.draw_varied, errors=True)
 FIGURES = {
     "1": _Plan("Methods and cost against n", methods_cost.compute, methods_cost.draw),
-    "2": _Plan("Comparison of various forms of J0(a)", bessel_forms.compute, bessel_forms.draw),
-    "3": _Plan("PSF comparison between FFT and CFIS", families.compare_with_fft, families.draw_comparison),
-    "4": _Plan("CFIS PSF for varying N", families.by_terms, families.draw_intensity),
-    "5": _Plan("Error of the CFIS PSF for varying N", families.by_terms, families.draw_error),
-    "6": _Plan("Error of the CFIS PSF for varying defocus", families.by_defocus, families.draw_error),
+    "2": _Plan("Comparison of various forms of J0(a)", figures.bessel_forms, figures.draw_bessel_forms),
+    "3": _Plan("PSF comparison between FFT and CFIS", figures.compare_with_fft, figures.draw_comparison),
+    "4": _Plan("CFIS PSF for varying N", partial(figures.vary, "terms"), figures.draw_varied),
+    "5": _Plan("Error of the CFIS PSF for varying N", partial(figures.vary, "terms"), _draw_errors),
+    "6": _Plan("Error of the CFIS PSF for varying defocus", partial(figures.vary, "defocus"), _draw_errors),
     "7": _Plan(
-        "Error of the CFIS PSF for varying tangent-line centres (TLC)", families.by_tangent, families.draw_error
+        "Error of the CFIS PSF for varying tangent-line centres (TLC)", partial(figures.vary, "tangent"), _draw_errors
     ),
-    "eq17": _Plan("The piecewise quadratic phase of Eq. (17)", spherical.compute, spherical.draw),
-    "validity": _Plan("Where the closed forms hold, over C_d and v", validity.compute, validity.draw),
+    "eq17": _Plan("The piecewise quadratic phase of Eq. (17)", figures.quartic_phase, figures.draw_quartic_phase),
+    "validity": _Plan("Where the closed forms hold, over C_d and v", figures.validity, figures.draw_validity),
 }
 """Figures by their numbers in the paper; eq17 is of Eq. (17), validity is not in the paper."""
 
@@ -53,17 +55,17 @@ def names(figure: str) -> tuple[str, str, str]:
 
 def reproduce(
     folder: Path,
-    figures: Iterable[str] | None = None,
+    chosen: Iterable[str] | None = None,
     started: Callable[[str], object] = str,
     *,
     dpi: float = 130.0,
 ) -> Facts:
     """Write figures by their names, or all of them and the table; return files, facts of figures, and the table."""
-    wanted = list(FIGURES) if figures is None else list(dict.fromkeys(figures))
+    wanted = list(FIGURES) if chosen is None else list(dict.fromkeys(chosen))
     for figure in wanted:
         if figure not in FIGURES:
             raise ValueError(f"there is no figure {figure}; there are {', '.join(FIGURES)}")
-    targets = [name for figure in wanted for name in names(figure)] + ([*TABLE] if figures is None else [])
+    targets = [name for figure in wanted for name in names(figure)] + ([*TABLE] if chosen is None else [])
     _prepare(folder, targets)
     files: list[str] = []
 
@@ -81,7 +83,7 @@ def reproduce(
             keep(name, content)
         facts[figure] = {"caption": FIGURES[figure].caption} | data.facts
     table = None
-    if figures is None:
+    if chosen is None:
         started("the numbers")
         table = numbers.rows()
         keep(TABLE[0], numbers.markdown(table).encode())

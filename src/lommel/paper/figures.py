@@ -1,0 +1,366 @@
+"""The figures of the paper: Fig. 2 to 7 and Eq. (17), and beyond it where the closed forms hold."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.methods import ClosedForm, RadialMethod, TunedClosedForm
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.paper.setting import REFERENCE, VARIANTS, Arrays, Facts, FigureData, Setting, measures, middle_row
+from lommel.special.bessel import j0_asymptotic, j0_series, tangent_line
+from lommel.special.erf import AbramowitzErf
+from lommel.special.piecewise import SPLITS, PiecewiseQuadratic, fit_quadratics
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
+
+_V_AXIS = "v = πr/(λN)"
+_COLORS = {"exact": "black", "fft": "tab:green", "printed": "tab:red", "corrected": "tab:blue"}
+_LABELS = {
+    "exact": "exact (NijboerZernike)",
+    "fft": "FFT, as large as the image",
+    "printed": "CFIS, Eq. (12) as printed",
+    "corrected": "CFIS, with √(2/π) restored",
+}
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """Return a figure of that many inches."""
+    from matplotlib.figure import Figure as NewFigure
+
+    return NewFigure(figsize=(width, height), layout="constrained")
+
+
+def panels(figure: Any, count: int, **properties: Any) -> Any:
+    """Return that many axes beside each other, with a grid and the properties that all have."""
+    made = figure.subplots(1, count)
+    for axes in made:
+        axes.set(**properties)
+        axes.grid(alpha=0.3)
+    return made
+
+
+def _intensity_norm(top: float) -> Normalize:
+    """Return a square-root scale, on which faint rings are seen beside the peak."""
+    from matplotlib.colors import PowerNorm
+
+    return PowerNorm(0.5, 0.0, top)
+
+
+def _picture(axes: Axes, values: NDArray[np.float64], window: float, norm: Normalize, title: str) -> Any:
+    """Draw an image over v, from -window to window."""
+    side = values.shape[0]
+    step = window / (side // 2)
+    low, high = -(side // 2 + 0.5) * step, (side - side // 2 - 0.5) * step
+    signed = norm.vmin is not None and norm.vmin < 0
+    drawn = axes.imshow(
+        values,
+        extent=(low, high, high, low),
+        norm=norm,
+        cmap="RdBu_r" if signed else "magma",
+        interpolation="nearest" if side < 256 else "antialiased",
+    )
+    axes.set_title(title, fontsize=9)
+    axes.tick_params(labelsize=7)
+    axes.locator_params(nbins=5)
+    return drawn
+
+
+_BESSEL = {
+    "series": ("Eq. (6), three terms", "tab:orange", "--"),
+    "asymptotic": ("Eq. (7)", "tab:green", "--"),
+    "piecewise": ("Eq. (8)", "tab:purple", "-"),
+    "printed": ("Eq. (12) as printed, TLC = 100", "tab:red", "-"),
+    "corrected": ("Eq. (12) with √(2/π), TLC = 100", "tab:blue", "-"),
+}
+
+
+def bessel_forms(samples: int = 2001, far: float = 200.0, tangent: float = 100.0) -> FigureData:
+    """Evaluate J0 and its approximations at arguments a from 0.05 to `far`, evenly spaced in log a.
+
+    "printed" and "corrected" are what Eq. (12) has in the place of J0: the three terms of (6) up to a = 1, beyond it
+    (7) with (9) for the square root, without and with the factor sqrt(2/pi).
+    """
+    from scipy.special import j0
+
+    a = np.geomspace(0.05, far, samples)
+    slope, level = tangent_line(tangent)
+    series, asymptotic = j0_series(a, 3), j0_asymptotic(a)
+    outer = (slope * a + level + 1.0 / a) * np.cos(a - 0.25 * math.pi)
+    near = a <= 1.0
+    columns = {
+        "a": a,
+        "J0": np.asarray(j0(a)),
+        "series": series,
+        "asymptotic": asymptotic,
+        "piecewise": np.where(near, series, asymptotic),
+        "printed": np.where(near, series, outer),
+        "corrected": np.where(near, series, math.sqrt(2.0 / math.pi) * outer),
+    }
+    columns |= {f"error of {name}": columns[name] - columns["J0"] for name in _BESSEL}
+    facts = {
+        "tangent": tangent,
+        "transition": 1.0,
+        "largest_errors": {name: float(np.abs(columns[f"error of {name}"]).max()) for name in _BESSEL},
+    }
+    return FigureData("Comparison of various forms of J0(a)", dict(columns), columns, facts)
+
+
+def draw_bessel_forms(data: FigureData) -> Figure:
+    """Draw the forms up to a = 15, and their errors over the whole range."""
+    figure = new_figure(10.5, 4.2)
+    left, right = panels(figure, 2, xlabel="a = 2πkR")
+    c = data.columns
+    left.plot(c["a"], c["J0"], color="black", linewidth=3.0, alpha=0.35, label="J0(a)")
+    for name, (label, color, line) in _BESSEL.items():
+        left.plot(c["a"], c[name], line, color=color, linewidth=1.2, label=label)
+        right.loglog(c["a"], np.maximum(np.abs(c[f"error of {name}"]), 1e-17), line, color=color, linewidth=1.0)
+    left.set(xlim=(0.0, 15.0), ylim=(-0.75, 1.25), ylabel="J0(a) and its approximations")
+    left.legend(fontsize=7)
+    right.set(xlim=(float(c["a"][0]), float(c["a"][-1])), ylim=(1e-7, 3.0), ylabel="absolute error")
+    for axes in (left, right):
+        axes.axvline(1.0, color="grey", linewidth=0.8, linestyle=":")
+    left.set_title("forms of J0; dotted: the transition a = 1", fontsize=10)
+    right.set_title("their errors", fontsize=10)
+    return figure
+
+
+def compare_with_fft(setting: Setting = Setting()) -> FigureData:  # noqa: B008 (frozen)
+    """Compute one PSF by the FFT, by both variants of the closed form, and exactly; 1 is the exact peak."""
+    images = setting.images()
+    facts = setting.facts() | measures(images)
+    facts["fft"]["method"] = repr(setting.fft())
+    columns = {"v": setting.v} | {name: middle_row(image) for name, image in images.items()}
+    arrays = {name: image.astype(np.float32) for name, image in images.items()} | {"v": setting.v}
+    return FigureData("PSF comparison between FFT and CFIS", arrays, columns, facts)
+
+
+def draw_comparison(data: FigureData) -> Figure:
+    """Draw the four images with one scale, and below them their slices and errors."""
+    figure = new_figure(11.0, 7.0)
+    facts = data.facts
+    figure.suptitle(
+        f"C_d = {facts['defocus']:g}, TLC = {facts['tangent']:g}, N = {facts['terms']}; 1 is the exact peak",
+        fontsize=10,
+    )
+    halves: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.15))
+    pictures: Any = halves[0].subplots(1, 4, sharey=True)
+    norm = _intensity_norm(max(float(data.arrays[name].max()) for name in _LABELS))
+    drawn = None
+    for axes, (name, label) in zip(pictures, _LABELS.items(), strict=True):
+        title = label if name == "exact" else f"{label}\nMSE {facts[name]['mse']:.3g}"
+        drawn = _picture(axes, data.arrays[name], facts["window"], norm, title)
+        axes.set_xlabel("v along x", fontsize=8)
+    pictures[0].set_ylabel("v along y", fontsize=8)
+    halves[0].colorbar(drawn, ax=pictures, shrink=0.8, label="intensity / peak")
+    slices, errors = panels(halves[1], 2, xlabel=_V_AXIS, xlim=(0.0, float(data.columns["v"][-1])))
+    c = data.columns
+    for name, label in _LABELS.items():
+        slices.plot(c["v"], c[name], color=_COLORS[name], linewidth=2.5 if name == "exact" else 1.2, label=label)
+        if name != "exact":
+            errors.plot(c["v"], c[name] - c["exact"], color=_COLORS[name], linewidth=1.2, label=label)
+    slices.set_ylabel("intensity / peak")
+    slices.legend(fontsize=7)
+    errors.set_ylabel("error / peak, along the slice")
+    return figure
+
+
+class Variation(NamedTuple):
+    """A parameter that a figure varies: its name, its values, and the settings that differ."""
+
+    label: str
+    values: tuple[float, ...]
+    fixed: dict[str, float] = {}  # noqa: RUF012 (never changed)
+
+
+VARIED = {
+    "terms": Variation("N", (10, 20, 30, 40)),
+    "defocus": Variation("C_d", (5.0, 10.0, 20.0, 30.0)),
+    # C_d and window of Fig. 7, which the paper leaves out: where its errors come closest, see `numbers`.
+    "tangent": Variation("TLC", (100.0, 150.0, 200.0, 250.0), {"defocus": 22.0, "window": 185.0}),
+}
+
+
+def vary(parameter: str, setting: Setting = Setting(), values: Sequence[float] = ()) -> FigureData:  # noqa: B008
+    """Compute the closed form in both variants, the FFT and the exact PSF while one parameter varies."""
+    label, usual, fixed = VARIED[parameter]
+    values, setting = values or usual, replace(setting, **fixed)  # type: ignore[arg-type]
+    arrays: Arrays = {"v": setting.v, parameter: np.asarray(values)}
+    columns = {"v": setting.v}
+    found: list[Facts] = []
+    for value in values:
+        images = Setting(**setting.facts() | {parameter: value}).images()
+        for name, image in images.items():
+            arrays[f"{name}_{value:g}"] = image.astype(np.float32)
+            columns[f"{name}, {label} = {value:g}"] = middle_row(image)
+        found.append({parameter: value} | measures(images))
+    facts = setting.facts() | {"varies": parameter, "panels": found}
+    return FigureData(f"CFIS for varying {label}", arrays, columns, facts)
+
+
+def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
+    """Draw the images of both variants or, if `errors`, what they are off by, with one scale and one colour bar."""
+    from matplotlib.colors import SymLogNorm
+
+    varies, cases = data.facts["varies"], data.facts["panels"]
+
+    def image(name: str, case: Facts) -> Any:
+        return data.arrays[f"{name}_{case[varies]:g}"]
+
+    images = {v: [image(v, case) - (image("exact", case) if errors else 0.0) for case in cases] for v in VARIANTS}
+    top = max(float(np.abs(values).max()) for row in images.values() for values in row)
+    norm: Normalize = _intensity_norm(top)
+    if errors:  # linear up to a hundredth of the peak and logarithmic beyond
+        norm = SymLogNorm(0.01, vmin=-top, vmax=top, base=10)
+    figure = new_figure(2.35 * len(cases) + 1.3, 2.5 * len(VARIANTS) + 0.6)
+    fixed = ", ".join(f"{one.label} = {data.facts[key]:g}" for key, one in VARIED.items() if key != varies)
+    figure.suptitle(f"{'CFIS less the exact PSF' if errors else 'CFIS'}, {fixed}; {_V_AXIS}", fontsize=10)
+    grid: Any = figure.subplots(len(VARIANTS), len(cases), squeeze=False, sharex=True, sharey=True)
+    drawn: Any = None
+    for variant, axes_row in zip(VARIANTS, grid, strict=True):
+        for axes, values, case in zip(axes_row, images[variant], cases, strict=True):
+            title = f"{VARIED[varies].label} = {case[varies]:g}"
+            if errors:
+                title += f": MSE {case[variant]['mse']:.3g}\nlargest {case[variant]['peak_error']:.2f}"
+            drawn = _picture(axes, values, data.facts["window"], norm, title)
+        axes_row[0].set_ylabel(f"{variant}\nv along y", fontsize=8)
+    for axes in grid[-1]:
+        axes.set_xlabel(f"{_V_AXIS} along x" if len(cases) < 3 else "v along x", fontsize=8)
+    label = f"{'error' if errors else 'intensity'} / exact peak"
+    bar = figure.colorbar(drawn, ax=grid, shrink=0.8, label=label)
+    if errors:
+        shown = [m for m in (0.01, 0.03, 0.1, 0.3, 1.0, 3.0) if m <= top]
+        ticks = [*(-m for m in reversed(shown)), 0.0, *shown]
+        bar.set_ticks(ticks, labels=[f"{m:g}".replace("-", "−") for m in ticks])
+    bar.ax.tick_params(labelsize=7)
+    return figure
+
+
+SPHERICAL = 10.0
+PIECES = 5
+_SPLIT_COLORS = {"linear": "tab:red", "sqrt": "tab:orange", "log": "tab:green", "optimal": "tab:blue"}
+
+
+def fit_quartic(variant: str, spherical: float, pieces: int = PIECES, split: str = "") -> PiecewiseQuadratic:
+    """Return the least-squares fit of Eq. (17), "corrected" with the constants gamma_i that it leaves out."""
+    corrected = variant == "corrected"
+    split = split or ("optimal" if corrected else "linear")
+    return fit_quadratics((0.0, spherical), pieces, split=split, fit="least-squares", piston=corrected)
+
+
+def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -> FigureData:
+    """Fit exp(i C_s rho^4) with five quadratics, and with 1 to `most`, in every split, with and without constants."""
+    rho = (np.arange(samples) + 0.5) / samples
+    phase = spherical * rho**4
+    fits = {kind: fit_quartic(kind, spherical) for kind in VARIANTS}
+    columns: Arrays = {"rho": rho, "phase": phase}
+    for name, fit in fits.items():
+        columns[f"{name} fit"] = fit.phase(rho)
+        columns[f"{name} error"] = np.abs(np.exp(1j * fit.phase(rho)) - np.exp(1j * phase))
+    counts = np.arange(1, most + 1)
+    mse = {
+        (split, kind): np.array([fit_quartic(kind, spherical, int(n), split).mse((0.0, spherical)) for n in counts])
+        for split in SPLITS
+        for kind in VARIANTS
+    }
+    arrays = dict(columns) | {"pieces": counts}
+    arrays |= {f"mse_{split}_{kind}": values for (split, kind), values in mse.items()}
+    for name, fit in fits.items():
+        arrays |= {f"{name}_{part}": getattr(fit, part) for part in ("edges", "alpha", "beta", "gamma")}
+    facts = {
+        "defocus": 0.0,
+        "spherical": spherical,
+        "pieces": PIECES,
+        "printed": {"split": "linear", "constant": False, "mse": fits["printed"].mse((0.0, spherical))},
+        "corrected": {"split": "optimal", "constant": True, "mse": fits["corrected"].mse((0.0, spherical))},
+    }
+    return FigureData("Piecewise quadratic phase", arrays, columns, facts)
+
+
+def draw_quartic_phase(data: FigureData) -> Figure:
+    """Draw the phase and its pieces, the error of both fits, and the mean squared error against their number."""
+    figure = new_figure(13.0, 4.2)
+    left, middle, right = panels(figure, 3, xlabel="ρ = R / R_max")
+    a, facts = data.arrays, data.facts
+    left.plot(a["rho"], a["phase"], color="black", linewidth=4.0, alpha=0.3, label=f"{facts['spherical']:g} ρ⁴")
+    edges = a["printed_edges"]
+    for i in range(facts["pieces"]):
+        inside = (a["rho"] >= edges[i]) & (a["rho"] < edges[i + 1])
+        # Whole turns change nothing; each piece is drawn where the phase is.
+        turns = np.round(np.mean(a["printed fit"][inside] - a["phase"][inside]) / (2.0 * np.pi))
+        left.plot(a["rho"][inside], a["printed fit"][inside] - 2.0 * np.pi * turns, linewidth=1.6,
+                  label=f"{a['printed_alpha'][i]:.2f} ρ² {a['printed_beta'][i]:+.2f} ρ")  # fmt: skip
+    left.set_ylabel("phase (rad), less whole turns")
+    left.legend(fontsize=7, title="as printed, linear split", title_fontsize=7)
+    for name, color in (("printed", "tab:red"), ("corrected", "tab:blue")):
+        split = "linear split, no constant" if name == "printed" else "optimal split, constants γ"
+        middle.semilogy(a["rho"], np.maximum(a[f"{name} error"], 1e-6), color=color, linewidth=1.2,
+                        label=f"{name}: {split}\nMSE {facts[name]['mse']:.3g}")  # fmt: skip
+    middle.set(ylabel="|exp(i fit) − exp(i phase)|", ylim=(1e-5, 1.0))
+    middle.legend(fontsize=7)
+    for split in SPLITS:
+        for kind, line in (("printed", "--"), ("corrected", "-")):
+            right.semilogy(a["pieces"], a[f"mse_{split}_{kind}"], line, marker=".", color=_SPLIT_COLORS[split],
+                           label=f"{split}{', no constant' if kind == 'printed' else ''}")  # fmt: skip
+    right.axhline(1.37e-4, color="grey", linewidth=0.9, linestyle=":")
+    right.annotate("paper: 0.000137 with 5", (8.0, 1.6e-4), fontsize=7, color="grey")
+    right.set(xlabel="pieces", ylabel="MSE of the pupil function")
+    right.legend(fontsize=7, ncols=2)
+    figure.suptitle(f"exp(i C_s ρ⁴) by quadratics on segments (Eq. 17), C_s = {facts['spherical']:g}", fontsize=10)
+    return figure
+
+
+_FORMS: dict[str, RadialMethod] = {
+    "printed": ClosedForm(tangent=100.0, erf=AbramowitzErf(30), variant="printed"),
+    "corrected": ClosedForm(tangent=100.0, erf=AbramowitzErf(30)),
+    "corrected, exact erf": ClosedForm(tangent=100.0),
+    "tuned to 1e-4": TunedClosedForm(1e-4),
+}
+
+
+def validity(count: int = 61, radii: int = 301) -> FigureData:
+    """Compute the error of the forms, over the peak of each PSF, for C_d from 0 to 60 and v from 0 to 300."""
+    defocus, v = np.linspace(0.0, 60.0, count), np.linspace(0.0, 300.0, radii)
+    pupil = Pupil(Wavefront(defocus))
+    exact = REFERENCE.profile(pupil, v).values
+    peak = exact.max(axis=1, keepdims=True)
+    arrays: Arrays = {"defocus": defocus, "v": v}
+    columns: Arrays = {"C_d": defocus}
+    largest = {}
+    for name, method in _FORMS.items():
+        error = np.abs(method.profile(pupil, v).values - exact) / peak
+        arrays[name] = error
+        columns[f"largest error, {name}"] = error.max(axis=1)
+        largest[name] = float(error.max())
+    facts = {"tangent": 100.0, "terms": 30, "largest": largest}
+    return FigureData("Where the closed forms hold", arrays, columns, facts)
+
+
+def draw_validity(data: FigureData) -> Figure:
+    """Draw the error of each form over C_d and v, with the edge of the geometric shadow."""
+    from matplotlib.colors import LogNorm
+
+    figure = new_figure(2.9 * len(_FORMS) + 1.2, 4.2)
+    grid: Any = figure.subplots(1, len(_FORMS), sharex=True, sharey=True)
+    defocus, v = data.arrays["defocus"], data.arrays["v"]
+    drawn: Any = None
+    for axes, name in zip(grid, _FORMS, strict=True):
+        error = np.maximum(data.arrays[name], 1e-9)
+        drawn = axes.pcolormesh(defocus, v, error.T, norm=LogNorm(1e-9, 1.0), cmap="viridis", shading="nearest")
+        axes.plot(defocus, 4.0 * defocus, "w--", linewidth=1.0)
+        axes.set_title(f"{name}\nlargest {data.facts['largest'][name]:.2g}", fontsize=10)
+        axes.set_xlabel("C_d (rad)")
+        axes.set_ylim(0.0, float(v[-1]))
+    grid[0].set_ylabel(_V_AXIS)
+    grid[0].text(33.0, 112.0, "v = 4 C_d", color="white", fontsize=8)
+    figure.colorbar(drawn, ax=grid, label="|I − I exact| / peak of each PSF")
+    return figure

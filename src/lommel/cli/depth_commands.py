@@ -108,7 +108,8 @@ def depth(
     Examples
     --------
       lommel depth 1.tif 2.tif phone.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3 -o d.tif
-      lommel depth 1.tif 2.tif phone.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3 -o d.tif
+      lommel depth 1.tif 2.tif nifty-fifty.toml --f-number 4 --f-number 16 --between 2m inf \\
+          --white 5000 --read 3 -o d.tif
     """
     if len(outputs) > 2:
         raise ValueError(f"--output takes the depth map and its standard deviation, got {len(outputs)} files")
@@ -223,7 +224,7 @@ def _lines(facts: Facts, options: Facts) -> Iterator[str]:
            help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
            "--best."),
     Option("--pair", type=float,
-           help="Two photos, focused this many dioptres (1/m) nearer and farther than --focus (each)."),
+           help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other as many farther."),
     Option("--best", is_flag=True,
            help="Find the two focus distances that give the best precision for a surface at --focus."),
     documented(depth_precision, "photons", type=float, required=True,
@@ -263,7 +264,7 @@ def precision(
     Examples
     --------
       lommel precision phone.toml --focus 1.5m --pair 0.1 --photons 1e4 --plot precision.png
-      lommel precision phone.toml --focus 1.5m --best --f-number 4 --photons 5000
+      lommel precision nifty-fifty.toml --focus 1.5m --best --f-number 4 --photons 5000
       lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
     instrument = instrument_of(lens, pixel=pixel)

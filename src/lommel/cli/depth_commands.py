@@ -99,7 +99,7 @@ def depth(
     figure: Path | None,
     **options: Any,
 ) -> Report:
-    """Estimate a depth map from photos (depth from defocus).
+    r"""Estimate a depth map from photos (depth from defocus).
 
     PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
     aperture, neither denoised nor sharpened. LENS is a lens file. Areas without texture have no depth: NaN, with an
@@ -108,7 +108,7 @@ def depth(
     Examples
     --------
       lommel depth 1.tif 2.tif phone.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3 -o d.tif
-      lommel depth 1.tif 2.tif nifty-fifty.toml --f-number 4 --f-number 16 --between 2m inf \\
+      lommel depth 1.tif 2.tif nifty-fifty.toml --f-number 4 --f-number 16 --between 2m inf \
           --white 5000 --read 3 -o d.tif
     """
     if len(outputs) > 2:

@@ -63,9 +63,6 @@ class ChordalGauss(Method[Pupil]):
     nonradial = True
     tol: float = 1e-6
 
-    def __post_init__(self) -> None:
-        self._check_tol()
-
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities

@@ -47,9 +47,6 @@ class Hankel(FieldMethod[Pupil]):
     most_tol = 1e-2
     tol: float = 1e-14
 
-    def __post_init__(self) -> None:
-        self._check_tol()
-
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v, with the bound of the quadrature and an estimate of the rounding."""
         from scipy.special import j0

@@ -73,9 +73,10 @@ class Method(ABC, Generic[P]):
 
     tol: float = 1e-6
 
-    def _check_tol(self) -> None:  # called by the __post_init__ of dataclasses with a tolerance
-        tol = validation.real("tol", self.tol, least=self.least_tol, below=self.most_tol)
-        object.__setattr__(self, "tol", tol)
+    def __post_init__(self) -> None:
+        if self._has_tol:
+            tol = validation.real("tol", self.tol, least=self.least_tol, below=self.most_tol)
+            object.__setattr__(self, "tol", tol)
 
     def unsupported(self, pupil: P) -> str | None:
         """Return why `pupil` is not supported, or None if it is: here, that every one is."""
@@ -182,8 +183,10 @@ class Method(ABC, Generic[P]):
 def described(thing: Any) -> dict[str, Any]:
     """Return the name and the fields of a dataclass as plain types, and likewise those of dataclasses in it."""
     options = {item.name: getattr(thing, item.name) for item in fields(thing)}
-    nested = {name: described(value) for name, value in options.items() if hasattr(value, "__dataclass_fields__")}
-    return {"name": type(thing).__name__} | options | nested
+    for name, value in options.items():
+        if hasattr(value, "__dataclass_fields__"):
+            options[name] = value.to_dict() if hasattr(value, "to_dict") else described(value)
+    return {"name": type(thing).__name__} | options
 
 
 class RadialMethod(Method[P]):
@@ -415,11 +418,7 @@ def powers_cancel(pupil: Pupil) -> str | None:
     )
 
 
-def annulus(
-    disk: Callable[[Array, Array], FieldValues],
-    pupil: Pupil,
-    v: Array,
-) -> FieldValues:
+def annulus(disk: Callable[[Array, Array], FieldValues], pupil: Pupil, v: Array) -> FieldValues:
     """Return the field of an obscured aperture from that of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
     # The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
     coefficients = pupil.coefficients()

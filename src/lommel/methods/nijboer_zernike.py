@@ -59,9 +59,6 @@ class NijboerZernike(FieldMethod["Pupil"]):
     nonradial = True
     tol: float = 1e-6
 
-    def __post_init__(self) -> None:
-        self._check_tol()
-
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
         return radial_fields(radial_stack(pupil), v, self.tol)

@@ -65,9 +65,6 @@ class NonuniformFFT(Method[Pupil]):
     least_tol = 1e-11
     tol: float = 1e-6
 
-    def __post_init__(self) -> None:
-        self._check_tol()
-
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
@@ -123,10 +122,6 @@ class Sted(Confocal):
         k = np.arange(1, math.ceil(math.sqrt(80.0 * a)) + 41)
         beyond = 2.0 * np.cumsum(ive(k, a)[::-1])[::-1]  # of degrees below each
         return int(np.argmax(beyond <= _SHARE * self.tol))
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return the method's name and options in plain types."""
-        return super().to_dict() | {"depletion": self.depletion.to_dict()}
 
 
 def crest(pupil: ObjectivePupil) -> float:

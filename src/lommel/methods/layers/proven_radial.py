@@ -27,9 +27,6 @@ class ProvenMethod(RadialMethod[ObjectivePupil]):
     nonradial = True
     tol: float
 
-    def __post_init__(self) -> None:
-        self._check_tol()
-
     @abstractmethod
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return the light at rising v, to about an accuracy."""

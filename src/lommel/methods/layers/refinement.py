@@ -51,6 +51,3 @@ class LayeredMethod(Method[ObjectivePupil]):
     pupils = "objective"
     apodized = True
     nonradial = True
-
-    def __post_init__(self) -> None:
-        self._check_tol()

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields, replace
-from typing import Any
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,16 +21,8 @@ AIRY = 2.0 * math.pi * 0.61
 _PINHOLE_MOST = 100.0
 
 
-class _Scanning(ProvenMethod):
-    """What both kinds share."""
-
-    def unaberrated_peak(self, pupil: ObjectivePupil) -> float:
-        """Return 1: all light in focus, and all of it seen."""
-        return 1.0
-
-
 @dataclass(frozen=True)
-class Confocal(_Scanning):
+class Confocal(ProvenMethod):
     r"""A confocal microscope: what is excited, times the share of its light that passes a pinhole.
 
     ``E(r) P(r)`` where the axis of both is at r from the emitter: E is the intensity of the excitation, relative to
@@ -146,11 +137,6 @@ class Confocal(_Scanning):
         passed = Orders(means.of(seen.values), seen.error * means.gain + means.error)
         return product(excited.times(self._absorbed(pupil)), passed.times(np.full(len(seen.error), self._share)))
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return the method's name and options in plain types."""
-        options = {item.name: getattr(self, item.name) for item in fields(self)}
-        return {"name": type(self).__name__} | options | {"excitation": self.excitation.to_dict()}
-
 
 def _fixed(pupil: ObjectivePupil) -> Dipole | None:
     """Return the dipole of a pupil, unless it turns freely."""
@@ -159,7 +145,7 @@ def _fixed(pupil: ObjectivePupil) -> Dipole | None:
 
 
 @dataclass(frozen=True)
-class TwoPhoton(_Scanning):
+class TwoPhoton(ProvenMethod):
     r"""A two-photon microscope, whose excitation counts squared; all light is collected, from wherever.
 
     Of pupils of the light that excites.

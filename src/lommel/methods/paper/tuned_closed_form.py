@@ -55,9 +55,6 @@ class TunedClosedForm(FieldMethod[Pupil]):
     least_tol = 1e-6
     tol: float = 1e-4
 
-    def __post_init__(self) -> None:
-        self._check_tol()
-
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason where powers of rho do not hold the phase."""
         return powers_cancel(pupil)

@@ -9,9 +9,9 @@ import pytest
 
 import lommel as lm
 from lommel.core.answers import Images, Slopes
+from lommel.methods import derivatives
 from lommel.methods.derivative_names import Parts
-from lommel.methods.derivatives import scaling, slopes
-from lommel.methods.derivatives.slopes import Piece, Slope
+from lommel.methods.derivatives import Piece, Slope
 from lommel.methods.pixels.averaging import filtered_by, least_average
 
 U = 2.0**-53
@@ -44,7 +44,7 @@ def test_a_sum_is_off_by_all_that_its_parts_are(kind):
     }
     pieces["unknown"] = Piece(np.zeros((1, 1, 1)), np.full(1, 3e-7))
     each = Parts({(3, 1): np.array([2.0, -3.0]), 1: 0.7}, -1.5, -0.4, 2.5, 0.9)
-    found = slopes._combined(each, made, pieces, kind)
+    found = derivatives._combined(each, made, pieces, kind)
     for i in range(2):
         factors = {(3, 1): (2.0, -3.0)[i], 1: 0.7, "scaling": -0.4, "obscuration": 2.5}
         parts = [-1.5 * made.values[i].astype(float)]
@@ -59,9 +59,9 @@ def test_a_sum_is_off_by_all_that_its_parts_are(kind):
         off += STORED[kind] * np.abs(exact).max()
         assert found.error[i] * bright == pytest.approx(off, rel=1e-12, abs=0.0)
     # With no more than what rounding and storing add.
-    alone = slopes._combined(Parts({1: 0.7}), made, {1: Piece(pieces[1].values, np.zeros(2))}, kind)
+    alone = derivatives._combined(Parts({1: 0.7}), made, {1: Piece(pieces[1].values, np.zeros(2))}, kind)
     size = 0.7 * np.abs(pieces[1].values).max(axis=(1, 2))
-    bright = slopes._brightest(made)
+    bright = derivatives._brightest(made)
     assert alone.error * bright == pytest.approx((12.0 * U + STORED[kind]) * size, rel=1e-9, abs=0.0)
 
 
@@ -70,13 +70,13 @@ def test_a_multiple_is_off_by_as_much_more_and_by_what_storing_adds(kind):
     made = images(np.random.default_rng(2), kind)
     keys = ((3, 1), (1, 1), (2, 2))
     sums = [Parts({(3, 1): 1.0}), Parts({(1, 1): 2.0}), Parts({(2, 2): np.array([-0.3, 1.7])}), Parts({(3, 1): 1.0})]
-    as_is, twice, times, again = slopes._taken(made, sums, keys)
+    as_is, twice, times, again = derivatives._taken(made, sums, keys)
     assert as_is.values.base is made.slopes.values
     assert np.array_equal(as_is.error, made.slopes.error[0])
     assert not np.shares_memory(again.values, as_is.values)
     assert np.array_equal(twice.values, 2.0 * made.slopes.values[1])
     assert twice.error == pytest.approx(2.0 * made.slopes.error[1], rel=1e-14, abs=0.0)
-    bright = slopes._brightest(made)
+    bright = derivatives._brightest(made)
     stored = STORED[kind] * np.abs(times.values).reshape(2, -1).max(axis=1).astype(float) / bright
     assert times.error == pytest.approx(np.array([0.3, 1.7]) * made.slopes.error[2] + stored, rel=1e-9, abs=0.0)
 
@@ -84,9 +84,9 @@ def test_a_multiple_is_off_by_as_much_more_and_by_what_storing_adds(kind):
 def test_what_is_brightest_is_less_by_its_error():
     made = images(np.random.default_rng(3), np.float64)
     expected = np.array([made.values[0].max() / 1.1, 2.1 / 1.2])
-    assert slopes._brightest(made) == pytest.approx(expected, rel=1e-14, abs=0.0)
+    assert derivatives._brightest(made) == pytest.approx(expected, rel=1e-14, abs=0.0)
     alone = made._replace(peak=None)
-    assert slopes._brightest(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14, abs=0.0)
+    assert derivatives._brightest(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14, abs=0.0)
 
 
 class Engine(lm.ChordalGauss):
@@ -107,7 +107,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
     grid = lm.Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
     step, engine = 0.5 * math.pi, Engine(1e-6)
     tilts = [(np.full((2, 3, 5), 0.25), np.array([1e-6, 2e-6])), (np.full((2, 3, 5), -0.5), np.array([3e-6, 1e-6]))]
-    _, found = scaling.scaling_derivative(engine, PUPIL, grid, tilts)
+    _, found = derivatives.scaling_derivative(engine, PUPIL, grid, tilts)
     far = step * np.array([4.5, 1.5])
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
     if integrate:
@@ -126,18 +126,18 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
 @pytest.mark.parametrize("error", [1e-4, 1e-12])
 def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
     grid = lm.Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
-    _, found = slopes.obscuration_derivative(PUPIL, grid, error)
+    _, found = derivatives.obscuration_derivative(PUPIL, grid, error)
     a, eps = PUPIL.amplitude, 0.4
     light = 2.0 * eps * float(PUPIL.illumination.at(np.array(eps**2)))
     step, fine = 0.5 * math.pi, grid
     if integrate:
         taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
-        fine = slopes.finer(grid, taps)
+        fine = derivatives.finer(grid, taps)
         error = 0.3 * error
     aim = max(0.1 * error / (a + light), 1e-15)
     v = fine.step(PUPIL) / fine.pixel * math.hypot(np.abs(fine.x).max(), np.abs(fine.y).max())
-    degree = slopes.degree_needed(
-        [(n, w) for (n, _), w in slopes._amplitudes(PUPIL).items()], v, PUPIL.illumination, aim
+    degree = derivatives.degree_needed(
+        [(n, w) for (n, _), w in derivatives.edge_amplitudes(PUPIL).items()], v, PUPIL.illumination, aim
     )
     nodes = PUPIL.rule(degree).weight.size
     terms = PUPIL.wavefront.terms
@@ -159,20 +159,20 @@ def test_what_is_left_out_is_in_each_part():
     grid, engine = lm.Grid(5, 1e-6), Engine(1e-6)
     made = Images(np.ones((2, 5, 5)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
     sums = [Parts({(3, 1): 1.0}, obscuration=1.0, unknown=1.0)]
-    found = slopes._pieces(engine, engine, pupil, grid, made, slopes.Wanted(0.3), sums)
+    found = derivatives._pieces(engine, engine, pupil, grid, made, derivatives.Wanted(0.3), sums)
     left = E * pupil.amplitude**2
     assert found["unknown"].error == pytest.approx([0.3 * 2.0 * left], rel=1e-12, abs=0.0)
     assert found[3, 1].error == pytest.approx(0.3 * (1e-5 * np.array([1.5, 2.0]) + 4.0 * left), rel=1e-12, abs=0.0)
     # The rim is asked for a tenth of the tolerance of the faintest peak.
-    _, bound = slopes.obscuration_derivative(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
+    _, bound = derivatives.obscuration_derivative(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
     assert found["obscuration"].error == pytest.approx(0.3 * bound, rel=1e-12, abs=0.0)
     white = lm.Polychromatic([4e-7, 5e-7], [1, 3], lm.ChordalGauss())
     parts = white.components(pupil)
-    found = slopes._pieces(white, engine, pupil, grid, made, slopes.Wanted(0.3), [Parts({(3, 1): 1.0})])
+    found = derivatives._pieces(white, engine, pupil, grid, made, derivatives.Wanted(0.3), [Parts({(3, 1): 1.0})])
     left = [(part.pupil.wavefront.left_out + 6e-10) * pupil.amplitude**2 for part in parts]
     expected = sum(
         0.3 * part.weight * part.stretch * (1e-5 * np.array([1.5, 2.0]) + 4.0 * off)
         for part, off in zip(parts, left, strict=True)
     )
     assert found[3, 1].error == pytest.approx(expected, rel=1e-12, abs=0.0)
-    assert isinstance(slopes._combined(Parts({(3, 1): 1.0}), made, found, np.float64), Slope)
+    assert isinstance(derivatives._combined(Parts({(3, 1): 1.0}), made, found, np.float64), Slope)

@@ -17,7 +17,7 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
-from lommel.methods.derivatives.slopes import Slope, translated
+from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms

@@ -13,7 +13,7 @@ from lommel.core.answers import Wanted
 from lommel.measures.psf_like import PSFLike
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivative_names import Name, Parts, checked, parts
-from lommel.methods.derivatives.slopes import differentiated, engines, single_light, translated
+from lommel.methods.derivatives import differentiated, engines, single_light, translated
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic

@@ -10,7 +10,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Pixels, Wanted
 from lommel.core.engine import chordal_gradient, chordal_images, chordal_plan
 from lommel.methods.method import Method, Shortcut
-from lommel.methods.terms import disk_images, disk_stack, window_of
+from lommel.methods.nijboer_zernike import disk_images, disk_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 

@@ -12,9 +12,9 @@ import numpy as np
 from lommel.base import optional
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Intensities, ToleranceError
-from lommel.methods.method import Method
+from lommel.methods.matrix_fourier import samples_needed
+from lommel.methods.method import Method, edge_amplitudes
 from lommel.methods.pixels.averaging import filtered, filtered_by, least_average
-from lommel.methods.sampling import samples_needed
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -127,7 +127,8 @@ class NonuniformFFT(Method[Pupil]):
         """Return the samples of a single pupil, with errors of U below `budget`."""
         step = grid.step(pupil)
         reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
-        degree = degree_needed(edge_amplitudes(pupil), reach, pupil.illumination, budget)
+        terms = edge_amplitudes(pupil).items()
+        degree = degree_needed([(n, w) for (n, _), w in terms], reach, pupil.illumination, budget)
         x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
         phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()
         # An axis off the default place is a tilt of the pupil.
@@ -141,14 +142,6 @@ class NonuniformFFT(Method[Pupil]):
         plan.setpts(step * y, step * x)
         field = plan.execute(strengths)
         return np.asarray(field.real**2 + field.imag**2)
-
-
-def edge_amplitudes(pupil: Pupil) -> list[tuple[int, float]]:
-    """Return (n, W) of the Zernike terms of a single pupil, cosine and sine of one order together."""
-    squares: dict[tuple[int, int], float] = {}
-    for (n, m), c in pupil.wavefront.edge_terms().items():
-        squares[n, abs(m)] = squares.get((n, abs(m)), 0.0) + float(c) ** 2
-    return [(n, math.sqrt(square)) for (n, _), square in squares.items() if square > 0.0]
 
 
 def library() -> Any:

@@ -20,7 +20,7 @@ from lommel.optics.grid import Grid
 
 if TYPE_CHECKING:
     from lommel.methods.derivative_names import Name
-    from lommel.methods.derivatives.slopes import Slope
+    from lommel.methods.derivatives import Slope
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
@@ -49,7 +49,7 @@ class Asked(NamedTuple):
             layers = cast("ObjectivePupil", pupil)
             return layered_slopes(self.ways[0], layers, self.grid, names, question, energy=self.energy)
         if names:
-            from lommel.methods.derivatives.slopes import differentiated
+            from lommel.methods.derivatives import differentiated
             from lommel.optics.pupil import checked
 
             method = self.ways[0] if self.named else None

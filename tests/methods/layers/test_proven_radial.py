@@ -8,7 +8,7 @@ from scipy.special import j1, jvp
 
 import lommel as lm
 from lommel.methods import Bead, Confocal, TwoPhoton
-from lommel.methods.layers.refinement import BRIGHT_RING
+from lommel.methods.layers.debye_wolf import BRIGHT_RING
 from lommel.special.legendre import gauss_legendre
 from plane_waves import intensity
 

@@ -9,8 +9,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.methods.layers.disc_means import Values, disc_means, ellipses, gauss_error
-from lommel.methods.layers.orders import Orders, highest, light
-from lommel.methods.layers.proven_radial import ProvenMethod
+from lommel.methods.layers.orders import Orders, ProvenMethod, highest, light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _NODES_MOST = 200

@@ -10,8 +10,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.methods.layers.disc_means import disc_means
-from lommel.methods.layers.orders import Orders, highest, light, product
-from lommel.methods.layers.proven_radial import ProvenMethod
+from lommel.methods.layers.orders import Orders, ProvenMethod, highest, light, product
 from lommel.methods.method import RadialMethod
 from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
 from lommel.optics.layers.objective_pupil import ObjectivePupil

@@ -16,8 +16,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Images, Pixels, Slopes, Wanted
-from lommel.methods.derivatives.scaling import scaling_derivative, tilted
-from lommel.methods.derivatives.slopes import Slope
+from lommel.methods.derivatives import Slope, scaling_derivative, tilted
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
 from lommel.methods.method import Method, storing, widened

@@ -18,8 +18,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Pixels, Wanted
 from lommel.core.engine import Window, layered_images, layered_profiles
 from lommel.core.layers import Layered, LayeredSlopes
-from lommel.methods.layers.debye_wolf import DebyeWolf
-from lommel.methods.layers.refinement import likely_peak
+from lommel.methods.layers.debye_wolf import DebyeWolf, likely_peak
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
 from lommel.optics.layers.debye import Rule, Turning

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Intensities
+from lommel.methods.matrix_fourier import MAX_SAMPLES, pupil_functions, require_samples
 from lommel.methods.method import Method
-from lommel.methods.sampling import MAX_SAMPLES, pupil_functions, require_samples
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 

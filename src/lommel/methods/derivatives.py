@@ -1,4 +1,4 @@
-"""Images and the derivatives of :mod:`lommel.methods.derivative_names`, each with a proven error bound.
+r"""Images and the derivatives of :mod:`lommel.methods.derivative_names`, each with a proven error bound.
 
 Radially symmetric phases of circular and annular pupils are differentiated by the radial series, which also gives
 the derivatives with respect to position and scale; all others by the chordal rule. Polychromatic derivatives are sums
@@ -8,7 +8,7 @@ over the wavelengths.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple, cast
 
@@ -19,16 +19,114 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Pixels, Wanted
 from lommel.methods.choice import first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.derivative_names import Factor, Name, Parts, Term, parts
-from lommel.methods.derivatives.scaling import TILTS, scaling_derivative, tilted
-from lommel.methods.method import Method, storing, widened
+from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
+from lommel.methods.method import Method, edge_amplitudes, storing, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.pixels.averaging import blocks, filtered_by, finer, least_average, weighed
+from lommel.methods.pixels.averaging import Taps, blocks, filtered_by, finer, least_average, sloping, weighed
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.opening import degree_needed
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
+
+TILTS = SHIFTS["column"], SHIFTS["row"]
+"""Zernike terms that derivatives by the scale are made of."""
+
+_FINER = 0.1  # of the tolerance, which samples are asked for: their errors are multiplied by some 4
+
+Ask = Callable[[Method, BasePupil, Grid, Wanted], Images]
+"""From a method, pupils, pixels and how they are wanted to samples with bounds."""
+
+# In a pixel around ``v_c`` the position is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the average
+# of ``grad I``, given by derivatives by tilts, plus the average of ``u . grad I``, the change of the average as the
+# pixel itself grows. Along x the latter multiplies the transfer function by ``cos(a w / 2) - sinc(a w / 2)``, the
+# derivative of the sinc by ln a, and along y by the sinc; there are two such terms.
+
+
+def _images(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
+    return method.images(pupil, grid, wanted)  # not Method.images itself, which no subclass overrides
+
+
+def scaling_derivative(
+    engine: Method,
+    pupil: BasePupil,
+    grid: Grid,
+    tilts: Sequence[tuple[Array, Array]],
+    threads: int = 0,
+    ask: Ask = _images,
+) -> tuple[Array, Array]:
+    """Return ``v . grad I``, or its averages, from the derivatives of I by the :data:`TILTS`."""
+    count, step = math.prod(pupil.shape), grid.step(pupil)
+    total, error = np.zeros((count, *grid.shape)), np.zeros(count)
+    across, down = (step / grid.side * part for part in grid.positions(pupil.shape))
+    for v, (slope, off) in zip((across[:, None, :], down[:, :, None]), tilts, strict=True):
+        total -= v * slope
+        far = np.abs(v).max(axis=(1, 2))
+        error += far * (off + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
+    if grid.integrate:
+        values, off = _strain(engine, pupil, grid, threads, ask)
+        total += values
+        error += off
+    return total, error
+
+
+def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask) -> tuple[Array, Array]:
+    """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
+    step = grid.step(pupil)
+    response = max(1e-3 * engine.tol * least_average(step), 1e-13)
+    plain, growing = _alike(filtered_by(step, response), filtered_by(step, response, growing=True))
+    # Neither response is larger than 2.
+    missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
+    # A phase or an amplitude off by e changes U and its gradient by e int A at most, and u is half a diagonal.
+    of_phase, of_light = pupil.left_out
+    left = of_phase + 2.0 * of_light
+    missed += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
+    count = math.prod(pupil.shape)
+    total, error = np.empty((count, *grid.shape)), np.empty(count)
+    for part, values, off in _sampled(engine, pupil, grid, plain, threads, ask):
+        total[part] = weighed(values, plain, growing, threads)
+        total[part] += weighed(values, growing, plain, threads)
+        error[part] = 2.0 * plain.gain * growing.gain * off + missed
+    return total, error
+
+
+def tilted(
+    engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0, ask: Ask = _images
+) -> list[tuple[Array, Array]]:
+    """Return the derivatives of I by the :data:`TILTS`, ``-grad I``, from samples of I alone."""
+    step = grid.step(pupil)
+    response = max(1e-3 * engine.tol * (least_average(step) if grid.integrate else 1.0), 1e-13)
+    slope = sloping(step, response, averages=grid.integrate)
+    plain = filtered_by(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
+    slope, plain = _alike(slope, plain)
+    # The response to slopes is at most 2, that of averages 1.
+    missed = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * pupil.amplitude**2
+    count = math.prod(pupil.shape)
+    (across, down), error = np.empty((2, count, *grid.shape)), np.empty(count)
+    for part, values, off in _sampled(engine, pupil, grid, plain, threads, ask):
+        across[part], down[part] = weighed(values, plain, slope, threads), weighed(values, slope, plain, threads)
+        error[part] = plain.gain * slope.gain * off + missed
+    return [(-across, error), (-down, error)]
+
+
+def _sampled(
+    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, ask: Ask
+) -> Iterator[tuple[slice, Array, Array]]:
+    """Yield samples of I for such filters, some pupils at once, and bounds on their errors with those of sums."""
+    fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
+    for part, one, pixels in blocks(pupil, grid, taps):
+        question = one, finer(pixels, taps), Wanted(threads=threads)
+        # Double precision may hold what is asked for, and no less.
+        _, made = first_proven((fine, engine), lambda way: ask(way, *question))  # noqa: B023
+        yield part, made.values, made.brightest * (made.bound + rounded)
+
+
+def _alike(one: Taps, other: Taps) -> tuple[Taps, Taps]:
+    """Return two filters with as many weights, zeros at the ends of the shorter."""
+    size = max(one.weights.size, other.weights.size)
+    return tuple(t._replace(weights=np.pad(t.weights, (size - t.weights.size) // 2)) for t in (one, other))  # type: ignore[return-value]
+
 
 # ``dU/d eps = -(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``, minus the field of
 # the rim, by the trapezoidal rule, which converges geometrically for a periodic entire integrand. U is that of the
@@ -73,7 +171,7 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
     reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
     aim = max(0.1 * error / (amplitude + light), 1e-15)
-    terms = _amplitudes(pupil)
+    terms = edge_amplitudes(pupil)
     x, y, weight = pupil.rule(degree_needed([(n, w) for (n, _), w in terms.items()], reach, pupil.illumination, aim))
     disk = _fields(pupil, x, y, weight, across, down)
     nodes = _nodes(terms, eps, reach, aim / light)
@@ -81,18 +179,13 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
     # A phase or an amplitude off by e changes both fields by e of what they are at most; so do roundings.
     left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
-    left += _rounding(pupil, reach, max(nodes, weight.size))
+    # Roundings over the integral of the amplitude; certificate, section 8.
+    of_terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
+    phases = float((np.abs(pupil.wavefront.edge) @ of_terms).max())
+    left += _UNIT * (phases + 12.0 * reach + 3.0 * _NODES + max(nodes, weight.size) / _NODES + 40.0)
     of_disk, of_rim = aim + left * amplitude, aim + left * light
     off = np.full(len(across), 2.0 * (amplitude * of_rim + light * of_disk + of_rim * of_disk))
     return -2.0 * (disk.real * rim.real + disk.imag * rim.imag), off
-
-
-def _amplitudes(pupil: Pupil) -> dict[tuple[int, int], float]:
-    """Return the largest amplitude of cosine and sine of each (n, m) throughout the stack, m >= 0."""
-    squares: dict[tuple[int, int], float | Array] = {}
-    for (n, m), c in pupil.wavefront.edge_terms().items():
-        squares[n, abs(m)] = squares.get((n, abs(m)), 0.0) + c**2
-    return {term: math.sqrt(float(np.max(square))) for term, square in squares.items() if np.any(square)}
 
 
 def _nodes(terms: dict[tuple[int, int], float], eps: float, reach: float, error: float) -> int:
@@ -105,13 +198,6 @@ def _nodes(terms: dict[tuple[int, int], float], eps: float, reach: float, error:
     for (n, m), w in terms.items():
         size = size + w * abs(float(zernike.radial(n, m, np.array(eps)))) * np.sinh(np.minimum(m * _B, 700.0))
     return max(1, math.ceil(float(((size + math.log(2.0 / error + 1.0)) / _B).min())))
-
-
-def _rounding(pupil: Pupil, reach: float, nodes: int) -> float:
-    """Bound what rounding does to a field over the integral of its amplitude; certificate, section 8."""
-    terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])
-    phases = float((np.abs(pupil.wavefront.edge) @ terms).max())
-    return _UNIT * (phases + 12.0 * reach + 3.0 * _NODES + nodes / _NODES + 40.0)
 
 
 def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down: Array) -> NDArray[np.complex128]:
@@ -169,21 +255,22 @@ def differentiated(
         return rule, made, list(map(Slope, *made.slopes))
     sums = [parts(name, pupil, grid.step(pupil), energy=energy) for name in names]
     way, engine = engines(method, pupil, names, sums, tol)
-    powers = isinstance(engine, NijboerZernike)
-    sums = [each._replace(phases=translated(each.phases, powers=powers)) for each in sums]
-    # What is one derivative times a factor is stored by what makes the images, all else summed in double precision.
-    easy = [way is engine and _single(each, engine) for each in sums]
-    simple, others = (
-        [each for each, is_one in zip(sums, easy, strict=True) if is_one is which] for which in (True, False)
-    )
-    keys = _keys(simple)
+    radial = isinstance(engine, NijboerZernike)
+    sums = [each._replace(phases=translated(each.phases, powers=radial)) for each in sums]
+
+    def simple(each: Parts) -> bool:
+        """Return whether a derivative is one by a coefficient, times a factor, as `way` has it along with images."""
+        tilt = radial and any(key in TILTS for key in each.phases)
+        more = tilt or np.any(each.own) or np.any(each.scaling) or each.obscuration
+        return way is engine and len(each.phases) == 1 and not more
+
+    # What is simple is stored by what makes the images, all else summed in double precision.
+    stored, others = [each for each in sums if simple(each)], [each for each in sums if not simple(each)]
+    keys = _keys(stored)
     made = widened(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
-    taken = iter(_taken(made, simple, keys))
+    taken = iter(_taken(made, stored, keys))
     pieces = _pieces(way, engine, pupil, grid, made, wanted, others) if others else {}
-    slopes = [
-        next(taken) if is_one else _combined(each, made, pieces, wanted.dtype)
-        for each, is_one in zip(sums, easy, strict=True)
-    ]
+    slopes = [next(taken) if simple(each) else _combined(each, made, pieces, wanted.dtype) for each in sums]
     return way, made, slopes
 
 
@@ -240,12 +327,6 @@ def _radial_key(key: Key) -> bool:
 def _radial(each: Parts) -> bool:
     """Return whether the radial series has a derivative."""
     return all(map(_radial_key, each.phases)) and not each.obscuration
-
-
-def _single(each: Parts, engine: Method) -> bool:
-    """Return whether a derivative is one by a coefficient, times a factor, as the engine has it along with images."""
-    tilt = isinstance(engine, NijboerZernike) and any(key in TILTS for key in each.phases)
-    return len(each.phases) == 1 and not (tilt or np.any(each.own) or np.any(each.scaling) or each.obscuration)
 
 
 def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Factor]:
@@ -309,13 +390,7 @@ def _most(values: Pixels) -> Array:
 
 
 def _pieces(
-    way: Method,
-    engine: Method,
-    pupil: Pupil,
-    grid: Grid,
-    made: Images,
-    wanted: Wanted,
-    sums: Sequence[Parts],
+    way: Method, engine: Method, pupil: Pupil, grid: Grid, made: Images, wanted: Wanted, sums: Sequence[Parts]
 ) -> dict[object, Piece]:
     """Return all that the derivatives of images are summed from but these, in double precision, over all light."""
     # Powers cancel, by those of the highest radial term 321 times at most.
@@ -353,11 +428,8 @@ def _pieces(
             # Phases are path differences: in radians they grow as the wavelength falls.
             add(key, *slopes[key], scale * part.stretch)
         if scales:
-            add(
-                "scaling",
-                *scaling_derivative(engine, part.pupil, grid, [slopes[key] for key in TILTS], threads),
-                scale,
-            )
+            tilts = [slopes[key] for key in TILTS]
+            add("scaling", *scaling_derivative(engine, part.pupil, grid, tilts, threads), scale)
         if obscures:
             add("obscuration", *obscuration_derivative(part.pupil, grid, 0.1 * engine.tol * faintest), scale)
     return found

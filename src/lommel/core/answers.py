@@ -51,9 +51,8 @@ class Intensities(NamedTuple):
 class Wanted(NamedTuple):
     """How images are wanted: their scale, type and place, derivatives and threads."""
 
-    scale: float | Array | None = (
-        1.0  # factor of I, for each image (n,) or all; None divides each by its largest value
-    )
+    # Factor of I, for each image (n,) or all; None divides each by its largest value.
+    scale: float | Array | None = 1.0
     dtype: DTypeLike = np.float64  # float32 or float64
     out: Pixels | None = None  # (n, height, width), where to write the values
     powers: tuple[int, ...] = ()  # k of each coefficient of t^k to differentiate by

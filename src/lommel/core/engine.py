@@ -113,23 +113,12 @@ def radial_plan(
     """
     (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
     height, width = window.shape
+    place: dict[str, Any] = {"height": height, "width": width, "center_y": row, "center_x": column}
+    place |= {"step": window.step, "integrate": integrate, "threads": wanted.threads}
     plan = _core.RadialPlan(
-        obscuration=stack.obscuration,
-        amplitude=stack.amplitude,
-        height=height,
-        width=width,
-        center_y=row,
-        center_x=column,
-        step=window.step,
-        integrate=integrate,
-        tol=tol,
-        threads=wanted.threads,
-        scale=scale,
-        kind=kind,
+        obscuration=stack.obscuration, amplitude=stack.amplitude, tol=tol, scale=scale, kind=kind, **place
     )
-    over = _over(wanted)
-
-    alike = np.full(shape, scale)
+    over, alike = _over(wanted), np.full(shape, scale)
     alike.flags.writeable = False  # one for all answers
     render = plan.render
 
@@ -261,7 +250,7 @@ def layered_images(
     *,
     integrate: bool = False,
     slopes: "LayeredSlopes | None" = None,
-) -> tuple[Images, Pixels, Array] | None:
+) -> Images | None:
     """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance."""
     count = asked.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
@@ -275,7 +264,8 @@ def layered_images(
         more |= {"change": slopes.changes, "slopes": found, "slope_errors": errors}
     images: Callable[..., bool] = _core.layered_images
     made = images(*asked, centers, threads=wanted.threads, images=values, numbers=numbers, **more)
-    return (Images(values, numbers[0], numbers[1], None, numbers[2]), found, errors) if made else None
+    of = None if slopes is None else Slopes(found, errors / numbers[2])
+    return Images(values, numbers[0], numbers[1], of, numbers[2]) if made else None
 
 
 def layered_profiles(asked: "Layered", v: Array, threads: int = 1) -> tuple[Array, Array]:

@@ -47,9 +47,8 @@ Factor = float | Array
 class Parts(NamedTuple):
     """A derivative of images as a sum of parts; each factor is a number, or one for each pupil."""
 
-    phases: Mapping[int | Term, Factor] = MappingProxyType(
-        {}
-    )  # factors of derivatives by the coefficient of rho^(2k), under k, or of a term, under (n, m)
+    # Factors of derivatives by the coefficient of rho^(2k), under k, or of a term, under (n, m).
+    phases: Mapping[int | Term, Factor] = MappingProxyType({})
     own: Factor = 0.0  # factor of the image itself
     scaling: Factor = 0.0  # factor of scale v . grad I
     obscuration: float = 0.0  # factor of the derivative of I, times the scale, by the obscuration
@@ -106,51 +105,47 @@ def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
         return Parts({SHIFTS[name]: step})
     if name in LAYERED:
         raise ValueError(f"derivatives by {name!r} are of the pupils of an Objective")
-    return _OTHERS[name](_Values(pupil, -2.0 if energy else 0.0))
+    return _OTHERS[name](pupil, -2.0 if energy else 0.0)
 
 
-class _Values(NamedTuple):
-    """Of what derivatives are wanted: d ln scale / d ln N is `squeeze`."""
-
-    pupil: Pupil
-    squeeze: float
+# Of a pupil, and of d ln scale / d ln N, which is `squeeze`.
 
 
-def _f_number(of: _Values) -> Parts:
-    n = _metric("f_number", of.pupil)[1]
-    return Parts(own=of.squeeze / n, scaling=-1.0 / n)
+def _f_number(pupil: Pupil, squeeze: float) -> Parts:
+    n = _metric("f_number", pupil)[1]
+    return Parts(own=squeeze / n, scaling=-1.0 / n)
 
 
-def _wavelength(of: _Values) -> Parts:
+def _wavelength(pupil: Pupil, squeeze: float) -> Parts:
     # Path differences stay, so that phases fall as the wavelength grows.
-    wave, wavefront = _metric("wavelength", of.pupil)[0], of.pupil.wavefront
+    wave, wavefront = _metric("wavelength", pupil)[0], pupil.wavefront
     edge = wavefront.edge.reshape(-1, len(wavefront.terms))
     phases: dict[int | Term, Factor] = {
         term: edge[:, j] / -wave for j, term in enumerate(wavefront.terms) if edge[:, j].any()
     }
-    return Parts(phases, of.squeeze / wave, -1.0 / wave, unknown=1.0 / wave)
+    return Parts(phases, squeeze / wave, -1.0 / wave, unknown=1.0 / wave)
 
 
-def _obscuration(of: _Values) -> Parts:
-    pupil, eps = of.pupil, of.pupil.obscuration
+def _obscuration(pupil: Pupil, squeeze: float) -> Parts:
+    eps = pupil.obscuration
     edge = float(pupil.illumination.at(np.array(eps * eps)))
     # Of what values are divided by: all light or, where values are relative to it, the peak without aberration.
-    lost = 2.0 * eps * edge**2 / pupil.transmission if of.squeeze else 4.0 * eps * edge / pupil.amplitude
+    lost = 2.0 * eps * edge**2 / pupil.transmission if squeeze else 4.0 * eps * edge / pupil.amplitude
     return Parts(own=lost, obscuration=1.0 if eps else 0.0)
 
 
-def _object_distance(of: _Values) -> Parts:
-    rate, lens = _lens("object_distance", of.pupil)
+def _object_distance(pupil: Pupil, _: float) -> Parts:
+    rate, lens = _lens("object_distance", pupil)
     return Parts({1: -2.0 * rate / np.square(lens.object_distance)})
 
 
-def _focus_distance(of: _Values) -> Parts:
-    rate, lens = _lens("focus_distance", of.pupil)
+def _focus_distance(pupil: Pupil, squeeze: float) -> Parts:
+    rate, lens = _lens("focus_distance", pupil)
     nearer = -lens.sensor_distance * lens.in_focus**2  # d ln N, as the sensor moves
-    return Parts({1: 2.0 * rate * lens.in_focus**2}, of.squeeze * nearer, -nearer)
+    return Parts({1: 2.0 * rate * lens.in_focus**2}, squeeze * nearer, -nearer)
 
 
-_OTHERS: dict[str, Callable[[_Values], Parts]] = {
+_OTHERS: dict[str, Callable[[Pupil, float], Parts]] = {
     "wavelength": _wavelength,
     "f_number": _f_number,
     "obscuration": _obscuration,

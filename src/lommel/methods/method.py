@@ -75,8 +75,11 @@ class Method(ABC, Generic[P]):
 
     def __post_init__(self) -> None:
         if self._has_tol:
-            tol = validation.real("tol", self.tol, least=self.least_tol, below=self.most_tol)
-            object.__setattr__(self, "tol", tol)
+            self._check_tol()
+
+    def _check_tol(self) -> None:
+        tol = validation.real("tol", self.tol, least=self.least_tol, below=self.most_tol)
+        object.__setattr__(self, "tol", tol)
 
     def unsupported(self, pupil: P) -> str | None:
         """Return why `pupil` is not supported, or None if it is: here, that every one is."""

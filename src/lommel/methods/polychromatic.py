@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -18,36 +17,35 @@ from lommel.optics.colour.spectrum import Component, Spectrum
 from lommel.optics.grid import Grid
 
 
-class Contract(NamedTuple):
-    """The tolerance of every sum."""
-
-    tol: float  # over the peak of each sum, or over its largest value in the window
-    named: float  # the tolerance that messages name
-    least: float  # the least that parts can be asked for
-    kept: bool  # whether the tolerance is a contract, of parts that have a bound
-    window: bool = False  # whether errors relate to the largest value in the window
-
-
 def mixed(
-    parts: Sequence[Component], shares: Array, ask: Callable[[Component, float], Intensities], contract: Contract
+    parts: Sequence[Component],
+    shares: Array,
+    ask: Callable[[Component, float], Intensities],
+    way: Polychromatic,
+    tol: float,
+    window: bool = False,
 ) -> list[Intensities]:
-    """Return sums of what is asked for each wavelength, every one to its tolerance."""
-    weights, asked = shares * np.array([part.stretch**2 for part in parts]), contract.tol
+    """Return sums of what is asked for each wavelength, every one to `tol` over its peak.
+
+    Or, with `window`, over its largest value in the window: a contract where `way` keeps one.
+    """
+    weights = shares * np.array([part.stretch**2 for part in parts])
+    asked, least = tol, (way.method or Method).least_tol
     while True:
         try:
-            made = _sums(parts, weights, ask, asked, window=contract.window)
+            made = _sums(parts, weights, ask, asked, window)
         except ToleranceError as fault:
             raise ToleranceError(
-                f"tol={contract.named:g} cannot be met by a sum over wavelengths each of which must be exact to "
+                f"tol={way.tol:g} cannot be met by a sum over wavelengths each of which must be exact to "
                 f"{asked:.2g} of its peak: {fault}"
             ) from None
         errors = [float(each.error.max()) for each in made if each.error is not None]
-        if not errors or not contract.kept or (worst := max(errors)) <= contract.tol:
+        if not errors or not way.keeps_tol or (worst := max(errors)) <= tol:
             return made
         # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
-        if asked <= contract.least:
-            raise not_met(contract.named, worst, "the largest value in the window" if contract.window else "the peak")
-        asked = max(contract.least, asked * max(1e-3, min(0.5, 0.5 * contract.tol / worst)))
+        if asked <= least:
+            raise not_met(way.tol, worst, "the largest value in the window" if window else "the peak")
+        asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
 
 
 def _sums(
@@ -55,7 +53,6 @@ def _sums(
     weights: Array,
     ask: Callable[[Component, float], Intensities],
     asked: float,
-    *,
     window: bool,
 ) -> list[Intensities]:
     """Return weighted sums of intensities, and their errors over what their peaks are at least.
@@ -198,11 +195,11 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
             return way.profile(part.pupil, v * part.stretch)
 
         parts = self.components(pupil)
-        return mixed(parts, np.array([self.weights]), ask, self.contract(self.tol))[0]
+        return mixed(parts, np.array([self.weights]), ask, self, self.tol)[0]
 
     def intensity(self, pupil: BasePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
-        return self._recorded(pupil, grid, threads, self.tol)
+        return together((self,), pupil, grid, threads, self.tol)[0]
 
     def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
@@ -213,17 +210,8 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         aim = self.tol - 1.1 * storing(wanted.dtype)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = aim if wanted.scale is not None else 0.48 * aim
-        made = self._recorded(pupil, grid, wanted.threads, aim, window=wanted.scale is None)
-        return painted(made, grid, wanted)
-
-    def _recorded(
-        self, pupil: BasePupil, grid: Grid, threads: int, tol: float, *, window: bool = False
-    ) -> Intensities:
-        return together((self,), pupil, grid, threads, tol, window=window)[0]
-
-    def contract(self, tol: float, *, window: bool = False) -> Contract:
-        """Return what is promised of the sum: `tol` over its peak, or over its largest value in the `window`."""
-        return Contract(tol, self.tol, (self.method or Method).least_tol, self.keeps_tol, window)
+        made = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
+        return painted(made[0], grid, wanted)
 
 
 def together(
@@ -248,4 +236,4 @@ def together(
         grid.paint(made.values, np.ones(len(values)), values)
         return made._replace(values=values)
 
-    return mixed(parts, shares, ask, sums[0].contract(tol, window=window))
+    return mixed(parts, shares, ask, sums[0], tol, window)

@@ -25,7 +25,7 @@ def test_what_is_between_radii_is_off_by_no_more_than_is_said():
     # Of fields that are exact all error is that of polynomials.
     pupil, side, step = planes(), 65, 0.61
     asked = layered(pupil, corner(side, step), 1e-13)
-    made = layered_images(asked, Window((side, side), (32.0, 32.0), step), 3e-2, Wanted(1.0, np.float64))[0]
+    made = layered_images(asked, Window((side, side), (32.0, 32.0), step), 3e-2, Wanted(1.0, np.float64))
     line = lm.DebyeWolf(1e-12).profile(pupil, step * np.arange(33.0)).values
     off = np.abs(made.values[:, 32, 32:] - line).max(axis=1)
     assert np.all(off <= made.error * made.peak)
@@ -47,7 +47,7 @@ def test_the_last_radius_is_in_the_last_piece_however_it_rounds():
     exact = lm.DebyeWolf(1e-9).profile(pupil, np.array([corner(side, step) for step in steps])).values[0]
     for step, known in zip(steps, exact, strict=True):
         window = Window((side, side), (24.0, 24.0), float(step))
-        made = layered_images(asked, window, 1e-9, Wanted(1.0, np.float64))[0]
+        made = layered_images(asked, window, 1e-9, Wanted(1.0, np.float64))
         assert abs(made.values[0, 0, 0] - known) <= 1e-8
 
 

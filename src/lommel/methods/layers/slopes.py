@@ -9,18 +9,18 @@ each pixel. The light lost by an emitter near the cover glass depends on its dep
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core import engine
-from lommel.core.answers import Images, Pixels, Slopes, Wanted
+from lommel.core.answers import Images, Slopes, Wanted
 from lommel.methods.derivatives import Slope, scaling_derivative, tilted
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
 from lommel.methods.method import Method, storing, widened
-from lommel.methods.pixels.averaging import Sample, averaged_images
+from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
@@ -40,29 +40,30 @@ Rates = Callable[[ObjectivePupil], Sequence[By]]
 """From planes to the derivatives that are wanted of these."""
 
 
-class Sampled(NamedTuple):
-    """Images, with derivatives as these are stored."""
-
-    images: Images
-    values: Pixels
-    error: Array
-
-
-def sampled_slopes(method: Method, pupil: ObjectivePupil, grid: Grid, rates: Rates, wanted: Wanted) -> Sampled:
+def sampled_slopes(method: Method, pupil: ObjectivePupil, grid: Grid, rates: Rates, wanted: Wanted) -> Images:
     """Return images by DebyeRings or Stratified and their derivatives."""
     by = rates(pupil)
     most = debye.steepest(pupil.layers, pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel())
     # What derivatives are divided by, so that their transfer functions are at most twice that of the aperture.
     sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * float(np.abs(one.own).max(initial=0.0)) for one in by]
-    sample = _by_circles(method, rates, sizes, most) if isinstance(method, DebyeRings) else _by_engine(rates, sizes)
+
+    def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        each, plain = list(zip(rates(pupil), sizes, strict=True)), wanted._replace(terms=())
+        if isinstance(method, DebyeRings):
+            return _by_circles(method, pupil, grid, each, most, tol, plain)
+        return _by_engine(pupil, grid, each, tol, plain)
+
     question = wanted._replace(terms=((0, 0),) * len(by))  # as many
-    make = averaged_images if grid.integrate else _at_centres
-    made = widened(make(sample, pupil, grid, method.tol, question), pupil, method, normalized=False)
+    if grid.integrate:
+        made = averaged_images(sample, pupil, grid, method.tol, question)
+    else:
+        made = sample(pupil, grid, method.tol, question)
+    made = widened(made, pupil, method, normalized=False)
     assert made.slopes is not None
-    count = np.array(sizes)
-    for values, size in zip(made.slopes.values, sizes, strict=True):
-        values *= size
-    return Sampled(made._replace(slopes=None), made.slopes.values, count[:, None] * made.slopes.error)
+    values, error = made.slopes
+    for each, size in zip(values, sizes, strict=True):
+        each *= size
+    return made._replace(slopes=Slopes(values, np.array(sizes)[:, None] * error))
 
 
 def engine_slopes(
@@ -72,7 +73,7 @@ def engine_slopes(
     tol: float,
     wanted: Wanted,
     otherwise: Callable[[], Images] | None,
-) -> Sampled | None:
+) -> Images | None:
     """Return images and derivatives by the engine, or None where it has no such windows.
 
     Derivatives have bounds and no tolerance: where rounding keeps the engine from that of the images, they come with
@@ -80,69 +81,52 @@ def engine_slopes(
     """
     for looser in (1.0, 10.0, 100.0, 1000.0):
         if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
-            images, values, wrong = found
-            error = wrong / images.brightest
-            return Sampled(images if looser == 1.0 or otherwise is None else otherwise(), values, error)
+            return found if looser == 1.0 or otherwise is None else otherwise()._replace(slopes=found.slopes)
     return None
 
 
-def _at_centres(
-    sample: Sample[ObjectivePupil], pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted
+def _by_engine(
+    pupil: ObjectivePupil, grid: Grid, each: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Images:
-    return sample(pupil, grid, tol, wanted)
-
-
-def _by_engine(rates: Rates, sizes: Sequence[float]) -> Sample[ObjectivePupil]:
-    """Return samples by Stratified, with derivatives over `sizes`."""
-
-    def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        by = [
-            one._replace(factor=one.factor / size, own=np.asarray(one.own) / size)
-            for one, size in zip(rates(pupil), sizes, strict=True)
-        ]
-        question, way = wanted._replace(terms=()), Stratified(max(tol, Stratified.least_tol))
-        found = engine_slopes(pupil, grid, by, way.tol, question, lambda: way._samples(pupil, grid, tol, question))
-        if found is None:
-            raise ValueError(
-                "derivatives of light that depends on the azimuth are in windows up to "
-                f"{110.0 / grid.step(pupil):.0f} pixels from each axis; ask for a smaller shape, or a larger tol"
-            )
-        return found.images._replace(slopes=Slopes(found.values, found.error))
-
-    return sample
+    """Return samples by Stratified, with derivatives over a size each."""
+    by = [one._replace(factor=one.factor / size, own=np.asarray(one.own) / size) for one, size in each]
+    way = Stratified(max(tol, Stratified.least_tol))
+    found = engine_slopes(pupil, grid, by, way.tol, wanted, lambda: way._samples(pupil, grid, tol, wanted))
+    if found is None:
+        raise ValueError(
+            "derivatives of light that depends on the azimuth are in windows up to "
+            f"{110.0 / grid.step(pupil):.0f} pixels from each axis; ask for a smaller shape, or a larger tol"
+        )
+    return found
 
 
 def _by_circles(
-    method: DebyeRings, rates: Rates, sizes: Sequence[float], most: tuple[float, float, float]
-) -> Sample[ObjectivePupil]:
-    """Return samples by DebyeRings, with derivatives over `sizes`; `most` is what factors are at most."""
-
-    def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made, accuracy = method.refined(pupil, grid, tol, wanted._replace(terms=()))
-        plain = Wanted(threads=wanted.threads)
-        values = np.empty((len(sizes), *made.values.shape), wanted.dtype)
-        error = np.empty((len(sizes), len(made.values)))
-        for k, (one, size) in enumerate(zip(rates(pupil), sizes, strict=True)):
-            steep, middle = most[one.which], pupil.layers.middle_rates()[1 + one.which]
-            up, down = (
-                ringed(pupil, grid, accuracy, plain, Turn(one.which + 1, sign * 1j / steep, middle))
-                for sign in (1.0, -1.0)
-            )
-            share = 2.0 * one.factor * steep / size
-            own = np.broadcast_to(np.asarray(one.own) / size, made.scale.shape)
-            slope = share * (up.values - down.values) * made.scale[:, None, None] + own[:, None, None] * made.values
-            off = _absolute(up) + _absolute(down)
-            largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / made.scale
-            wrong = abs(share) * off + (storing(wanted.dtype) + 2.0**-48) * largest
-            values[k], error[k] = slope, wrong / made.brightest + np.abs(own) * (made.bound + 1e-12)
-        return made._replace(slopes=Slopes(values, error))
-
-    return sample
-
-
-def _absolute(made: Images) -> Array:
-    """Return the bound on the error of I."""
-    return made.bound * made.brightest
+    method: DebyeRings,
+    pupil: ObjectivePupil,
+    grid: Grid,
+    each: Sequence[tuple[By, float]],
+    most: tuple[float, float, float],
+    tol: float,
+    wanted: Wanted,
+) -> Images:
+    """Return samples by DebyeRings, with derivatives over a size each; `most` is what factors are at most."""
+    made, accuracy = method.refined(pupil, grid, tol, wanted)
+    values = np.empty((len(each), *made.values.shape), wanted.dtype)
+    error = np.empty((len(each), len(made.values)))
+    for k, (one, size) in enumerate(each):
+        steep, middle = most[one.which], pupil.layers.middle_rates()[1 + one.which]
+        up, down = (
+            ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(one.which + 1, turn / steep, middle))
+            for turn in (1j, -1j)
+        )
+        share = 2.0 * one.factor * steep / size
+        own = np.broadcast_to(np.asarray(one.own) / size, made.scale.shape)
+        slope = share * (up.values - down.values) * made.scale[:, None, None] + own[:, None, None] * made.values
+        off = up.bound * up.brightest + down.bound * down.brightest
+        largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / made.scale
+        wrong = abs(share) * off + (storing(wanted.dtype) + 2.0**-48) * largest
+        values[k], error[k] = slope, wrong / made.brightest + np.abs(own) * (made.bound + 1e-12)
+    return made._replace(slopes=Slopes(values, error))
 
 
 _AXIS = ("row", "column")
@@ -177,9 +161,14 @@ def layered_slopes(
         return [_by(name, planes, far=isinstance(wanted.scale, np.ndarray), energy=energy) for name in kinds]
 
     if pupil.radial:
-        made, each = _radial(method, pupil, grid, kinds, rates, wanted, axis=axis)
+        made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
+    elif kinds:
+        made = sampled_slopes(method, pupil, grid, rates, wanted)
     else:
-        made, each = _any(method, pupil, grid, kinds, rates, wanted)
+        made = widened(method.images(pupil, grid, wanted), pupil, method, normalized=False)
+    each: dict[Name, Slope] = {}
+    if made.slopes is not None:  # by the axis or without
+        each |= zip((*kinds, *_AXIS), map(Slope, *made.slopes), strict=False)
     grows = "wavelength" in kinds and not pupil.radial
     if (axis and "row" not in each) or grows:
         # What is left out of the phase moves fields and their gradients by as much.
@@ -195,41 +184,20 @@ def layered_slopes(
 
 
 def _radial(
-    method: Method,
-    pupil: ObjectivePupil,
-    grid: Grid,
-    kinds: Sequence[str],
-    rates: Rates,
-    wanted: Wanted,
-    *,
-    axis: bool,
-) -> tuple[Images, dict[Name, Slope]]:
+    method: Method, pupil: ObjectivePupil, grid: Grid, kinds: list[str], by: Sequence[By], wanted: Wanted, axis: bool
+) -> Images:
     """Return images and the derivatives that the engine has in such windows."""
-    by = rates(pupil)
-    moved = [By(engine.BY_AXIS)] if axis else []
-    for asked in ([*by, *moved], by) if moved else (by,):
-        if not asked:
-            continue
-        found = engine_slopes(pupil, grid, asked, method.tol, wanted, lambda: method.images(pupil, grid, wanted))
-        if found is not None:
-            names = [*kinds, *(_AXIS if len(asked) > len(by) else ())]
-            return found.images, dict(zip(names, map(Slope, found.values, found.error), strict=True))
-    if by:
+    for asked in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
+        if asked:
+            found = engine_slopes(pupil, grid, asked, method.tol, wanted, lambda: method.images(pupil, grid, wanted))
+            if found is not None:
+                return found
+    if kinds:
         raise ValueError(
             f"derivatives by {kinds[0]!r} are of samples in windows up to {110.0 / grid.step(pupil):.0f} pixels from "
             "each axis, or of averages in any around their middle pixel; ask for a smaller shape, or a larger tol"
         )
-    return method.images(pupil, grid, wanted), {}
-
-
-def _any(
-    method: Method, pupil: ObjectivePupil, grid: Grid, kinds: Sequence[str], rates: Rates, wanted: Wanted
-) -> tuple[Images, dict[Name, Slope]]:
-    """Return images of light that depends on the azimuth, and what derivatives these have at a fixed v."""
-    if not kinds:
-        return widened(method.images(pupil, grid, wanted), pupil, method, normalized=False), {}
-    found = sampled_slopes(method, pupil, grid, rates, wanted)
-    return found.images, dict(zip(kinds, map(Slope, found.values, found.error), strict=True))
+    return method.images(pupil, grid, wanted)
 
 
 def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
@@ -237,7 +205,7 @@ def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Im
     if isinstance(method, Stratified):
         found = engine_slopes(cast("ObjectivePupil", pupil), grid, (), method.tol, wanted, None)
         if found is not None:
-            return found.images
+            return found
     return method.images(pupil, grid, wanted)
 
 
@@ -248,22 +216,20 @@ def _by(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
     """
     if name == "z":
         return By(engine.BY_FOCUS)
-    of_near, of_far = _power_rates(pupil, "depth" if name == "depth" else "wavenumber")
-    rate = of_far if far else of_near
+    model, shares = pupil.light.model, pupil.light.shares
+    kind = "depth" if name == "depth" else "wavenumber"
+    near, above = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
+    if far:
+        _, whole = debye.power(pupil.layers, np.zeros(0), model)
+        rate = np.full(pupil.power.shape, above @ shares / (whole @ shares))
+    else:
+        rate = near @ shares / pupil.power
     if name == "depth":
         return By(engine.BY_DEPTH, 1.0, -rate)
     # By ln k. The pixel is a larger part of the plane as v grows.
     return By(
         engine.BY_WAVENUMBER, -1.0 / pupil.wavelength, ((-2.0 if energy or far else 0.0) + rate) / pupil.wavelength
     )
-
-
-def _power_rates(pupil: ObjectivePupil, by: str) -> tuple[Array, Array]:
-    """Return the derivatives of the light that is collected over itself, of each plane, and far from the glass."""
-    model, shares = pupil.light.model, pupil.light.shares
-    near, far = debye.power(pupil.layers, pupil.depth.ravel(), model, by=by)
-    _, whole = debye.power(pupil.layers, np.zeros(0), model)
-    return near @ shares / pupil.power, np.full(pupil.power.shape, far @ shares / (whole @ shares))
 
 
 def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:

@@ -15,7 +15,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Pixels, Wanted
+from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import Window, layered_images, layered_profiles
 from lommel.core.layers import Layered, LayeredSlopes
 from lommel.methods.layers.debye_wolf import DebyeWolf, likely_peak
@@ -81,13 +81,12 @@ class Stratified(DebyeWolf):
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
-        if wanted.terms or wanted.powers or (grid.integrate and not pupil.radial):
-            return super().images(pupil, grid, wanted)
-        made = _made(pupil, grid, self.tol, wanted)
+        plain = not (wanted.terms or wanted.powers) and (pupil.radial or not grid.integrate)
+        made = differentiated(pupil, grid, (), self.tol, wanted) if plain else None
         return super().images(pupil, grid, wanted) if made is None else made
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = _made(pupil, grid, tol, wanted)
+        made = differentiated(pupil, grid, (), tol, wanted)
         return super()._samples(pupil, grid, tol, wanted) if made is None else made
 
 
@@ -120,16 +119,8 @@ def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: Obje
         peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
 
 
-def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
-    """Return images by the engine, or None where it has none, or none that is exact enough."""
-    made = differentiated(pupil, grid, (), tol, wanted)
-    return None if made is None else made[0]
-
-
-def differentiated(
-    pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted
-) -> tuple[Images, Pixels, Array] | None:
-    """Return images exact to `tol`, their derivatives, and bounds on the errors of these over the scale.
+def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted) -> Images | None:
+    """Return images exact to `tol`, and their derivatives.
 
     None where the engine has no such windows, or none that is exact enough; see
     :func:`lommel.core.engine.layered_images`.
@@ -139,18 +130,18 @@ def differentiated(
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 
-    def attempt(accuracy: _Accuracy) -> tuple[tuple[Images, Pixels, Array] | None, float]:
+    def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
         # Averages are more sums of fields than samples are.
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None
         if by:
-            errors, turned = _slopes(*_question(pupil, reach, field))
+            errors, turned = _slopes(_question(pupil, reach, field))
             each = np.array([(one.which, one.factor) for one in by])
             own = np.stack([np.broadcast_to(one.own, pupil.power.shape) for one in by])
             slopes = LayeredSlopes(each, own, errors, *turned)
         asked = layered(pupil, reach, field)
         made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate, slopes=slopes)
-        return made, 0.0 if made is None or made[0].error is None else float(made[0].error.max())
+        return made, 0.0 if made is None else float(made.bound.max())
 
     return _settled(attempt, pupil, tol)
 
@@ -162,9 +153,11 @@ def known(light: Light) -> bool:
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
     """Return a flattened stack as the core takes it, by fields that are exact to `tol` up to `reach` in v."""
-    found, parts, rates = _angles(*_question(pupil, reach, tol))
+    found, parts, rates = _angles(_question(pupil, reach, tol))
     planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
-    return Layered(found.rho, parts, rates, found.error, planes, *_forms(pupil.light))
+    harmonics = pupil.light.harmonics
+    turns = np.array([[h.order, h.cosine, h.sine] for h in harmonics], dtype=np.float64)
+    return Layered(found.rho, parts, rates, found.error, planes, np.stack([h.form for h in harmonics]), turns)
 
 
 def _question(pupil: ObjectivePupil, reach: float, tol: float) -> _Question:
@@ -172,11 +165,6 @@ def _question(pupil: ObjectivePupil, reach: float, tol: float) -> _Question:
     depth, layers = pupil.depth.ravel(), pupil.layers
     away = pupil.focus.ravel() - layers.immersion / layers.sample * depth
     return layers, pupil.light.model, _outwards(depth), _outwards(away), _above(reach), tol
-
-
-def _forms(light: Light) -> tuple[Complex, Array]:
-    forms = np.stack([h.form for h in light.harmonics])
-    return forms, np.array([[h.order, h.cosine, h.sine] for h in light.harmonics], dtype=np.float64)
 
 
 def _outwards(values: Array) -> tuple[float, float]:
@@ -198,18 +186,15 @@ def _corners(layers: Layers, depths: tuple[float, float], foci: tuple[float, flo
 
 
 @lru_cache(maxsize=32)
-def _angles(
-    layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
-) -> tuple[Rule, Complex, Complex]:
+def _angles(asked: _Question) -> tuple[Rule, Complex, Complex]:
+    layers, model, depths, foci, reach, tol = asked
     found = debye.rule(layers, model, *_corners(layers, depths, foci), reach, tol)
     return found, np.stack(found.parts), np.stack(found.rates)
 
 
 @lru_cache(maxsize=32)
-def _slopes(
-    layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
-) -> tuple[Array, Turning]:
+def _slopes(asked: _Question) -> tuple[Array, Turning]:
     """Return what derivatives of fields err by with these angles, and what these change by with the wavenumber."""
-    found, _, _ = _angles(layers, model, depths, foci, reach, tol)
+    (layers, model, depths, foci, reach, tol), (found, _, _) = asked, _angles(asked)
     errors = debye.slope_errors(found, layers, model, *_corners(layers, depths, foci), reach, tol)
     return np.array(errors), debye.turning(found, layers, model)

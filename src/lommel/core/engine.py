@@ -7,7 +7,7 @@ largest value" or "met", and a negative bound for "not met"; here these are None
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +15,6 @@ from numpy.typing import NDArray
 from lommel import _core
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Pixels, Slopes, Wanted, not_met
-
-if TYPE_CHECKING:
-    from lommel.core.layers import Layered, LayeredSlopes, Ringed, Rings
 
 # Functions of arrays without codes for what is not met: as the core has them.
 average_samples = _core.average_samples
@@ -238,18 +235,65 @@ def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) 
     return Intensities(values, bounds, peaks)
 
 
+class Layered(NamedTuple):
+    """Planes through layers: angles, and the fields of their light."""
+
+    rho: Array  # (q,)
+    parts: NDArray[np.complex128]  # (m, q), of orders 0, 1, ..., with the weights of the rule
+    rates: NDArray[np.complex128]  # (3, q), the phase, and its derivatives by depth and focus
+    error: float  # bound on the error of each part of the field
+    planes: Array  # (3, n), depth, focus and power
+    forms: NDArray[np.complex128]  # (k, m, m), Hermitian, of each order of the azimuth
+    turns: Array  # (k, 3), that order, and the factors of its cosine and its sine; order 0 first
+
+
+class LayeredSlopes(NamedTuple):
+    """Variables that images of such planes are differentiated by."""
+
+    by: Array  # (k, 2), BY_DEPTH, ... of the engine, and a factor of that derivative of I
+    own: Array  # (k, n), factor of I itself in each
+    of_fields: Array  # (4,), errors of fields in derivatives by depth, focus, v and ln k
+    turning: NDArray[np.complex128]  # (3, q), as `rates`, less a real number each
+    changes: NDArray[np.complex128] | None  # (m, q), derivatives of `parts` by ln k
+
+
+class Rings(NamedTuple):
+    """Planes with any wavefront: fields on circles, and their interpolation to pixels."""
+
+    bessel: Array  # (orders, circles, nodes)
+    parts: NDArray[np.complex128]  # (n or 1, 2 orders - 1, fields, nodes)
+    waves: NDArray[np.complex128]  # (n, nodes)
+    power: Array  # (n,)
+    angles: int  # on each circle, an fft_length
+    filter: Array  # weights of a circle, of those on either side, ...
+    along: Array  # (terms, 16), taps as polynomials, the highest power first
+    around: Array  # likewise
+    taps: tuple[int, int]  # numbers of taps along and around
+    gains: Array  # (2, 2 orders - 1), factors of orders of the intensity, and their errors
+
+
+class Ringed(NamedTuple):
+    """Sizes that bound the errors of such planes."""
+
+    squares: Array  # (fields, n), the largest of each field on circles
+    top: Array  # (n,), the largest intensity on circles
+    aliases: Array  # (n,), the error of the orders of one between angles, filtered
+    sums: Array  # (n,), the sum of their moduli, filtered
+    pixel: Array  # (n,), the largest pixel
+
+
 BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)
 """By what :func:`layered_images` differentiates."""
 
 
 def layered_images(
-    asked: "Layered",
+    asked: Layered,
     window: Window,
     allowed: float,
     wanted: Wanted,
     *,
     integrate: bool = False,
-    slopes: "LayeredSlopes | None" = None,
+    slopes: LayeredSlopes | None = None,
 ) -> Images | None:
     """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance."""
     count = asked.planes.shape[1]
@@ -268,15 +312,13 @@ def layered_images(
     return Images(values, numbers[0], numbers[1], of, numbers[2]) if made else None
 
 
-def layered_profiles(asked: "Layered", v: Array, threads: int = 1) -> tuple[Array, Array]:
+def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
     """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, ``(n,)``."""
     return _core.layered_profiles(*asked, v, threads)
 
 
-def ringed_images(asked: "Rings", window: Window, scales: Array, threads: int, out: Pixels) -> "Ringed":
+def ringed_images(asked: Rings, window: Window, scales: Array, threads: int, out: Pixels) -> Ringed:
     """Write intensities times scales; the step of the window is in circles, its centers are (n or 1, 2)."""
-    from lommel.core.layers import Ringed  # of microscopes alone
-
     centers = np.ascontiguousarray(window.center, dtype=np.float64)
     images: Callable[..., Array] = _core.ringed_images
     more = {"step": window.step, "scales": np.ascontiguousarray(scales), "threads": threads, "images": out}

@@ -95,7 +95,7 @@ def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
 
 def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
     """Bound the error of n-point Gauss-Legendre quadrature over ``[low, 1]``, given :func:`growth`."""
-    return _exp_min(_quadrature_log(g, low) - 2.0 * n * _ETA)
+    return math.exp(min(float((_quadrature_log(g, low) - 2.0 * n * _ETA).min()), 700.0))
 
 
 def quadrature_nodes(g: Array, error: float, low: float = 0.0) -> int:
@@ -112,7 +112,3 @@ def rounding_error(terms: Array, low: float, nodes: int) -> Array:
     """Estimate the rounding error of U (not a proof): phases of size Phi lose ``Phi 2^-53``, sums ``sqrt(n)``."""
     size = np.abs(terms).sum(axis=1)
     return np.asarray((2.0 * size + 4.0 * math.sqrt(nodes) + 16.0) * UNIT_ROUNDOFF * (1.0 - low))
-
-
-def _exp_min(logarithms: Array) -> float:
-    return math.exp(min(float(logarithms.min()), 700.0))

@@ -103,11 +103,7 @@ RULES = (
         "a sum over azimuthal orders for an eighth of the pixels",
     ),
     Rule(
-        "any other aperture",
-        lambda *_: True,
-        _nonuniform,
-        "one non-uniform FFT; no proven bound",
-        requires="finufft",
+        "any other aperture", lambda *_: True, _nonuniform, "one non-uniform FFT; no proven bound", requires="finufft"
     ),
 )
 """The first that applies."""

@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, Self, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -236,11 +236,11 @@ class RadialMethod(Method[P]):
             level = _USUAL  # whatever the stack
         elsewhere, looked = np.zeros(math.prod(pupil.shape)), window
         while True:
-            made = _pixel_sums(finer, pupil, grid, level, threads)
-            top = made.values.max(axis=(1, 2))
-            if made.given is None:
-                return Intensities(made.values, None, top)
-            error = made.given + made.added
+            values, given, added = _pixel_sums(finer, pupil, grid, level, threads)
+            top = values.max(axis=(1, 2))
+            if given is None:
+                return Intensities(values, None, top)
+            error = given + added
             peak = np.maximum(top - error, elsewhere)
             if not looked and np.any(error > allowed * peak):
                 elsewhere, looked = _peak_at_least(finer, pupil, grid, level, threads), True
@@ -249,14 +249,14 @@ class RadialMethod(Method[P]):
             worst = int(relative.argmax())
             room = 0.2 * allowed * max(float(top[worst]), float(elsewhere[worst]), 1e-3 * float(error[worst]))
             before = level, finer
-            if made.added[worst] > room:
-                level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(made.added[worst] / room))))
-            if made.given[worst] > room:
+            if added[worst] > room:
+                level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(added[worst] / room))))
+            if given[worst] > room:
                 further = finer.tightened().tightened().tightened()  # about a tenth
                 finer = further if further.tol >= 1e-5 * self.tol else self
             stuck = (level, finer) == before
             if relative[worst] <= allowed or (stuck and not self.keeps_tol):
-                return Intensities(made.values, relative, peak)
+                return Intensities(values, relative, peak)
             if stuck:
                 raise ToleranceError(
                     f"tol={self.tol:g} cannot be met: the error is bounded by {relative[worst]:.2g} of the "
@@ -264,15 +264,10 @@ class RadialMethod(Method[P]):
                 )
 
 
-class _PixelSums(NamedTuple):
-    """Values of pixels, and what the profile and the sums add to the bound on their error."""
-
-    values: Array
-    given: Array | None
-    added: Array
-
-
-def _pixel_sums(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> _PixelSums:
+def _pixel_sums(
+    method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int
+) -> tuple[Array, Array | None, Array]:
+    """Return values of pixels, and what the profile and the sums add to the bound on their error."""
     # What varies faster than I is I of a larger window.
     faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
     window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
@@ -287,9 +282,9 @@ def _pixel_sums(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threa
     places = float(v[-1]) * slope * (3.0 * of_grid * of_nodes + 6.0 * of_grid + 4.0)
     added = 0.5 * ceiling * error + 2.0**-53 * (rounding * size + penalties + places)
     if profile.error is None:
-        return _PixelSums(values, None, added)
+        return values, None, added
     peak = size if profile.peak is None else profile.peak
-    return _PixelSums(values, of_grid * of_nodes * profile.error * peak, added)
+    return values, of_grid * of_nodes * profile.error * peak, added
 
 
 def _likely_value(pupil: BasePupil, grid: Grid) -> float:
@@ -308,9 +303,9 @@ def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, th
     pixel = grid.side if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.side
     count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
     line = Grid((1, count), pixel, center=(0.0, 0.0), integrate=grid.integrate)
-    made = _pixel_sums(method, pupil, line, level, threads)
-    assert made.given is not None
-    return np.asarray(made.values.max(axis=(1, 2)) - made.given - made.added)
+    values, given, added = _pixel_sums(method, pupil, line, level, threads)
+    assert given is not None
+    return np.asarray(values.max(axis=(1, 2)) - given - added)
 
 
 class FieldMethod(RadialMethod[P]):

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel.methods import Bead, DebyeWolf, method_from_dict
-from lommel.methods.layers.disc_means import ellipses
+from lommel.methods.layers.disc_means import ETA
 from lommel.special.legendre import gauss_legendre
 from objectives import OIL
 from plane_waves import intensity
@@ -125,7 +125,7 @@ def test_light_that_fades_into_the_sample_grows_towards_the_glass_as_its_fastest
     # From the middle to the top of a ball, for which ellipses shrink to its heights: of |exp(-kappa h)|^2.
     kappa = layers.wavenumber * np.sqrt(layers.NA**2 - layers.sample**2)
     growth = Bead(diameter)._growth(pupil)
-    eta = ellipses()
+    eta = ETA
     assert np.all(growth >= kappa * diameter * np.cosh(eta))
     across = layers.wavenumber * 2.0 * layers.NA * 0.5 * diameter * np.sinh(eta)
     assert np.all(growth <= kappa * diameter * np.cosh(eta) + 1.5 * across)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import j0, j1, jv
 
-from lommel.methods.layers.disc_means import between, disc_means, ellipses, gauss_error, growth
+from lommel.methods.layers.disc_means import ETA, between, disc_means, gauss_error, growth
 from lommel.special.legendre import gauss_legendre
 
 V = np.array([0.0, 0.3, 1.7, 5.0, 17.3, 120.0])
@@ -69,6 +69,6 @@ def test_the_bound_on_gauss_rules_holds_for_exponentials(nodes):
     x, w = gauss_legendre(nodes)
     exact = np.expm1(1.5) / 1.5
     # exp(1.5 t) grows like exp(0.75 (1 + cosh(eta))) around [0, 1].
-    bound = gauss_error(0.75 * (1.0 + np.cosh(ellipses())), nodes)
+    bound = gauss_error(0.75 * (1.0 + np.cosh(ETA)), nodes)
     assert abs(np.exp(1.5 * x) @ w - exact) <= bound
     assert bound < 2e4 * abs(np.exp(1.5 * x) @ w - exact)

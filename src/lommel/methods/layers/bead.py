@@ -8,7 +8,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.methods.layers.disc_means import Values, disc_means, ellipses, gauss_error
+from lommel.methods.layers.disc_means import ETA, Values, disc_means, gauss_error
 from lommel.methods.layers.orders import Orders, ProvenMethod, highest, light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
@@ -67,7 +67,8 @@ class Bead(ProvenMethod):
         size = layers.wavenumber * layers.NA * radius
         heights, weights, off = _rule(self._growth(pupil), asked)
         depths = np.maximum(pupil.depth.ravel() + radius * heights[:, None], 0.0)
-        stack = _at_depths(pupil, depths)
+        focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
+        stack = replace(pupil, depth=depths, focus=focus, z=z)
         power = stack.power.reshape(depths.shape)
         half = heights.size // 2
         discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
@@ -89,7 +90,7 @@ class Bead(ProvenMethod):
     def _growth(self, pupil: ObjectivePupil) -> Array:
         """Return the logarithm of how much intensities grow on ellipses of complex heights."""
         layers, radius = pupil.layers, 0.5 * self.diameter
-        eta, ratio = ellipses(), layers.NA / layers.sample
+        eta, ratio = ETA, layers.NA / layers.sample
         within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))
         fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))
         # abs(Im) of the disc is R sinh(eta) abs(cos), that of the height R sinh(eta) abs(sin).
@@ -107,8 +108,3 @@ def _rule(growth: Array, error: float) -> tuple[Array, Array, float]:
         nodes += 1
     u, w = roots_jacobi(nodes, 1.0, 1.0)
     return u, w / w.sum(), off
-
-
-def _at_depths(pupil: ObjectivePupil, depths: Array) -> ObjectivePupil:
-    focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
-    return replace(pupil, depth=depths, focus=focus, z=z)

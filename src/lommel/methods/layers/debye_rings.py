@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
-from lommel.core.engine import Window, fft_length, ringed_images
-from lommel.core.layers import Ringed, Rings
+from lommel.core.engine import Ringed, Rings, Window, fft_length, ringed_images
 from lommel.methods.layers.debye_wolf import LEAST, LayeredMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.methods.pixels.averaging import averaged_images

@@ -36,11 +36,8 @@ HALF = 6
 _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
 _APART = np.array([math.prod(k - j for j in range(2 * HALF) if j != k) for k in range(2 * HALF)], np.float64)
 _STEP_MOST = 0.5
-_ETA = np.geomspace(0.02, 12.0, 96)
+ETA = np.geomspace(0.02, 12.0, 96)  # of Bernstein's ellipses, through ``cosh(eta)``, that bounds are looked for on
 _ROUNDING = 2.0**-46  # of sums of at most some thousand products, whose weights sum to a few
-
-
-_HALFWAY = np.array([0.5])
 
 
 Values = NDArray[np.float64] | NDArray[np.complex128]
@@ -91,7 +88,7 @@ def table_step(error: float) -> float:
 
 def growth() -> float:
     """Return how much errors of even values may grow between them: it is most midway."""
-    return float(np.abs(between(_HALFWAY)[1]).sum())
+    return float(np.abs(between(np.array([0.5]))[1]).sum())
 
 
 def between(at: Array) -> tuple[NDArray[np.int64], Array]:
@@ -109,7 +106,7 @@ def _points(radius: float, error: float) -> tuple[Array, Array]:
     around, across = 2, 1
     while _circle_error(radius, around) > 0.5 * error:
         around += 2
-    while _radius_error(radius, across) > 0.5 * error:
+    while gauss_error(2.0 * radius * np.sinh(0.5 * ETA) - math.log(2.0), across) > 0.5 * error:
         across += 1
     t, w = gauss_legendre(across)
     theta = math.pi * (2 * np.arange(around // 2) + 1) / around
@@ -120,20 +117,10 @@ def _points(radius: float, error: float) -> tuple[Array, Array]:
 
 def _circle_error(radius: float, around: int) -> float:
     with np.errstate(over="ignore"):
-        return float((np.exp(2.0 * radius * np.sinh(_ETA) - around * _ETA) / -np.expm1(-around * _ETA)).min())
-
-
-def _radius_error(radius: float, across: int) -> float:
-    growth = 2.0 * radius * np.sinh(0.5 * _ETA)
-    return gauss_error(growth - math.log(2.0), across)
+        return float((np.exp(2.0 * radius * np.sinh(ETA) - around * ETA) / -np.expm1(-around * ETA)).min())
 
 
 def gauss_error(growth: Array, nodes: int) -> float:
     """Bound the error of a mean by a Gauss rule of an analytic function."""
     with np.errstate(over="ignore"):
-        return float((4.0 * np.exp(growth - (2 * nodes - 1) * _ETA) / np.expm1(_ETA)).min())
-
-
-def ellipses() -> Array:
-    """Return the eta of Bernstein's ellipses, through ``cosh(eta)``, that bounds are looked for on."""
-    return _ETA
+        return float((4.0 * np.exp(growth - (2 * nodes - 1) * ETA) / np.expm1(ETA)).min())

@@ -16,8 +16,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
-from lommel.core.engine import Window, layered_images, layered_profiles
-from lommel.core.layers import Layered, LayeredSlopes
+from lommel.core.engine import Layered, LayeredSlopes, Window, layered_images, layered_profiles
 from lommel.methods.layers.debye_wolf import DebyeWolf, likely_peak
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
@@ -91,7 +90,7 @@ class Stratified(DebyeWolf):
 
 
 class By(NamedTuple):
-    """A derivative that the engine makes; see :class:`lommel.core.layers.LayeredSlopes`."""
+    """A derivative that the engine makes; see :class:`lommel.core.engine.LayeredSlopes`."""
 
     which: int
     factor: float = 1.0

@@ -104,8 +104,7 @@ class ClosedForm(FieldMethod[Pupil]):
         object.__setattr__(self, "segments", validation.integer("segments", self.segments, least=1, most=4096))
         validation.choice("split", self.split, SPLITS)
         validation.choice("fit", self.fit, FITS)
-        if not isinstance(self.piston, bool):
-            raise TypeError(f"piston must be True or False, got {validation.shown(self.piston)}")
+        validation.truth("piston", self.piston)
 
     @classmethod
     def best(cls, pupil: Pupil, shape: int | tuple[int, int], pixel: float, **options: Any) -> ClosedForm:

@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -69,6 +68,8 @@ class Fraunhofer(Method[Pupil]):
         ValueError
             If light would wrap around into the window, or if the transform would exceed 16384 squared.
         """
+        from scipy.fft import fft2
+
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
@@ -83,7 +84,8 @@ class Fraunhofer(Method[Pupil]):
             padded = np.zeros((side, side), dtype=np.complex128)
             # Added, not assigned: without padding the first and the last samples share a place.
             np.add.at(padded, np.ix_(place, place), given * tilt)
-            field = _fft2(padded) if grid.integrate else _fft2(padded)[np.ix_(rows, columns)]
+            field = fft2(padded, overwrite_x=True)
+            field = field if grid.integrate else field[np.ix_(rows, columns)]
             intensity = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
             image[:] = _averaged(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
         return Intensities(out, None)
@@ -118,9 +120,3 @@ def _averaged(intensity: Array, stride: int) -> Array:
     # No average of an intensity is negative, and none less exact for it.
     averages: Array = irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape)
     return np.maximum(averages, 0.0)
-
-
-def _fft2(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    from scipy.fft import fft2
-
-    return np.asarray(fft2(values, overwrite_x=True))

@@ -75,8 +75,7 @@ class HuygensFresnel(FieldMethod[Pupil]):
     nodes: tuple[int, int] | None = None
 
     def __post_init__(self) -> None:
-        if not isinstance(self.symmetry, bool):
-            raise TypeError(f"symmetry must be True or False, got {validation.shown(self.symmetry)}")
+        validation.truth("symmetry", self.symmetry)
         if self.nodes is not None:
             if not isinstance(self.nodes, Sequence) or isinstance(self.nodes, str) or len(self.nodes) != 2:
                 raise ValueError(f"nodes must be (radial, azimuthal), got {validation.shown(self.nodes)}")
@@ -101,9 +100,8 @@ class HuygensFresnel(FieldMethod[Pupil]):
         if grid.integrate:
             taps = filtered_by(grid.step(pupil), 1e-9)
             values = np.empty((math.prod(pupil.shape), *grid.shape))
-            return Intensities(
-                filtered(lambda fine: [self._samples(pupil, fine)], values[None], grid, taps, threads)[0], None
-            )
+            filtered(lambda fine: [self._samples(pupil, fine)], values[None], grid, taps, threads)
+            return Intensities(values, None)
         return Intensities(self._samples(pupil, grid), None)
 
     def _samples(self, pupil: Pupil, grid: Grid) -> Array:

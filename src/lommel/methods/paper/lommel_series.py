@@ -64,11 +64,7 @@ def _field(u: float, v: Array) -> NDArray[np.complex128]:
     """Return U = C + iS for C_d = u/4 >= 0."""
     out = np.empty(v.size, dtype=np.complex128)
     shadow = v >= max(u, 1e-3)
-    inner = ~shadow
-    if u <= _SMALL:
-        out[inner] = _near_focus(u, v[inner])
-    else:
-        out[inner] = _light(u, v[inner])
+    out[~shadow] = _near_focus(u, v[~shadow]) if u <= _SMALL else _light(u, v[~shadow])
     out[shadow] = _shadow(u, v[shadow])
     return out
 

@@ -320,20 +320,15 @@ def _filtered(
 
 
 def filtered(
-    samples: Callable[[Grid], Sequence[Pixels]],
-    out: Array,
-    grid: Grid,
-    taps: Taps,
-    threads: int = 0,
-) -> Array:
-    """Write averages over the pixels of `grid` to `out`, shape (k, n, height, width), some rows at once; return it.
+    samples: Callable[[Grid], Sequence[Pixels]], out: Array, grid: Grid, taps: Taps, threads: int = 0
+) -> None:
+    """Write averages over the pixels of `grid` to `out`, shape (k, n, height, width), some rows at once.
 
     The first of the k is an intensity, the others need not be positive.
     """
     for fine, rows in _strips_of(out, grid, taps):
         for k, values in enumerate(samples(fine)):
             average_samples(values, _sets(taps), taps.stride, threads, rows[k], -math.inf if k else 0.0)
-    return out
 
 
 def _sets(taps: Taps) -> Array:
@@ -347,11 +342,7 @@ def _strips_of(out: Array, grid: Grid, taps: Taps) -> Iterator[tuple[Grid, Array
 
 
 def averaged_gradient(
-    gradient: Callable[[P, Grid, float, Array], Array],
-    pupil: P,
-    grid: Grid,
-    tol: float,
-    weights: Array,
+    gradient: Callable[[P, Grid, float, Array], Array], pupil: P, grid: Grid, tol: float, weights: Array
 ) -> Array:
     """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
 

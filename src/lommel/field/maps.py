@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -12,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import options, validation
-from lommel.base.arrays import Array, Numbers, numbers
+from lommel.base.arrays import Array, Json, Numbers, numbers
 from lommel.base.options import shares
-from lommel.channel_psf import ColourPSF, colour_psf
+from lommel.channel_psf import colour_psf
 from lommel.field.psf_grid import PSFGrid, sides
 from lommel.field.vignetting import Shading, Vignetting, positions, relative
 from lommel.methods import Method
@@ -41,14 +40,6 @@ def stacked(pupils: list[Pupil], shape: tuple[int, ...], compute: Callable[[Pupi
         error_bound=None if None in bounds else max(bound for bound in bounds if bound is not None),
         scale=np.reshape([float(one.scale) for one in found], shape),
     )
-
-
-def weighted(psf: PSF, light: Array) -> PSF:
-    """Return a stack whose values and scale are multiplied by the light at each position."""
-    factor = np.asarray(light)[..., None, None].astype(psf.values.dtype)
-    slopes = {name: slope * factor for name, slope in psf.derivatives.items()}
-    assert math.prod(light.shape) == math.prod(psf.pupil.shape)
-    return replace(psf, values=psf.values * factor, scale=psf.scale * light, derivatives=slopes)
 
 
 class ApertureKeywords(TypedDict, total=False):
@@ -78,27 +69,22 @@ class ApertureOptions:
     f_number: float | None = None
     obscuration: float | None = None
 
-    def bare(self) -> Pupil:
-        """Return the pupil without wavefront; TypeError or ValueError if the aperture contradicts the options."""
-        stated = {name: v for name, v in vars(self).items() if name != "aperture" and v is not None}
-        if self.aperture is None:
-            return Pupil(**stated)
-        given: Pupil = validation.instance("aperture", self.aperture, Pupil)
-        if not given.wavefront.flat:
-            raise ValueError(
-                "aperture must have a flat wavefront, for the map has those of all positions: give "
-                "aperture.unaberrated(), and add its wavefront to the map where it is meant (field + wavefront)"
-            )
-        for name, value in stated.items():
-            if (known := getattr(given, name)) not in (None, value):
-                raise ValueError(f"{name} must be that of the aperture, {known:g}, or be left out, got {value!r}")
-        return replace(given, geometry=None, **stated)
-
 
 def bare_pupil(constructor: Callable[..., FieldMap], given: ApertureKeywords) -> Pupil:
-    """Return the pupil without wavefront of the options of `constructor`; TypeError for unknown ones."""
+    """Return the pupil without wavefront of the options of `constructor`; TypeError or ValueError for bad ones."""
     options.require_known(constructor, given, ApertureKeywords)
-    return ApertureOptions(**given).bare()
+    stated: Json = {name: v for name, v in given.items() if name != "aperture" and v is not None}
+    if (aperture := given.get("aperture")) is None:
+        return Pupil(**stated)
+    if not validation.instance("aperture", aperture, Pupil).wavefront.flat:
+        raise ValueError(
+            "aperture must have a flat wavefront, for the map has those of all positions: give "
+            "aperture.unaberrated(), and add its wavefront to the map where it is meant (field + wavefront)"
+        )
+    for name, value in stated.items():
+        if (known := getattr(aperture, name)) not in (None, value):
+            raise ValueError(f"{name} must be that of the aperture, {known:g}, or be left out, got {value!r}")
+    return replace(aperture, geometry=None, **stated)
 
 
 @dataclass(frozen=True, eq=False)
@@ -427,26 +413,27 @@ class FieldMap:
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
         lit = validation.truth("illuminated", illuminated)
-        if named := [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]:
-            if self.vignetting is not None or lit:
-                raise ValueError(
-                    f"{' and '.join(named)} must be left out where vignetting changes the aperture or values are "
-                    "weighted by the illumination; compute each channel by itself, or multiply by illumination(x, y)"
-                )
-            pupil, distances = self.pupil(x, y[:, None]), None
-            if depths is not None and lens is not None:
-                pupil = at_depths(pupil, lens, depths)
-                distances = np.atleast_1d(np.asarray(depths, dtype=np.float64))
-            made: PSF | ColourPSF
-            if channels is None:
-                made = psf(pupil, shape, pixel, **options)
-            else:
-                made = colour_psf(pupil, shape, pixel, channels, **options)
-            return PSFGrid(made, x, y, height_width, distances)
-        alone = self.psf(x, y[:, None], shape, pixel, **options)
-        if lit:
-            alone = weighted(alone, np.asarray(self.illumination(x, y[:, None])))
-        return PSFGrid(alone, x, y, height_width)
+        named = [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]
+        if named and (self.vignetting is not None or lit):
+            raise ValueError(
+                f"{' and '.join(named)} must be left out where vignetting changes the aperture or values are "
+                "weighted by the illumination; compute each channel by itself, or multiply by illumination(x, y)"
+            )
+        if not named:
+            one = self.psf(x, y[:, None], shape, pixel, **options)
+            if lit:
+                light = np.asarray(self.illumination(x, y[:, None]))
+                factor = light[..., None, None].astype(one.values.dtype)
+                slopes = {name: slope * factor for name, slope in one.derivatives.items()}
+                one = replace(one, values=one.values * factor, scale=one.scale * light, derivatives=slopes)
+            return PSFGrid(one, x, y, height_width)
+        pupil, distances = self.pupil(x, y[:, None]), None
+        if depths is not None and lens is not None:
+            pupil = at_depths(pupil, lens, depths)
+            distances = np.atleast_1d(np.asarray(depths, dtype=np.float64))
+        if channels is None:
+            return PSFGrid(psf(pupil, shape, pixel, **options), x, y, height_width, distances)
+        return PSFGrid(colour_psf(pupil, shape, pixel, channels, **options), x, y, height_width, distances)
 
 
 def require_light(light: Pupil, lens: Lens) -> None:

@@ -101,53 +101,34 @@ def _cards(header: Any) -> Description:
 
 def _unpacked(data: bytes) -> bytes:
     """Return the contents of a file, unpacked as far as its headers say."""
-    source, plain = _Unpacked(data), data
-    at = 0
-    while not at or source.part(at, at + 8) == b"XTENSION":
-        start = at
-        cards: dict[str, int] = {}
-        while True:
-            block = source.part(at, at + _BLOCK)
-            at += _BLOCK
-            for card in (block[k : k + 80] for k in range(0, _BLOCK, 80)):
-                if size := _SIZE.match(card):
-                    cards[size[1].decode().strip()] = int(size[2])
-            if _END.search(block):
-                break
-            if len(block) < _BLOCK or at - start > _MOST_HEADER:
-                raise ValueError(f"a header of it has no END within {at - start} bytes")
-        sides = [abs(cards.get(f"NAXIS{k + 1}", 0)) for k in range(min(cards.get("NAXIS", 0), _MOST_AXES))]
-        values = math.prod(sides) if sides else 0
-        values = abs(cards.get("GCOUNT", 1)) * (abs(cards.get("PCOUNT", 0)) + values)
-        at += -(-values * abs(cards.get("BITPIX", 8)) // 8 // _BLOCK) * _BLOCK
-        reading.afford(_TIMES * at if source.packed else 0, len(data))
-    if source.packed:
-        plain = source.part(0, at)
-    return plain
-
-
-class _Unpacked:
-    """The bytes of a file, unpacked as far as they are needed."""
-
-    def __init__(self, data: bytes) -> None:
-        self.packed = data.startswith(_GZIP)
-        self._plain: bytes | bytearray = bytearray() if self.packed else data
-        self._rest = data if self.packed else b""
-        self._inflate = zlib.decompressobj(31)
-
-    def upto(self, end: int) -> bool:
-        """Return whether there are this many bytes, and unpack them."""
-        while len(self._plain) < end and self._rest:
-            try:
-                more = self._inflate.decompress(self._rest, max(end - len(self._plain), _BLOCK))
-            except zlib.error as error:
-                raise ValueError(f"it cannot be unpacked: {error}") from None
-            self._rest = self._inflate.unconsumed_tail
-            assert isinstance(self._plain, bytearray)
-            self._plain += more
-        return len(self._plain) >= end
-
-    def part(self, start: int, end: int) -> bytes:
-        """Return the bytes from start to end, or to the end of the file."""
-        self.upto(end)
-        return bytes(self._plain[start:end])
+    packed, parts, at = data.startswith(_GZIP), list[bytes](), 0
+    source = gzip.GzipFile(fileobj=io.BytesIO(data)) if packed else io.BytesIO(data)
+    try:
+        block = source.read(_BLOCK)
+        while not at or block.startswith(b"XTENSION"):
+            start, cards = at, dict[str, int]()
+            while True:
+                parts.append(block)
+                at += _BLOCK
+                for card in (block[k : k + 80] for k in range(0, _BLOCK, 80)):
+                    if size := _SIZE.match(card):
+                        cards[size[1].decode().strip()] = int(size[2])
+                if _END.search(block):
+                    break
+                if len(block) < _BLOCK or at - start > _MOST_HEADER:
+                    raise ValueError(f"a header of it has no END within {at - start} bytes")
+                block = source.read(_BLOCK)
+            sides = [abs(cards.get(f"NAXIS{k + 1}", 0)) for k in range(min(cards.get("NAXIS", 0), _MOST_AXES))]
+            values = math.prod(sides) if sides else 0
+            values = abs(cards.get("GCOUNT", 1)) * (abs(cards.get("PCOUNT", 0)) + values)
+            count = -(-values * abs(cards.get("BITPIX", 8)) // 8 // _BLOCK) * _BLOCK
+            at += count
+            if packed:
+                reading.afford(_TIMES * at, len(data))
+                parts.append(source.read(count))
+            else:
+                source.seek(at)
+            block = source.read(_BLOCK)
+    except (OSError, EOFError, zlib.error) as error:
+        raise ValueError(f"it cannot be unpacked: {error}") from None
+    return b"".join(parts) if packed else data

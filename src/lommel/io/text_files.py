@@ -75,26 +75,13 @@ def together(path: Path, errors: Sequence[str], count: int | None = None) -> str
     return f"{line(path)}: " + (shown[0] if count == 1 else "".join(f"\n  {error}" for error in shown))
 
 
-class TableErrors:
-    """Errors of a table, collected until there are too many for it to be one."""
+MANY = 1000
+"""Number of errors in a table after which the rest need not be read."""
 
-    _MOST = 1000
 
-    def __init__(self) -> None:
-        self._found: list[str] = []
-
-    @property
-    def many(self) -> bool:
-        """Whether there are so many that the rest need not be read."""
-        return len(self._found) > self._MOST
-
-    def add(self, error: str) -> None:
-        """Note an error."""
-        self._found.append(error)
-
-    def refuse(self) -> None:
-        """Raise ValueError with the first errors, if there are any."""
-        if self._found:
-            rest = len(self._found) - TOLD
-            more = f"; and {rest} {'or more' if self.many else 'more'}" if rest > 0 else ""
-            raise ValueError("; ".join(brief(error, 200) for error in self._found[:TOLD]) + more)
+def refuse(errors: Sequence[str]) -> None:
+    """Raise ValueError with the first errors of a table, if there are any."""
+    if errors:
+        rest = len(errors) - TOLD
+        more = f"; and {rest} {'or more' if len(errors) > MANY else 'more'}" if rest > 0 else ""
+        raise ValueError("; ".join(brief(error, 200) for error in errors[:TOLD]) + more)

@@ -122,19 +122,19 @@ def _columns(lines: list[tuple[int, list[str]]]) -> tuple[list[str], Array, Arra
     names = [share[1] if share else name for share, name in zip(shares, head[1:], strict=True)]
     if not names or not all(names) or len(set(names)) != len(names):
         raise ValueError(f"line {place}: columns must have names that differ, got {validation.shown(head[1:])}")
-    found, errors = [], text_files.TableErrors()
+    found, errors = [], list[str]()
     for place, row in lines[1:]:
         numbers = [text_files.number(cell) for cell in row]
         bad = [n for n in numbers if isinstance(n, str) or not np.isfinite(n)]
         if len(row) != len(head):
-            errors.add(f"line {place} must have {len(head)} cells, got {len(row)}")
+            errors.append(f"line {place} must have {len(head)} cells, got {len(row)}")
         elif bad:
-            errors.add(f"line {place} must hold numbers, got {validation.shown(bad[0])}")
+            errors.append(f"line {place} must hold numbers, got {validation.shown(bad[0])}")
         else:
             found.append(numbers)
-        if errors.many:
+        if len(errors) > text_files.MANY:
             break
-    errors.refuse()
+    text_files.refuse(errors)
     if len(found) < 2:
         raise ValueError(f"must have two wavelengths or more, got {len(found)}")
     table = np.array(sorted(found, key=lambda row: row[0]), dtype=np.float64)

@@ -175,7 +175,7 @@ def _table(
     if tuple(columns[: len(places)]) != places:
         got = validation.brief(validation.line(", ".join(columns[:2]))) or "none"
         raise ValueError(f"the first columns must be height, or x and y, got {got}")
-    errors = text_files.TableErrors()
+    errors: list[str] = []
     indices: list[int] = []
     if len(columns) > _MOST_COLUMNS:
         raise ValueError(f"there must be at most {_MOST_COLUMNS} columns, got {len(columns)}")
@@ -188,27 +188,27 @@ def _table(
                 raise ValueError(f"column {name} comes twice")
             indices.append(int(found[1]))
         except ValueError as error:
-            errors.add(str(error))
+            errors.append(str(error))
     if len(columns) == len(places):
-        errors.add("there must be a column for a Zernike coefficient, such as Z4")
+        errors.append("there must be a column for a Zernike coefficient, such as Z4")
     kinds = [*(_length for _ in places), *(_coefficient for _ in columns[len(places) :])]
     # Compact arrays: Python numbers would take thirty times the memory.
     read = [array("d") for _ in columns]
     number = 0
     for number, row in rows:
-        if errors.many:
+        if len(errors) > text_files.MANY:
             break
         if len(row) != len(columns):
-            errors.add(f"{called} {number} must have {len(columns)} cells, as there are columns, got {len(row)}")
+            errors.append(f"{called} {number} must have {len(columns)} cells, as there are columns, got {len(row)}")
             continue
         for values, cell, convert, name in zip(read, row, kinds, columns, strict=True):
             try:
                 values.append(convert(cell))
             except ValueError as error:
-                errors.add(f"{called} {number}, {name}: {error}")
+                errors.append(f"{called} {number}, {name}: {error}")
     if not number:
-        errors.add("there must be a row for each position, got none")
-    errors.refuse()
+        errors.append("there must be a row for each position, got none")
+    text_files.refuse(errors)
     whole = [tuple(values) for values in read]
     count = len(places)
     return FieldTable(

@@ -11,14 +11,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import (
-    AfterValidator,
-    BeforeValidator,
-    Field,
-    ValidationInfo,
-    field_validator,
-    model_validator,
-)
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import optional, reading, validation
 from lommel.base.encoding import to_light
@@ -39,6 +32,7 @@ from lommel.lensfiles.toml_files import (
     Distance,
     Length,
     LensFileError,
+    MadeSection,
     Number,
     PhotoSensor,
     Section,
@@ -140,20 +134,21 @@ class _Spider(Section):
         return Spider.equal(self.vanes, width, self.first)
 
 
-class _Ellipse(Section):
+class _Ellipse(MadeSection):
     a: Annotated[Number, Field(gt=0, le=1)]
     b: Annotated[Number, Field(gt=0, le=1)]
     angle: Angle = 0.0
 
+    def made(self) -> Ellipse:
+        return Ellipse(**dict(self))
 
-class _CatEye(Section):
+
+class _CatEye(MadeSection):
     shift: tuple[Number, Number]
     radius: Annotated[Number, Field(gt=0, le=1000)] = 1.0
 
-    @model_validator(mode="after")
-    def _overlap(self) -> _CatEye:
-        CatEye(self.shift, self.radius)
-        return self
+    def made(self) -> CatEye:
+        return CatEye(self.shift, self.radius)
 
 
 class _Mask(Section):
@@ -187,51 +182,37 @@ class ApertureSection(Section):
 
     def shapes(self, radius: float) -> Toml:
         """Return the obstructions of an aperture of this radius (metres), by their names in :class:`lommel.Lens`."""
-        ellipse = self.ellipse and Ellipse(**dict(self.ellipse))
-        eye = self.cat_eye and CatEye(**dict(self.cat_eye))
-        spider = self.spider and self.spider.spider(radius)
-        found = {"spider": spider, "vignetting": ellipse or eye, "mask": self.mask and self.mask.file}
+        spider, edge = self.spider and self.spider.spider(radius), self.ellipse or self.cat_eye
+        found = {"spider": spider, "vignetting": edge and edge.made(), "mask": self.mask and self.mask.file}
         return {name: shape for name, shape in found.items() if shape is not None}
 
 
-class VignettingSection(Section):
+class VignettingSection(MadeSection):
     """The section [field.vignetting]: a circle that moves across the aperture with the image height."""
 
     height: Annotated[list[SignedLength], Field(min_length=2)]
     shift: list[Number]
     radius: Number | list[Number] = 1.0
 
-    @model_validator(mode="after")
-    def _possible(self) -> VignettingSection:
-        self.made()
-        return self
-
     def made(self) -> Vignetting:
         """Return the argument of a field map."""
         return Vignetting(self.height, self.shift, self.radius)
 
 
-class ShadingSection(Section):
+class ShadingSection(MadeSection):
     """The section [field.shading]: a table of the light, or the fourth power of a cosine."""
 
     distance: Length | None = None
     height: list[SignedLength] | None = None
     light: list[Number] | None = None
 
-    @model_validator(mode="after")
-    def _one_way(self) -> ShadingSection:
-        if (self.distance is None) == (self.height is None) or (self.height is None) != (self.light is None):
-            raise ValueError("needs distance, of the exit pupil from the sensor, or height and light: one of the two")
-        self.made()
-        return self
-
     def made(self) -> Shading:
         """Return the argument of a field map."""
-        if self.distance is not None:
+        if self.distance is not None and self.height is None and self.light is None:
             return Shading.cos4(self.distance)
-        assert self.height is not None
-        assert self.light is not None
-        return Shading(self.height, self.light)
+        if self.distance is None and self.height is not None and self.light is not None:
+            return Shading(self.height, self.light)
+        raise ValueError("needs distance, of the exit pupil from the sensor, or height and light: one of the two")
 
 
 def _read_transmission(path: Path) -> Values:
@@ -264,7 +245,7 @@ _Wave = Annotated[Length, AfterValidator(validation.wavelength)]
 _CSV = "the name of a CSV file"
 
 
-class ColourSection(Section):
+class ColourSection(MadeSection):
     """The section [colour] of a lens file."""
 
     wavelengths: Annotated[list[_Wave], Field(min_length=2)]
@@ -272,17 +253,12 @@ class ColourSection(Section):
     lateral: list[SignedLength] | list[list[SignedLength]] | None = None
     heights: Length | list[Length] | None = None
 
-    @model_validator(mode="after")
-    def _table(self) -> ColourSection:
-        self.colour()
-        return self
-
-    def colour(self) -> Colour:
+    def made(self) -> Colour:
         """Return the table."""
         return Colour(**dict(self))
 
 
-class ChannelsSection(Section):
+class ChannelsSection(MadeSection):
     """The section [channels] of a lens file."""
 
     wavelengths: Annotated[list[_Wave], Field(min_length=1)] | None = None
@@ -309,20 +285,15 @@ class ChannelsSection(Section):
         read = partial(load_channels, filters=[beside(name) for name in given["filters"]], **more)
         return read_beside(info.context, value, _CSV, read)
 
-    @model_validator(mode="after")
-    def _one_way(self) -> ChannelsSection:
+    def made(self) -> Channels:
+        """Return the channels."""
         if (self.file is None) == (self.wavelengths is None):
             raise ValueError("needs file, a table of the sensor, or wavelengths: exactly one of the two")
-        stray = {"weights"} if self.file is not None else {"filters", "illuminant", "tol", "paths"}
+        stray = {"weights"} if self.wavelengths is None else {"filters", "illuminant", "tol", "paths"}
         if found := sorted(stray & self.model_fields_set):
             raise ValueError(
-                f"{', '.join(found)} has no meaning with {'file' if self.file is not None else 'wavelengths'}"
+                f"{', '.join(found)} has no meaning with {'file' if self.wavelengths is None else 'wavelengths'}"
             )
-        self.channels()
-        return self
-
-    def channels(self) -> Channels:
-        """Return the channels."""
         if isinstance(self.file, Channels):
             return self.file
         assert self.wavelengths is not None
@@ -390,19 +361,15 @@ class _Field(_Seidel):
 
     def map(self, pupil: Pupil) -> FieldMap:
         """Return the map, with the aperture and the scale of `pupil`."""
-        edge = None if self.vignetting is None else self.vignetting.made()
-        return self._wavefronts(pupil).seen_through(edge, None if self.shading is None else self.shading.made())
-
-    def _wavefronts(self, pupil: Pupil) -> FieldMap:
         table: FieldTable | None = self.rows if self.rows is not None else self.file
         if table is not None:
-            return table.field_map(pupil, unit=self.unit, normalization=self.normalization, direction=self.direction)
-        corner = 0.5 * math.hypot(*self.sensor)
-        return FieldMap.from_seidel(
-            corner if self.edge is None else self.edge,
-            **{name: getattr(self, name) for name in _SEIDEL},
-            aperture=pupil.unaberrated(),
-        )
+            made = table.field_map(pupil, unit=self.unit, normalization=self.normalization, direction=self.direction)
+        else:
+            edge = 0.5 * math.hypot(*self.sensor) if self.edge is None else self.edge
+            waves = self.model_dump(include=set(_SEIDEL))
+            made = FieldMap.from_seidel(edge, **waves, aperture=pupil.unaberrated())
+        vignetting = None if self.vignetting is None else self.vignetting.made()
+        return made.seen_through(vignetting, None if self.shading is None else self.shading.made())
 
 
 class _Report(Section):
@@ -522,17 +489,13 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
     wavelength = file.lens.wavelength
     a = file.aberrations
     rms = 2.0 * math.pi * a.spherical_rms / wavelength
-    aberrations = (
-        Wavefront(a.defocus, a.spherical)
-        + Wavefront.from_seidel(
-            a.W020, a.W040, a.W060, a.W080, W131=a.W131, W222=a.W222, W220=a.W220, W311=a.W311, field=a.field
-        )
-        + Wavefront.balanced_spherical(rms, file.lens.obscuration)
-    )
+    seidel = a.model_dump(exclude={"defocus", "spherical", "spherical_rms", "zernike"})
+    aberrations = Wavefront(a.defocus, a.spherical) + Wavefront.from_seidel(**seidel)
+    aberrations += Wavefront.balanced_spherical(rms, file.lens.obscuration)
     if table is not None:
         own = wavelength if table.wavelength is None else table.wavelength
         aberrations += replace(table, wavelength=own).wavefront(wavelength)
-    given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.colour()}
+    given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.made()}
     # As a diameter, since a length with a unit is certainly meant.
     diameter = aperture(file.lens.focal_length, given.pop("f_number"), given.pop("aperture_diameter"))
     given["aperture_diameter"] = diameter
@@ -548,9 +511,8 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
         raise ValueError(
             "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
         )
-    name, sensor = stem if file.name is None else file.name, file.sensor
-    channels = None if file.channels is None else file.channels.channels()
-    pixels: Toml = dict(sensor)
+    name, pixels = stem if file.name is None else file.name, dict(file.sensor)
+    channels = None if file.channels is None else file.channels.made()
     found = Instrument(name, file.source, lens, distance, radii=radii, channels=channels, **pixels)
     if file.field is None:
         return found

@@ -9,7 +9,7 @@ from os import PathLike
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from lommel.base import validation
 from lommel.base.arrays import Array
@@ -19,6 +19,7 @@ from lommel.lensfiles.toml_files import (
     Angle,
     Length,
     LensFileError,
+    MadeSection,
     Number,
     Section,
     Sensor,
@@ -128,13 +129,14 @@ class Microscope:
 
 
 Index = Annotated[Number, AfterValidator(partial(refractive_index, "index"))]
+Immersion = Annotated[Number, AfterValidator(partial(refractive_index, "immersion"))]
 
 
 class _Objective(Section):
     NA: Annotated[Number, Field(gt=0)]
     magnification: Annotated[Number, Field(gt=0)]
     working_distance: Length
-    immersion: Annotated[Number, AfterValidator(partial(refractive_index, "immersion"))]
+    immersion: Immersion
     dipping: Annotated[bool, Field(strict=True)] = False
 
 
@@ -148,18 +150,13 @@ class _Layer(Section):
 
 
 class _Design(Section):
-    immersion: Annotated[Number, AfterValidator(partial(refractive_index, "immersion"))] | None = None
+    immersion: Immersion | None = None
     coverslip: _Layer | None = None
 
 
 class _Sample(Section):
     index: Index
-    depth: Annotated[float, BeforeValidator(parse_length)]
-
-    @field_validator("depth")
-    @classmethod
-    def _depth(cls, value: float) -> float:
-        return length("depth", value, DEPTH_MOST)
+    depth: Annotated[float, BeforeValidator(parse_length), AfterValidator(partial(length, "depth", most=DEPTH_MOST))]
 
 
 class _Dipole(Section):
@@ -169,29 +166,19 @@ class _Dipole(Section):
 
 
 class _Beam(Section):
-    polarization: Annotated[str, Field(strict=True)] = "circular"
-
-    @field_validator("polarization")
-    @classmethod
-    def _known(cls, value: str) -> str:
-        Beam(value)
-        return value
+    polarization: Annotated[str, Field(strict=True), AfterValidator(lambda p: Beam(p).polarization)] = "circular"
 
 
-class _Emission(Section):
+class _Emission(MadeSection):
     wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
     emitter: Literal["isotropic", "scalar"] = "isotropic"
     dipole: _Dipole | None = None
     beam: _Beam | None = None
 
-    @model_validator(mode="after")
-    def _one(self) -> _Emission:
-        if len(given := self.model_fields_set & {"emitter", "dipole", "beam"}) > 1:
-            raise ValueError(f"takes one of emitter, dipole and beam, got {' and '.join(sorted(given))}")
-        return self
-
     def made(self) -> Emitter:
         """Return the emitter or the excitation beam."""
+        if len(given := self.model_fields_set & {"emitter", "dipole", "beam"}) > 1:
+            raise ValueError(f"takes one of emitter, dipole and beam, got {' and '.join(sorted(given))}")
         if self.dipole is not None:
             return Dipole(**dict(self.dipole))
         return emitter_of(self.emitter) if self.beam is None else Beam(self.beam.polarization)
@@ -280,14 +267,9 @@ def _microscope(file: _File, *, stem: str) -> Microscope:
         glass = file.design.coverslip
         meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
         design = Design(meant, used if glass is None else glass.layer())
-    given: Toml = {key: value for key, value in file.objective if key != "dipping"}
-    objective = Objective(
-        **given,
-        coverslip=used,
-        sample=file.sample.index,
-        films=[film.layer() for film in file.films],
-        design=design,
-    )
+    given: Toml = file.objective.model_dump(exclude={"dipping"})
+    films = [film.layer() for film in file.films]
+    objective = Objective(**given, coverslip=used, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}
     found = Microscope(
         stem if file.name is None else file.name,

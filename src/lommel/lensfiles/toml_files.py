@@ -7,10 +7,19 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from types import UnionType
-from typing import Annotated, Any, TypeAlias, TypedDict, TypeVar, Union, get_args, get_origin
+from typing import Annotated, Any, Self, TypeAlias, TypedDict, TypeVar, Union, get_args, get_origin
 
 import numpy as np
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, PlainValidator, ValidationError
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    PlainValidator,
+    ValidationError,
+    model_validator,
+)
 from pydantic_core import ErrorDetails
 
 from lommel.base import reading, validation
@@ -80,6 +89,19 @@ class Section(BaseModel):
     """A section of a lens file, without unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class MadeSection(Section):
+    """A section that describes an object, which is made when it is read: errors name the section."""
+
+    @model_validator(mode="after")
+    def _makes(self) -> Self:
+        self.made()
+        return self
+
+    def made(self) -> object:
+        """Return the object."""
+        raise NotImplementedError
 
 
 class Sensor(Section):

@@ -34,7 +34,8 @@ SECTIONS = [
         "Colour",
         "See [](colour.md).",
         ("channel_psf", "lensfiles.channel_files", "optics.colour"),
-        more="io.colour_files.save show.plot.colour optics.colour.spectrum.Spectrum optics.colour.spectrum.Component",
+        more="io.psf_files.save_colours show.plot.colour"
+        " optics.colour.spectrum.Spectrum optics.colour.spectrum.Component",
     ),
     Section(
         "Lenses, pupils, apertures",
@@ -112,7 +113,7 @@ SECTIONS = [
         " imaging.bank.Bank"
         " methods.pixels.rule.pixel_rule methods.pixels.rule.PixelRule methods.pixels.rule.octant"
         " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"
-        " base.encoding.from_light base.encoding.clipped_share io.frames.write_frames",
+        " base.encoding.from_light base.encoding.clipped_share io.photos.write_frames",
     ),
     Section("Live page", "See [](live.md).", ("page",)),
     Section(

@@ -4,24 +4,24 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from lommel.io import colour_files, depthmaps, field_files, opd_files, photos, psf_files, registry, zernike_tables
+from lommel.io import depthmaps, field_files, opd_files, photos, registry, zernike_tables  # noqa: F401 (formats)
 
 # What a file holds, and what writes and reads it.
-CONTENTS = {
-    psf_files: ("psf", "a PSF or a stack", "`psf.save`", "`PSF.load`"),
-    colour_files: ("colours", "[a PSF in colour channels](colour.md)", "`psf.save`", "`ColourPSF.load`"),
-    field_files: ("field", "[a grid of PSFs over the field](field.md)", "`grid.save`", "`PSFGrid.load`"),
-    opd_files: ("opd", "an OPD map", "`lm.save_opd`", "`lm.load_opd`"),
-    zernike_tables: ("zernike", "Zernike coefficients", "`wavefront.save`", "`lm.load_zernike`, lens files"),
-    photos: ("photo", "a photograph", "`lm.imaging.write_photo`", "`lm.imaging.read_photo`, `lommel blur`"),
-    depthmaps: ("depth map", "a depth map", "`lm.imaging.write_depth`", "`lm.imaging.read_depth`"),
-}  # fmt: skip
+CONTENTS = (
+    ("psf", "a PSF or a stack", "`psf.save`", "`PSF.load`"),
+    ("colours", "[a PSF in colour channels](colour.md)", "`psf.save`", "`ColourPSF.load`"),
+    ("field", "[a grid of PSFs over the field](field.md)", "`grid.save`", "`PSFGrid.load`"),
+    ("opd", "an OPD map", "`lm.save_opd`", "`lm.load_opd`"),
+    ("zernike", "Zernike coefficients", "`wavefront.save`", "`lm.load_zernike`, lens files"),
+    ("photo", "a photograph", "`lm.imaging.write_photo`", "`lm.imaging.read_photo`, `lommel blur`"),
+    ("depth map", "a depth map", "`lm.imaging.write_depth`", "`lm.imaging.read_depth`"),
+)  # fmt: skip
 
 
 def rows() -> list[str]:
     """Return the rows of the table."""
     found = []
-    for kind, holds, writer, reader in CONTENTS.values():
+    for kind, holds, writer, reader in CONTENTS:
         for form in registry.formats(kind):
             files = ", ".join(f"`{suffix}`" for suffix in (*form.suffixes, *filter(None, [form.beside])))
             what = f"{holds}: {form.what}" if form.what else holds

@@ -17,7 +17,7 @@ from lommel.base.arrays import Array, Index, Values, largest
 from lommel.base.options import near
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
-from lommel.io import colour_files
+from lommel.io import psf_files
 from lommel.methods import question
 from lommel.methods.method import Method, painted, storing, widened
 from lommel.methods.polychromatic import Polychromatic, together
@@ -188,13 +188,13 @@ class ColourPSF(Measured):
         return show.plot.colour(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.npz``, ``.tif`` (OME) or ``.png`` (in colour); see :func:`lommel.io.colour_files.save`."""
-        colour_files.save(self, path)
+        """Write ``.npz``, ``.tif`` (OME) or ``.png`` (in colour); see :func:`lommel.io.psf_files.save_colours`."""
+        psf_files.save_colours(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
         """Read a ``.npz`` or ``.tif`` file, `path`, that :meth:`save` wrote; ValueError if it is another."""
-        return cls(*colour_files.load(path, PSF))
+        return cls(*psf_files.load_colours(path, PSF))
 
 
 def _parts(whole: Values, psfs: Sequence[PSF]) -> bool:

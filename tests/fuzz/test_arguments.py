@@ -14,7 +14,7 @@ import pytest
 import lommel as lm
 from lommel import imaging
 from lommel.base import units, validation
-from lommel.io import frames
+from lommel.io import photos
 from lommel.io.psf_files import FileError
 from lommel.lensfiles import field_tables
 from lommel.measures import aperture_means, energy, spot, transfer
@@ -205,7 +205,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("read_photo", imaging.read_photo, path=folder / "photo.png", encoding="srgb"),
         tagged("write_photo", imaging.write_photo, path=folder / "p.png", light=SQUARE, encoding="srgb",
                dtype=np.uint8, quality=90, profile=None),
-        tagged("write_frames", frames.write_frames, path=folder / "f.gif", frames=[(255 * SQUARE).astype(np.uint8)],
+        tagged("write_frames", photos.write_frames, path=folder / "f.gif", frames=[(255 * SQUARE).astype(np.uint8)],
                fps=10.0, quality=90),
         tagged("Picture.light", imaging.Picture(SQUARE, "linear", imaging.Exif()).light, dtype=np.float32),
         tagged("Exif.pixel", imaging.Exif(5e-3, 2.0, 26e-3).pixel, shape=(10, 20)),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from lommel.io import frames, photos
+from lommel.io import photos
 
 
 def jpeg(path, exif: bytes) -> None:
@@ -41,10 +41,10 @@ def test_a_folder_in_the_way_of_one_frame_keeps_all_from_being_written(tmp_path)
     (tmp_path / "f2.png").mkdir()
     made = [np.full((4, 4), 10 * k, np.uint8) for k in range(3)]
     with pytest.raises(IsADirectoryError, match=r"is a directory: .*f2\.png"):
-        frames.write_frames(tmp_path / "f%d.png", made)
+        photos.write_frames(tmp_path / "f%d.png", made)
     assert [path.name for path in tmp_path.iterdir()] == ["f2.png"]
     (tmp_path / "f2.png").rmdir()
-    assert len(frames.write_frames(tmp_path / "f%d.png", made)) == 3
+    assert len(photos.write_frames(tmp_path / "f%d.png", made)) == 3
 
 
 @pytest.mark.parametrize("kind", [np.uint8, np.uint16])

@@ -23,7 +23,7 @@ from scipy.io.matlab import matfile_version
 import format_table
 import lommel as lm
 from lommel.base.checksums import sealed
-from lommel.io import colour_files, field_files, psf_files, registry
+from lommel.io import field_files, psf_files, registry
 from lommel.io.psf_files import FileError
 
 TELESCOPE = lm.Lens(focal_length=57.6, f_number=24.0, wavelength=550e-9, obscuration=0.33)
@@ -249,7 +249,7 @@ def test_the_table_of_the_page_names_every_suffix_of_a_psf():
 
 
 def test_the_list_of_formats_stands_in_the_docstrings_of_what_writes_them():
-    for save, kind in ((psf_files.save, "psf"), (colour_files.save, "colours"), (field_files.save, "field")):
+    for save, kind in ((psf_files.save, "psf"), (psf_files.save_colours, "colours"), (field_files.save, "field")):
         assert "{formats}" not in save.__doc__
         for form in registry.formats(kind):
             assert f"``{form.suffixes[0]}``" in save.__doc__

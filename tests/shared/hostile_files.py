@@ -30,8 +30,8 @@ from PIL import Image
 import lommel as lm
 from lommel import imaging
 from lommel.io import psf_formats
-from lommel.io.colour_files import load as load_colours
 from lommel.io.photos import read_images
+from lommel.io.psf_files import load_colours
 from lommel.lensfiles.field_tables import read_csv
 
 ENOUGH = 2**28  # bytes that any file may take

@@ -24,8 +24,7 @@ from lommel.estimation.noise import Noise
 from lommel.imaging import FocusPlan, Photograph, Picture, RichardsonLucy, TotalVariation, read_depth, read_photo
 from lommel.imaging import restore as restored
 from lommel.imaging.settings import BORDERS, MISSING, Settings
-from lommel.io.frames import check_pattern, is_animation, write_frames
-from lommel.io.photos import find, stored, write_photo
+from lommel.io.photos import check_pattern, find, is_animation, stored, write_frames, write_photo
 from lommel.io.registry import suffixes
 from lommel.optics.lens import Lens
 

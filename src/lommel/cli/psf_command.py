@@ -20,7 +20,7 @@ from lommel.cli.options import FILE, JSON, WINDOW, Option, command, documented, 
 from lommel.cli.output import Facts, Report, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.field.psf_grid import PSFGrid
-from lommel.io import colour_files, field_files, psf_files
+from lommel.io import field_files, psf_files
 from lommel.io.registry import Format, suffixes
 from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
@@ -221,7 +221,7 @@ def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: F
 
     return _Product(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
-        find=colour_files.find,
+        find=psf_files.find_colours,
         make=lambda: colour_psf(instrument.pupil(), instrument.window, instrument.pixel, channels, **options),
         report=report,
         entitle=lambda axes: axes.figure.suptitle(instrument.name, fontsize=9),

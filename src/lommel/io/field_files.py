@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
-from lommel.base import atomic, reading, validation
+from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import sealed
-from lommel.io import colour_files, fits_images, psf_files, psf_formats, registry, zarr_folders
+from lommel.io import fits_images, psf_files, psf_formats, registry, zarr_folders
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Arrays, Description, Format
 from lommel.io.zarr_folders import Layout, ZarrArray
@@ -27,17 +27,15 @@ ChannelPSFs = tuple[Channels, tuple[Made, ...]]
 
 
 def _read(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
-    form, data = psf_files.find(source, verb="read"), reading.contents(source)
-    with psf_files.told(source, "a grid of PSFs"):
-        arrays, text = form.read(data)
-        return _rebuilt(arrays, reading.json(text), kind)
+    form = psf_files.find(source, verb="read")
+    return psf_files.read(form, source, "a grid of PSFs", partial(_rebuilt, kind=kind))
 
 
 def _rebuilt(
     arrays: Arrays, description: Description, kind: Callable[..., Made]
 ) -> tuple[Made | ChannelPSFs[Made], Description]:
     if "channels" in description:
-        return colour_files.rebuild(arrays["values"], description, kind), description
+        return psf_files.rebuild_colours(arrays, description, kind), description
     return psf_files.rebuild(arrays, description, kind), description
 
 
@@ -145,8 +143,7 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     """
     psf = grid.psf
     if isinstance(psf, ColourPSFLike):
-        colour_files.require_plain(psf)
-        form, said = find(path, holding=SEVERAL), colour_files.describe(psf)
+        said, form = psf_files.describe_colours(psf), find(path, holding=SEVERAL)
     else:
         deep = "" if grid.depths is None else SEVERAL
         form, said = find(path, holding="with derivatives" if psf.derivatives else deep), psf_files.describe(psf)

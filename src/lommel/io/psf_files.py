@@ -1,4 +1,4 @@
-"""Files of PSFs; each describes how its values were computed."""
+"""Files of PSFs, also in colour channels; each describes how its values were computed."""
 
 from __future__ import annotations
 
@@ -12,20 +12,22 @@ from typing import TypeVar
 import numpy as np
 
 from lommel.base import atomic, reading, validation
-from lommel.base.checksums import checksum
+from lommel.base.checksums import checksum, sealed
 from lommel.base.optional import version
 from lommel.blur.blurs import blurs_from_dicts
 from lommel.io import fits_images, psf_formats, registry
 from lommel.io.psf_formats import LEVELS, SLOPE, derivative_name
 from lommel.io.registry import DAMAGED, Arrays, Description, Format, Values
-from lommel.measures.psf_like import PSFLike
+from lommel.measures.psf_like import ColourPSFLike, PSFLike, colours
 from lommel.methods import method_from_dict
 from lommel.optics.base_pupil import BasePupil
+from lommel.optics.colour.spectrum import Channels
 from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import FieldPupil, Pupil
 
 Made = TypeVar("Made", bound=PSFLike)
+_Rebuilt = TypeVar("_Rebuilt")
 NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
 _form, _SLOPES = partial(Format, "psf"), ("with derivatives",)
@@ -92,11 +94,15 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
 def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
     """Read a PSF of this kind; FileError if the file is damaged or was not written by this package."""
-    form, source = find(path, verb="read"), Path(path)
+    return read(find(path, verb="read"), Path(path), "a PSF", partial(rebuild, kind=kind))
+
+
+def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Description], _Rebuilt]) -> _Rebuilt:
+    """Return what `rebuild` makes of the arrays and the description of a file; FileError if it is damaged."""
     data = [reading.contents(place) for place in form.places(source)]
-    with told(source, "a PSF"):
+    with told(source, what):
         arrays, text = form.read(*data)
-        return rebuild(arrays, reading.json(text), kind)
+        return rebuild(arrays, reading.json(text))
 
 
 @contextmanager
@@ -211,3 +217,102 @@ def _values(stored: Values, kind: str, picture: Description | None = None) -> Va
     if not np.isfinite(stored).all():
         raise ValueError(f"its values must be finite, got {stored[~np.isfinite(stored)].flat[0]}")
     return stored.astype(kind, copy=False)
+
+
+_EACH = ("pupil", "method", "error_bound", "scale")  # what differs between channels
+
+
+def _tiff(answer: ColourPSFLike, description: Description) -> bytes:
+    import tifffile
+
+    values = np.ascontiguousarray(answer.values)
+    fields = psf_formats.ome(answer, "CYX" if values.ndim == 3 else "ZCYX", description)
+    fields["Channel"] = {"Name": list(answer.channels.names)}
+    pages = values if values.ndim == 3 else values.reshape(-1, *values.shape[-3:])
+    write = partial(tifffile.imwrite, photometric="minisblack")
+    return atomic.contents(write, pages, ome=True, metadata=fields)
+
+
+def _png(answer: ColourPSFLike, description: Description) -> bytes:
+    from PIL import Image, PngImagePlugin
+
+    if answer.values.ndim != 3:
+        raise ValueError(
+            f"a .png holds a single PSF, got a stack of shape {answer.shape}; take part(index), or draw it by plot()"
+        )
+    levels = np.rint(255.0 * np.sqrt(colours(answer))).astype(np.uint8)
+    info = PngImagePlugin.PngInfo()
+    info.add_text("Software", description["software"])
+    info.add_text("Comment", "square root of the values over the largest of all channels")
+    image = Image.fromarray(psf_formats.enlarged(levels, psf_formats.enlargement(answer.psfs[0])))
+    return atomic.contents(image.save, format="png", pnginfo=info)
+
+
+_colours = partial(Format, "colours")
+registry.register(
+    _colours((".npz",), psf_formats.write_npz, psf_formats.read_npz, what="NumPy archive"),
+    _colours((".tif", ".tiff"), _tiff, psf_formats.read_tiff, library="tifffile", what="OME-TIFF"),
+    _colours((".png",), _png, library="PIL.Image", what="8-bit picture, square root of the values"),
+)
+find_colours = partial(registry.find, "colours")
+
+
+@registry.documented("colours")
+def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
+    """Write PSFs in channels; the suffix chooses the format.
+
+    {formats}
+
+    The picture shows red, green and blue over the largest value of all channels, enlarged to 512 pixels or more;
+    nothing reads it back. The other files have the description of :func:`lommel.io.psf_files.save` and the channels.
+
+    Parameters
+    ----------
+    answer : ColourPSF
+    path : path
+
+    Raises
+    ------
+    ValueError
+        If the suffix is unknown, for derivatives, or for a PNG of a stack or of channels that are neither one nor
+        three.
+    ImportError
+        If tifffile or Pillow is not installed.
+    OSError
+        If the file cannot be written.
+    """
+    form = find_colours(path)
+    atomic.write(Path(path), form.write(answer, describe_colours(answer)))
+
+
+def load_colours(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:
+    """Read the channels and a PSF of this kind for each; FileError for a damaged file or another."""
+    form = find_colours(path, verb="read")
+    return read(form, Path(path), "a PSF in channels", partial(rebuild_colours, kind=kind))
+
+
+def describe_colours(answer: ColourPSFLike) -> Description:
+    """Return the description of the first PSF and what differs between channels; ValueError for derivatives."""
+    if any(psf.derivatives for psf in answer.psfs):
+        raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
+    said = [describe(psf) for psf in answer.psfs]
+    each = [{name: one[name] for name in _EACH} for one in said]
+    return said[0] | {"channels": answer.channels.to_dict(), "each": each, "shape": list(answer.shape)}
+
+
+def rebuild_colours(
+    arrays: Arrays, description: Description, kind: Callable[..., Made]
+) -> tuple[Channels, tuple[Made, ...]]:
+    """Return the channels and their PSFs from the arrays of a file and its sealed description."""
+    if "channels" not in description:
+        raise ValueError("it has no channels; PSF.load reads it")
+    values = np.ascontiguousarray(arrays["values"]).reshape(description["shape"])
+    if description.get("checksum") != checksum(description, {"values": values}):
+        raise ValueError(DAMAGED)
+    channels, each = Channels.from_dict(description["channels"]), description["each"]
+    made, shared = [], {name: said for name, said in description.items() if name not in ("channels", "each")}
+    for part, own in zip(np.moveaxis(values, -3, 0), each, strict=True):
+        said = shared | {name: own[name] for name in _EACH} | {"shape": list(part.shape)}
+        one = {"values": np.ascontiguousarray(part)}
+        made.append(rebuild(one, sealed(said, one), kind))
+    return channels, tuple(made)

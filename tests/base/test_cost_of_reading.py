@@ -47,7 +47,7 @@ ARGUED = {
     ("base/atomic.py", "open"): "to write, and a store to lock it",
     ("base/atomic.py", "fdopen"): "to write",
     ("io/fits_images.py", "open"): "of what reading has looked at: bytes in memory, no longer than their headers say",
-    ("io/fits_images.py", "decompressobj"): "no farther than the headers say",
+    ("io/fits_images.py", "GzipFile"): "no farther than the headers say",
     ("io/psf_formats.py", "fromstring"): "of a text whose elements were counted",
     ("io/psf_formats.py", "File"): "to write, in memory",
     ("io/psf_formats.py", "ZipFile"): "to write, in memory",

@@ -64,8 +64,9 @@ def _length(metres: float) -> str:
         Option("--encoding", type=click.Choice(["srgb", "linear"]),
                help="Encoding of the photos' values; by default integers are sRGB and floats are linear."),
         documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
-                   help="registered: points are at the same pixels in all photos; lens: they are magnified as "
-                   "by a thin lens at each focus distance, and resampled to the first photo."),
+                   help="registered: points are at the same pixels in all photos; lens: the photos differ in "
+                   "magnification, as those of a thin lens at each focus distance, and are resampled to the scale of "
+                   "the first."),
     ),
     *under(
         "Noise",

@@ -16,7 +16,7 @@ from lommel.base.units import format_length
 from lommel.cli.instruments import LENS, SQUARE_PIXEL, instrument_of
 from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
-from lommel.cli.photo_commands import finite, read_as
+from lommel.cli.photo_commands import NOISE, finite, noise_of, read_as
 from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.estimation.noise import Noise
@@ -33,11 +33,6 @@ if TYPE_CHECKING:
 
 _MISFIT = 2.0
 _ROWS, _POINTS = 11, 121
-
-
-def _length(metres: float) -> str:
-    """Return a distance as options take it."""
-    return "infinity" if math.isinf(metres) else format_length(metres)
 
 
 @command(
@@ -70,9 +65,7 @@ def _length(metres: float) -> str:
     ),
     *under(
         "Noise",
-        Option("--white", type=float, required=True, help="Electrons of a white pixel, such as 5000."),
-        documented(Noise, "read", type=float, required=True),
-        Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
+        *NOISE,
         Option("--saturation", type=float,
                help="Stored value at which pixels saturate; the largest integer always counts as saturated."),
     ),
@@ -89,9 +82,6 @@ def depth(
     lens: Path,
     foci: tuple[float, ...],
     f_numbers: tuple[float, ...],
-    white: float,
-    read: float,
-    offset: float,
     encoding: str | None,
     exposures: tuple[float, ...],
     pixel: float | None,
@@ -123,6 +113,7 @@ def depth(
         raise ValueError(
             f"{lens} has aberrations that vary over the field, which depth from defocus does not support"
         )
+    noise = noise_of(options)
     lenses = _each(instrument.lens, len(photos), foci, f_numbers)
     with progress("reading") as started:
         pictures = [read_photo(path, encoding) for path in photos]
@@ -136,7 +127,7 @@ def depth(
             lenses,
             instrument.side,
             encoding=pictures[0].encoding,
-            noise=Noise(white=white, read=read, offset=offset),
+            noise=noise,
             exposures=exposures or None,
             progress=lambda done, tiles: started(f"tile {done} of {tiles}", done / tiles),
             **options,
@@ -149,9 +140,9 @@ def depth(
         if figure is not None:
             save_figure(found.plot(), figure)
     files = written([*outputs, sharp, figure])
-    facts = _facts(found, lenses, seconds) | {"pixel": instrument.side} | files.facts
+    facts = _facts(found, lenses) | {"seconds": seconds, "pixel": instrument.side} | files.facts
     facts["read"] = read_as(pictures[0], encoding)
-    return Report(facts, [*_lines(facts, options), *files.parts])
+    return Report(facts, [*_lines(facts, lenses, options), *files.parts])
 
 
 def _write_sharp(path: Path, found: DefocusDepth) -> None:
@@ -178,11 +169,14 @@ def _each(lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[floa
     return lenses
 
 
-def _facts(found: DefocusDepth, lenses: list[Lens], seconds: float) -> Facts:
+def _facts(found: DefocusDepth, lenses: list[Lens]) -> Facts:
     """Return the description of a depth map."""
-    known = np.isfinite(found.deviation)
-    inner = known if known.any() else None
-    low, middle, high = np.percentile(found.depth[inner], [5.0, 50.0, 95.0]) if inner is not None else [math.nan] * 3
+    known, depth, deviation = np.isfinite(found.deviation), None, None
+    misfit = found.misfit
+    if known.any():
+        ends = np.percentile(found.depth[known], [5.0, 50.0, 95.0]).tolist()
+        depth = dict(zip(("5 %", "50 %", "95 %"), ends, strict=True))
+        deviation, misfit = float(np.median(found.deviation[known])), misfit[known]
     return {
         "shape": list(found.depth.shape),
         "focus_distances": [finite(one.focus_distance) for one in lenses],
@@ -191,32 +185,30 @@ def _facts(found: DefocusDepth, lenses: list[Lens], seconds: float) -> Facts:
         "candidates": len(found.candidates),
         "exposures": list(found.exposures),
         "known": found.known,
-        "depth": None if inner is None else {"5 %": low, "50 %": middle, "95 %": high},
-        "deviation": None if inner is None else float(np.median(found.deviation[inner])),
-        "misfit": float(np.median(found.misfit if inner is None else found.misfit[inner])),
-        "seconds": seconds,
+        "depth": depth,
+        "deviation": deviation,
+        "misfit": float(np.median(misfit)),
     }
 
 
-def _lines(facts: Facts, options: Facts) -> Iterator[str]:
+def _lines(facts: Facts, lenses: list[Lens], options: Facts) -> Iterator[str]:
     """Yield what a depth map and its photos are."""
     yield facts["read"]
     height, width = facts["shape"]
-    foci = [_length(math.inf if each == "infinity" else each) for each in facts["focus_distances"]]
-    each = ", ".join(f"{focus} at f/{stop:.3g}" for focus, stop in zip(foci, facts["f_numbers"], strict=True))
-    near, far = (_length(end) for end in options["between"])
-    yield (f"{width} x {height} pixels of {format_length(facts['pixel'])}; focus {each}")
-    yield (f"{facts['candidates']} distances from {near} to {far}, windows of {options['window']:g} pixels rms")
+    each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
+    near, far = map(format_length, options["between"])
+    yield f"{width} x {height} pixels of {format_length(facts['pixel'])}; focus {each}"
+    yield f"{facts['candidates']} distances from {near} to {far}, windows of {options['window']:g} pixels rms"
     if facts["depth"] is None:
-        yield ("no depth found: the photos have no texture, or all of it is out of range")
+        yield "no depth found: the photos have no texture, or all of it is out of range"
     else:
-        low, middle, high = (_length(facts["depth"][name]) for name in ("5 %", "50 %", "95 %"))
+        low, middle, high = map(format_length, facts["depth"].values())
         yield (
             f"depth known at {100.0 * facts['known']:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
             f"median {middle}, standard deviation {format_length(facts['deviation'], digits=2)}"
         )
     fits = "does not fit the photos: check registration, noise and lens" if facts["misfit"] > _MISFIT else "fits"
-    yield (f"misfit {facts['misfit']:.3g} (1 if only noise is left): the model {fits}")
+    yield f"misfit {facts['misfit']:.3g} (1 if only noise is left): the model {fits}"
 
 
 @command(
@@ -286,7 +278,7 @@ def precision(
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
     deviation = np.asarray(depth_precision(lenses, distance, instrument.side, **noise))
     seconds = time.perf_counter() - start
-    listed = ", ".join(_length(each.focus_distance) for each in lenses)
+    listed = ", ".join(format_length(each.focus_distance) for each in lenses)
     if figure is not None:
         from lommel.show import depth_maps
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import signal
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -46,6 +46,11 @@ _ARGUMENTS = [
     click.Argument(["lens"], type=FILE, required=False),
 ]
 _FOCUS = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
+NOISE = [
+    Option("--white", type=float, required=True, help="Electrons of a white pixel, such as 5000."),
+    documented(Noise, "read", type=float, required=True),
+    Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
+]
 _COMMON = [
     JSON,
     *under(
@@ -124,30 +129,25 @@ def blur(
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to 4m --frames 48 -o pull-%03d.png
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to inf --fps 24 -o pull.webp
     """
-    request = Request.of(given)
     if last is not None:
-        return _pull_focus(request, output, (focus, last), frames or _FRAMES, _FPS if fps is None else fps)
+        return _pull_focus(given, output, (focus, last), frames or _FRAMES, _FPS if fps is None else fps)
     if frames is not None or fps is not None:
         raise ValueError(f"--{'frames' if frames is not None else 'fps'} needs --focus-to, the end of a focus pull")
-    return _blur(request, output, focus)
-
-
-def _blur(request: Request, output: Path, focus: float | None) -> Report:
-    """Blur one photograph."""
     find(output, "--output")
     with terminated_as_interrupted(), progress("reading") as started:
-        job = request.job(output)
-        lens = job.lens(focus)
+        job = Job.of(given, output)
+        lens = job.focused(focus)
         started("computing PSFs")
         start = time.perf_counter()
         made = job.photograph(lens, lambda share: started("blurring", share))
         seconds = time.perf_counter() - start
-        clipped = job.write(output, made.values)
-    facts = job.facts(lens) | {"focus_distance": finite(lens.focus_distance), "seconds": seconds}
-    return _blur_report(facts, [made], [clipped], [output])
+        clipped = job.write(made.values)
+    facts, lines = _worst([made], [clipped])
+    facts = {"focus_distance": finite(lens.focus_distance), "seconds": seconds} | facts
+    return job.report(lens, facts, lines, [output])
 
 
-def _pull_focus(request: Request, output: Path, ends: tuple[float | None, float], frames: int, fps: float) -> Report:
+def _pull_focus(given: Facts, output: Path, ends: tuple[float | None, float], frames: int, fps: float) -> Report:
     """Blur a photograph once for each focus distance of a focus pull; a failure leaves no file."""
     first, last = ends
     check_pattern(output, "--output")
@@ -157,30 +157,39 @@ def _pull_focus(request: Request, output: Path, ends: tuple[float | None, float]
     photographs: list[Photograph] = []
     shares: list[float] = []
     with terminated_as_interrupted(), progress("reading", total=frames) as started:
-        job = request.job(output, one_file="%" not in output.name)
-        near = 1.0 / (job.lens(None).focus_distance if first is None else first)
+        job = Job.of(given, output, one_file="%" not in output.name)
+        near = 1.0 / (job.focused(None).focus_distance if first is None else first)
         # A lens moves by equal steps where 1 / distance does.
         steps = [near + (1.0 / last - near) * k / (frames - 1) for k in range(frames)]
-        lenses = [job.lens(1.0 / step if step else math.inf) for step in steps]
+        lenses = [job.focused(1.0 / step if step else math.inf) for step in steps]
         start = time.perf_counter()
 
         def made() -> Iterator[NDArray[np.generic]]:
             for number, lens in enumerate(lenses, 1):
                 started(f"frame {number} of {frames}, focus {format_length(lens.focus_distance)}")
                 photograph = job.photograph(lens)
-                values, clipped = stored(photograph.values, job.encoding, job.dtype)
+                values, clipped = stored(photograph.values, job.stored_as, job.dtype)
                 photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep all of them
                 shares.append(clipped)
                 yield values
 
-        files = write_frames(output, made(), fps=fps, quality=request.quality)
+        files = write_frames(output, made(), fps=fps, quality=job.quality)
         seconds = time.perf_counter() - start
-    facts = job.facts(lenses[0]) | {
-        "frames": frames,
-        "focus_distances": [finite(lens.focus_distance) for lens in lenses],
-        "seconds": seconds,
-    }
-    return _blur_report(facts, photographs, shares, files)
+    foci = [finite(lens.focus_distance) for lens in lenses]
+    facts, lines = _worst(photographs, shares)
+    facts = {"frames": frames, "focus_distances": foci, "seconds": seconds} | facts
+    return job.report(lenses[0], facts, lines, files)
+
+
+def _worst(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, list[str]]:
+    """Return the worst errors of blurred photographs, and a line of them."""
+    side, lost, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
+    if lost:
+        text = f"PSFs of up to {side} pixels, without {lost:.2g} of the light; error {error:.2g} of their peak"
+    else:
+        text = f"PSFs of up to {side} pixels and all light beyond; error {error:.2g} of the brightest point"
+    facts = {"largest_window": side, "light_beyond_windows": lost, "interpolation_error": error}
+    return facts | {"clipped": max(clipped)}, [text]
 
 
 _METHODS = ("richardson-lucy", "total-variation")
@@ -192,9 +201,7 @@ _METHODS = ("richardson-lucy", "total-variation")
     _FOCUS,
     *under(
         "Noise",
-        Option("--white", type=float, required=True, help="Electrons of a white pixel, such as 5000."),
-        documented(Noise, "read", type=float, required=True),
-        Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
+        *NOISE,
         Option("--saturation", type=float, help="Level at which pixels saturate; white is 1."),
     ),
     *under(
@@ -215,9 +222,6 @@ _METHODS = ("richardson-lucy", "total-variation")
 def restore(
     output: Path,
     focus: float | None,
-    white: float,
-    read: float,
-    offset: float,
     saturation: float | None,
     method: str,
     steps: int | None,
@@ -239,13 +243,12 @@ def restore(
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
-    request = Request.of(given)
     find(output, "--output")
-    noise = Noise(white=white, read=read, offset=offset)
+    noise = noise_of(given)
     way = _method(method, steps, target, strength)
     with terminated_as_interrupted(), progress("reading") as started:
-        job = request.job(output)
-        lens = job.lens(focus)
+        job = Job.of(given, output)
+        lens = job.focused(focus)
         started("computing PSFs")
         start = time.perf_counter()
 
@@ -255,20 +258,21 @@ def restore(
 
         found = restored(
             job.picture.values,
-            job.depth,
+            job.distance,
             lens,
-            job.pixel,
+            job.pitch,
             encoding=job.picture.encoding,
             noise=noise,
             method=way,
             saturation=saturation,
             progress=step_done,
-            **vars(request.settings),
+            **vars(job.settings),
         )
         seconds = time.perf_counter() - start
-        clipped = job.write(output, np.asarray(found.light))
-    facts = job.facts(lens) | {"focus_distance": finite(lens.focus_distance), "seconds": seconds}
-    facts |= {
+        clipped = job.write(np.asarray(found.light))
+    facts = {
+        "focus_distance": finite(lens.focus_distance),
+        "seconds": seconds,
         "method": method,
         "discrepancy": {"photo": found.before, "result": found.discrepancy, "by_channel": list(found.by_channel)},
         "steps": found.steps,
@@ -284,7 +288,7 @@ def restore(
     lines.append(f"stopped after {found.steps} steps: {why.get(found.stopped, found.stopped)}")
     if found.unknown:
         lines.append(f"saturated or unknown: {100.0 * found.unknown:.2g} % of the values")
-    return _report(facts, lines, [output])
+    return job.report(lens, facts, lines, [output])
 
 
 def _method(name: str, steps: int | None, target: float, strength: float | None) -> RichardsonLucy | TotalVariation:
@@ -297,26 +301,9 @@ def _method(name: str, steps: int | None, target: float, strength: float | None)
     return RichardsonLucy(steps=RichardsonLucy.steps if steps is None else steps, target=target)
 
 
-def _blur_report(facts: Facts, photographs: list[Photograph], clipped: list[float], files: list[Path]) -> Report:
-    """Return the report of blurred photographs, with the worst of their errors."""
-    side, lost, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
-    facts |= {"largest_window": side, "light_beyond_windows": lost, "interpolation_error": error}
-    if lost:
-        text = f"PSFs of up to {side} pixels, without {lost:.2g} of the light; error {error:.2g} of their peak"
-    else:
-        text = f"PSFs of up to {side} pixels and all light beyond; error {error:.2g} of the brightest point"
-    return _report(facts | {"clipped": max(clipped)}, [text], files)
-
-
-def _report(facts: Facts, lines: list[str], files: list[Path]) -> Report:
-    """Return the report of photographs; the lines are those between what was read and what was clipped."""
-    height, width, *_ = facts["shape"]
-    f_number = f"f/{facts['f_number']:.3g}"
-    pixels = f"{width} x {height} pixels of {format_length(facts['pixel'])}"
-    lines = [facts["read"], f"{pixels}; f = {format_length(facts['focal_length'])}, {f_number}", *lines]
-    if facts["clipped"]:
-        lines.append(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
-    return Report(facts, lines) + written(files)
+def noise_of(given: Facts) -> Noise:
+    """Return the noise that the options of a command describe, and take them out."""
+    return Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
 
 
 def finite(distance: float) -> float | str:
@@ -338,10 +325,15 @@ def terminated_as_interrupted() -> Iterator[None]:
         signal.signal(signal.SIGTERM, before)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Request:
-    """Arguments and options of a command for photographs."""
+@dataclass(kw_only=True)
+class Job:
+    """A photograph, its depth map and its lens, by the options of a command, and how to store the result.
 
+    The lens is as in its file, or focused at infinity; `one_file` is for the frames of an animation or a stack.
+    """
+
+    output: Path
+    one_file: bool
     photo: Path
     depth: Path
     lens: Path | None
@@ -358,57 +350,50 @@ class Request:
     settings: Settings
 
     @classmethod
-    def of(cls, given: Facts) -> Self:
-        """Return the request of a command's options, by their names."""
+    def of(cls, given: Facts, output: Path, *, one_file: bool = False) -> Self:
+        """Read the files that the options of a command name."""
         own = {field.name for field in fields(cls)}
         settings = Settings(**{name: value for name, value in given.items() if name not in own})
-        return cls(settings=settings, **{name: value for name, value in given.items() if name in own})
+        arguments = {name: value for name, value in given.items() if name in own}
+        return cls(output=output, one_file=one_file, settings=settings, **arguments)
 
-    def job(self, output: Path, *, one_file: bool = False) -> Job:
-        """Read the files and choose how the output is stored; `one_file` for the frames of an animation or stack."""
-        picture = read_photo(self.photo, self.encoding)
-        depth = read_depth(self.depth, scale=self.depth_scale, zero_is_unknown=self.zero_unknown)
-        height, width = picture.values.shape[:2]
-        if depth.shape != (height, width):
+    def __post_init__(self) -> None:
+        self.picture = read_photo(self.photo, self.encoding)
+        self.light = self.picture.light()
+        self.distance = read_depth(self.depth, scale=self.depth_scale, zero_is_unknown=self.zero_unknown)
+        height, width = self.light.shape[:2]
+        if self.distance.shape != (height, width):
             raise ValueError(
                 f"{self.depth} must have the size of the upright photo, {width} x {height}, "
-                f"got {depth.shape[1]} x {depth.shape[0]}"
+                f"got {self.distance.shape[1]} x {self.distance.shape[0]}"
             )
-        pixel = self._pixel(picture)
-        if self.lens is None:
-            lens, file_pixel = self._lens_of_options(picture), None
-        else:
-            lens, file_pixel = self._lens_of_file(self.lens)
-        pixel = file_pixel if pixel is None else pixel
-        if pixel is None:
+        if self.pixel_from_exif:
+            if self.pixel is not None:
+                raise ValueError("give one of --pixel and --pixel-from-exif")
+            if self.no_exif:
+                raise ValueError("--pixel-from-exif contradicts --no-exif")
+            self.pixel = self.picture.exif.pixel(self.picture.values.shape)
+        self.optics = self._lens_of_options() if self.lens is None else self._lens_of_file(self.lens)
+        if self.pixel is None:
             raise ValueError("without a lens file give --pixel or --pixel-from-exif")
-        dtype = _TYPES[self.bits or _bits(picture.values.dtype, output.suffix.lower())]
-        if not one_file:
-            find(output, "--output", holding=f"of {dtype}")
-        elif is_animation(output) and dtype.itemsize > 1:
-            raise ValueError(f"{output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
+        self.pitch = self.pixel
+        kind, suffix = self.picture.values.dtype, self.output.suffix.lower()
+        self.dtype = _TYPES[self.bits or _bits(kind, suffix)]
+        if not self.one_file:
+            find(self.output, "--output", holding=f"of {self.dtype}")
+        elif is_animation(self.output) and self.dtype.itemsize > 1:
+            raise ValueError(f"{self.output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
         # Values of the same kind keep their encoding; others get the one that readers will take them for.
-        kept = (dtype.kind == "f") == (picture.values.dtype.kind == "f")
-        encoding = picture.encoding if kept else "linear" if dtype.kind == "f" else "srgb"
-        return Job(self, picture, picture.light(), depth, encoding, dtype, pixel, lens)
+        kept = (self.dtype.kind == "f") == (kind.kind == "f")
+        self.stored_as = self.picture.encoding if kept else "linear" if self.dtype.kind == "f" else "srgb"
 
-    def _pixel(self, picture: Picture) -> float | None:
-        """Return the pixel pitch of the options or of the EXIF, or None for that of the lens file."""
-        if not self.pixel_from_exif:
-            return self.pixel
-        if self.pixel is not None:
-            raise ValueError("give one of --pixel and --pixel-from-exif")
-        if self.no_exif:
-            raise ValueError("--pixel-from-exif contradicts --no-exif")
-        return picture.exif.pixel(picture.values.shape)
-
-    def _lens_of_options(self, picture: Picture) -> Lens:
+    def _lens_of_options(self) -> Lens:
         """Return a lens with the data of the options or the EXIF, focused at infinity."""
-        exif = picture.exif
+        exif = self.picture.exif
         return Lens(
             focal_length=self._agreed("--focal-length", self.focal_length, exif.focal_length, format_length),
             f_number=self._agreed("--f-number", self.f_number, exif.f_number, lambda n: f"f/{n:g}"),
-            wavelength=540e-9 if picture.values.ndim == 3 else 550e-9,
+            wavelength=540e-9 if self.light.ndim == 3 else 550e-9,
         )
 
     def _agreed(self, option: str, given: float | None, read: float | None, show: Callable[[float], str]) -> float:
@@ -426,8 +411,8 @@ class Request:
             )
         return given
 
-    def _lens_of_file(self, path: Path) -> tuple[Lens, float]:
-        """Return the lens of a file, stopped down to --f-number, and its pixel pitch."""
+    def _lens_of_file(self, path: Path) -> Lens:
+        """Return the lens of a file, stopped down to --f-number, and keep the pixel pitch of the file."""
         from lommel.lensfiles.lens_files import load_instrument
 
         if self.focal_length is not None or self.pixel_from_exif:
@@ -436,30 +421,16 @@ class Request:
         instrument = load_instrument(path)
         if instrument.aberrations_of_field is not None:
             raise ValueError(f"{path} has aberrations that vary over the field, which this command does not support")
-        if self.f_number is None:
-            return instrument.lens, instrument.side
+        side = instrument.side
+        self.pixel = side if self.pixel is None else self.pixel
         try:
-            return instrument.lens.stopped(self.f_number), instrument.side
+            return instrument.lens if self.f_number is None else instrument.lens.stopped(self.f_number)
         except ValueError as error:
             raise ValueError(f"--f-number of {path}: {error}") from None
 
-
-@dataclass(frozen=True, eq=False)
-class Job:
-    """A photograph, its depth map, its lens (as in the file, or focused at infinity), and how to store the result."""
-
-    request: Request
-    picture: Picture
-    light: NDArray[np.floating]
-    depth: NDArray[np.float64]
-    encoding: str
-    dtype: np.dtype[np.generic]
-    pixel: float
-    optics: Lens
-
-    def lens(self, focus: float | None) -> Lens:
+    def focused(self, focus: float | None) -> Lens:
         """Return the lens, focused at a distance or as in its file."""
-        if focus is None and self.request.lens is None:
+        if focus is None and self.lens is None:
             raise ValueError("without a lens file give --focus")
         try:
             return self.optics if focus is None else self.optics.focused(focus)
@@ -468,13 +439,13 @@ class Job:
 
     def photograph(self, lens: Lens, progress: Callable[[float], object] | None = None) -> Photograph:
         """Return the blurred light; `progress` is called with the fraction of the work done."""
-        settings = self.request.settings
-        plan = FocusPlan(self.light, self.depth, lens, self.pixel, encoding="linear", keep=1, **vars(settings))
+        settings = self.settings
+        plan = FocusPlan(self.light, self.distance, lens, self.pitch, encoding="linear", keep=1, **vars(settings))
         if progress is not None:
             blur = plan.blur()
             # Occlusion blurs a white image too: once for each spectrum, twice where the whole PSF is kept.
             looks = len(set(blur.spectra)) * (2 if settings.energy == 1.0 else 1) if settings.occlusion else 0
-            total, done = self.depth.size * (blur.channels + looks), 0
+            total, done = self.distance.size * (blur.channels + looks), 0
 
             def watch(points: int) -> None:
                 nonlocal done
@@ -484,25 +455,31 @@ class Job:
             blur.watch = watch
         return plan()
 
-    def write(self, output: Path, light: NDArray[Any]) -> float:
+    def write(self, light: NDArray[Any]) -> float:
         """Write the result and return the clipped fraction of its values."""
         # A profile of other values than these would be wrong.
-        profile = self.picture.profile if self.encoding == self.picture.encoding else None
+        profile = self.picture.profile if self.stored_as == self.picture.encoding else None
         return write_photo(
-            output, light, encoding=self.encoding, dtype=self.dtype, quality=self.request.quality, profile=profile
+            self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=self.quality, profile=profile
         )
 
-    def facts(self, lens: Lens) -> Facts:
-        """Return a description of the photograph and the lens."""
-        return {
+    def report(self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path]) -> Report:
+        """Return the report of the job: the facts and lines of a command, within those that all have."""
+        read, (height, width, *_) = read_as(self.picture, self.encoding), self.light.shape
+        common = {
             "shape": list(self.light.shape),
-            "encoding": {"photo": self.picture.encoding, "output": self.encoding},
-            "read": read_as(self.picture, self.request.encoding),
+            "encoding": {"photo": self.picture.encoding, "output": self.stored_as},
+            "read": read,
             "bits": "float" if self.dtype.kind == "f" else str(8 * self.dtype.itemsize),
             "focal_length": lens.focal_length,
             "f_number": lens.f_number,
-            "pixel": self.pixel,
+            "pixel": self.pitch,
         }
+        pixels = f"{width} x {height} pixels of {format_length(self.pitch)}"
+        lines = [read, f"{pixels}; f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}", *lines]
+        if facts["clipped"]:
+            lines.append(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
+        return Report(common | facts, lines) + written(files)
 
 
 def read_as(picture: Picture, given: str | None) -> str:

@@ -16,7 +16,7 @@ from lommel.measures.psf_like import PSFLike, checked, is_psf
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
-from lommel.show.drawing import frequencies, lengths, new_axes
+from lommel.show.drawing import complete_curves, frequencies, lengths, new_axes
 from lommel.show.labels import few_of, of_pupils
 
 if TYPE_CHECKING:
@@ -96,14 +96,8 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         nyquist = 0.5 / (thing.grid.pitch[1] if is_psf(thing) else sides[1])
         if nyquist <= most:
             axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
-    axes.set_xlabel(f"spatial frequency ({unit})")
-    axes.set_ylabel("MTF (1)")
-    axes.set_xlim(0.0, factor * most)
-    axes.set_ylim(0.0, 1.05)
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
-    if ax is None:
-        axes.set_title(_title(pupil, thing.pixel if is_psf(thing) and sides[1] else pixel), fontsize=9)
+    title = _title(pupil, thing.pixel if is_psf(thing) and sides[1] else pixel) if ax is None else None
+    complete_curves(axes, title, (0.0, factor * most), xlabel=f"spatial frequency ({unit})", ylabel="MTF (1)")
     return axes
 
 
@@ -134,7 +128,7 @@ def _title(pupil: BasePupil, pixel: float | tuple[float, float] | None) -> str:
     what = "modulation transfer function"
     if pixel is None:
         return what
-    factor, unit = (1e6, "µm") if pupil.unit == "m" else (1.0, "λN")
+    factor, unit = lengths(pupil.unit)
     sides = (pixel,) if isinstance(pixel, float) else pixel
     return f"{what} with pixels of {' x '.join(f'{factor * side:.4g}' for side in sides)} {unit}"
 
@@ -186,22 +180,17 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
     else:
         curve = np.asarray(within(psf, at))
         axes.plot(factor * at, curve, label="PSF")
-        ideal = _ideal(psf, at)
-        if ideal is not None:
+        if isinstance(pupil, Pupil):
+            ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), at)
             axes.plot(factor * at, ideal, "--", color="0.5", label="without aberration")
         found = {share: float(np.interp(share, curve, at)) for share in _SHARES if curve[-1] > share}
         told = [f"{share:.0%} within {half * factor:.3g} {unit}" for share, half in found.items()]
         title = ", ".join([title, *told])
         for share, half in found.items():
             axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)
-    axes.set_xlabel(f"radius ({unit})")
-    axes.set_ylabel("fraction of all light (1)")
-    axes.set_xlim(0.0, far * factor)
-    axes.set_ylim(0.0, 1.05)
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8, loc="lower right")
-    if ax is None:
-        axes.set_title(title, fontsize=9)
+    own, limits = title if ax is None else None, (0.0, far * factor)
+    ylabel = "fraction of all light (1)"
+    complete_curves(axes, own, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)
     return axes
 
 
@@ -211,10 +200,3 @@ def _fitting(psf: PSFLike) -> float:
     inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
     sides = (count * pitch for count, pitch in zip(psf.grid.shape, psf.grid.pitch, strict=True))
     return inside if inside > 0.0 else 0.5 * max(sides)
-
-
-def _ideal(psf: PSFLike, radius: Array) -> Array | None:
-    """Return the light of the aperture without aberration, with the same blur and pixels, of lenses."""
-    if not isinstance(psf.pupil, Pupil):
-        return None
-    return np.asarray(within(replace(psf, pupil=psf.pupil.unaberrated(), derivatives={}), radius))

@@ -10,6 +10,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
+from lommel.show.drawing import USER, new_axes, pyplot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,11 +21,10 @@ _UNKNOWN = "0.55"  # the colour of what is not known
 
 def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
     """Draw depth and its standard deviation (metres, NaN grey), and the light of the sharp image, side by side."""
-    pyplot: Any = library("matplotlib.pyplot", "plots need", "plot")
     height, width = depth.shape
     count = 2 if light is None else 3
     side = 4.4
-    figure: Figure = pyplot.figure(
+    figure: Figure = pyplot().figure(
         figsize=(count * side, side * min(max(height / width, 0.4), 2.0) + 0.9), layout="constrained"
     )
     axes: Any = figure.subplots(1, count)
@@ -37,7 +37,7 @@ def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
     millimetres = np.where(known, 1e3 * deviation, np.nan)
     if known.any():
         ends = np.percentile(millimetres[known], [0.5, 99.5])
-        norm = library("matplotlib.colors", "plots need", "plot").LogNorm(*(ends * [0.99, 1.01]))
+        norm = library("matplotlib.colors", *USER).LogNorm(*(ends * [0.99, 1.01]))
     shown = axes[1].imshow(millimetres, cmap="magma", norm=norm, interpolation="nearest")
     figure.colorbar(shown, ax=axes[1], label="deviation (mm)", extend="both", shrink=0.85)
     axes[1].set_title("how well", fontsize=10)
@@ -47,17 +47,13 @@ def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
         axes[2].imshow(within, cmap="gray" if light.ndim == 2 else None, interpolation="nearest")
         axes[2].set_title("in focus everywhere", fontsize=10)
     for each in axes:
-        each.set_xticks([])
-        each.set_yticks([])
-        each.set_facecolor(_UNKNOWN)
+        each.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
     return figure
 
 
 def precision(distance: Array, curves: Mapping[str, Array], title: str) -> Axes:
     """Draw standard deviations of depth over the distance (metres, logarithmic); infinite ones are gaps."""
-    pyplot: Any = library("matplotlib.pyplot", "plots need", "plot")
-    figure = pyplot.figure(figsize=(7.0, 4.4), layout="constrained")
-    axes: Axes = figure.subplots()
+    axes = new_axes(None, figsize=(7.0, 4.4))
     finite = np.concatenate([curve[np.isfinite(curve)] for curve in curves.values()])
     for name, curve in curves.items():
         axes.semilogy(distance, np.where(np.isfinite(curve), 1e3 * curve, np.nan), label=name)
@@ -65,13 +61,12 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str) -> Axes:
         # Poles would leave no room for what matters.
         least = 1e3 * float(finite.min())
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
-    axes.set_xlabel("distance (m)")
-    axes.set_ylabel("deviation of depth (mm)")
+    axes.set(xlabel="distance (m)", ylabel="deviation of depth (mm)")
     axes.set_title(title, fontsize=10)
     axes.grid(which="both", alpha=0.3)
     if len(curves) > 1:
         axes.legend(fontsize=9)
-    plain = library("matplotlib.ticker", "plots need", "plot").FuncFormatter(lambda value, _: f"{value:g}")
+    plain = library("matplotlib.ticker", *USER).FuncFormatter(lambda value, _: f"{value:g}")
     axes.yaxis.set_major_formatter(plain)
     if finite.size and math.log10(axes.get_ylim()[1] / axes.get_ylim()[0]) < 1.5:
         axes.yaxis.set_minor_formatter(plain)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,11 +43,12 @@ MOST = 64
 _FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
 
 
-def norm_of(stretch: str, peak: float) -> Normalize:
-    """Return the scale of brightness of values up to `peak`."""
+def norm_of(stretch: str, values: Values) -> Normalize:
+    """Return the scale of brightness of values up to the largest of these, or up to 1."""
     library("matplotlib", *USER)
     from matplotlib import colors
 
+    peak = float(np.max(values)) or 1.0
     if stretch == "log":
         return colors.LogNorm(_FLOOR * peak, peak, clip=True)
     return colors.PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else colors.Normalize(0.0, peak)
@@ -102,6 +103,35 @@ def at_most(shape: tuple[int, ...]) -> None:
         raise ValueError(f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, as stack[:8]")
 
 
+def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
+    """Leave labels to the first of each row, and to the last of each column, of pictures side by side."""
+    if k % columns:
+        axes.set(ylabel="", yticklabels=[])
+    if k + columns < count:
+        axes.set(xlabel="", xticklabels=[])
+
+
+def caption(axes: Axes, title: str, label: str) -> None:
+    """Give a picture in a figure of its own a title, and a colour bar with a label."""
+    axes.set_title(title, fontsize=9)
+    axes.figure.colorbar(axes.images[-1], ax=axes, label=label)
+
+
+def complete_curves(
+    axes: Axes,
+    title: str | None,
+    xlim: tuple[float, float],
+    loc: Literal["best", "lower right"] = "best",
+    **labels: str,
+) -> None:
+    """Give curves of fractions labels, limits, a grid, a legend, and a title where the figure is their own."""
+    axes.set(xlim=xlim, ylim=(0.0, 1.05), **labels)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8, loc=loc)
+    if title is not None:
+        axes.set_title(title, fontsize=9)
+
+
 def tiles(
     shape: tuple[int, ...],
     draw: Callable[[tuple[int, ...], Axes], AxesImage],
@@ -124,12 +154,7 @@ def tiles(
         shown = draw(index, axes)
         axes.set_title(titles[k], fontsize=8)
         axes.tick_params(labelsize=7)
-        if k % columns:
-            axes.set_ylabel("")
-            axes.set_yticklabels([])
-        if k + columns < count:
-            axes.set_xlabel("")
-            axes.set_xticklabels([])
+        only_outer(axes, k, count, columns)
     figure.suptitle(title, fontsize=9)
     figure.colorbar(shown, ax=drawn.ravel().tolist(), label=label)
     return drawn

@@ -39,9 +39,7 @@ def fit(
     for row, text in zip(axes, ("measured", "model", "residual"), strict=True):
         row[0].set_ylabel(text, fontsize=9)
     for each in axes.flat:
-        each.set_xticks([])
-        each.set_yticks([])
-        each.set_facecolor("0.5")  # what was left out
+        each.set(xticks=[], yticks=[], facecolor="0.5")  # what was left out
     pictures.colorbar(left, ax=axes[2].tolist(), label="residual (deviations)", shrink=0.9)
     drawn = graph.subplots()
     at = np.arange(len(names))

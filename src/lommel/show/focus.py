@@ -11,7 +11,6 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.base.units import format_length
 from lommel.core.answers import Images, Wanted
 from lommel.measures import transfer
 from lommel.measures.aperture_means import strehl
@@ -21,7 +20,8 @@ from lommel.optics.grid import Grid
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import STRETCHES, frequencies, lengths, new_axes, norm_of
+from lommel.show.drawing import STRETCHES, caption, complete_curves, frequencies, lengths, new_axes, norm_of
+from lommel.show.labels import length_in_words
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -222,21 +222,19 @@ def through_focus(
     step = x[1] - x[0], shift[1] - shift[0]
     axes = new_axes(ax, figsize=(7.2, 4.2))
     top = (half + 0.5 * step[0]) * factor
-    image = axes.imshow(
+    axes.imshow(
         values.T,
         extent=(shift[0] - 0.5 * step[1], shift[-1] + 0.5 * step[1], -top, top),
         origin="lower",
         aspect="auto",
         cmap="magma",
-        norm=norm_of(stretch, float(values.max()) or 1.0),
+        norm=norm_of(stretch, values),
         interpolation="bilinear",
     )
     axes.axvline(0.0, color="C0", linewidth=0.8, linestyle="--")
-    axes.set_xlabel(label)
-    axes.set_ylabel(f"x ({unit})")
+    axes.set(xlabel=label, ylabel=f"x ({unit})")
     if ax is None:
-        axes.set_title(f"{_told(thing, here, object_distance)}; dashed: the sensor", fontsize=9)
-        axes.figure.colorbar(image, ax=axes, label="irradiance (1 = unaberrated peak)")
+        caption(axes, _told(thing, here, object_distance), "irradiance (1 = unaberrated peak)")
     return axes
 
 
@@ -293,14 +291,8 @@ def focus_curves(
                 word = f"MTF at {each * factor:.3g} {unit}" + (", along y" if style == "--" else "")
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=word)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
-    axes.set_xlabel(label)
-    axes.set_ylabel("Strehl ratio, MTF (1)")
-    axes.set_xlim(shift[0], shift[-1])
-    axes.set_ylim(0.0, 1.05)
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
-    if ax is None:
-        axes.set_title(f"{_told(thing, here, object_distance)}; dashed: the sensor", fontsize=9)
+    title = _told(thing, here, object_distance) if ax is None else None
+    complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF (1)")
     return axes
 
 
@@ -314,11 +306,11 @@ def _shift(through: Moved) -> tuple[Array, str]:
 
 
 def _told(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
-    """Return what there is to say of the light: f-number, wavelength, object."""
-    if pupil.wavelength is None:
-        return "through focus"
-    light = f"f/{pupil.f_number:.3g}, {format_length(pupil.wavelength)}".replace(" um", " µm")
-    if not isinstance(thing, Lens):
-        return light
-    distance = thing.focus_distance if object_distance is None else object_distance
-    return f"{light}, object at {'∞' if math.isinf(distance) else format_length(float(distance))}"
+    """Return a title: f-number, wavelength, object, and what the dashed line is."""
+    text = "through focus"
+    if pupil.wavelength is not None:
+        text = f"f/{pupil.f_number:.3g}, {length_in_words(pupil.wavelength)}"
+        if isinstance(thing, Lens):
+            distance = thing.focus_distance if object_distance is None else object_distance
+            text = f"{text}, object at {length_in_words(distance)}"
+    return f"{text}; dashed: the sensor"

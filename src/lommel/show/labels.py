@@ -61,8 +61,12 @@ def _terms(flat: Wavefront, which: int) -> list[str]:
 def _lengths(what: str, at: Array) -> list[str]:
     finite = np.abs(at[np.isfinite(at)])
     like = float(finite.max()) if finite.size else None
-    told = (format_length(float(each) + 0.0, like=like).replace(" um", " µm") for each in at)
-    return [f"{what}{each.replace('infinity', '∞')}" for each in told]
+    return [f"{what}{length_in_words(each + 0.0, like=like)}" for each in at.tolist()]
+
+
+def length_in_words(metres: float, like: float | None = None) -> str:
+    """Return a length as pictures have it, with the unit that suits it or another."""
+    return format_length(metres, like=like).replace(" um", " µm").replace("infinity", "∞")
 
 
 def _indices(shape: tuple[int, ...]) -> list[str]:

@@ -16,7 +16,6 @@ import numpy as np
 
 from lommel.base import display
 from lommel.base.arrays import Array, Numbers
-from lommel.base.units import format_length
 from lommel.base.validation import brief
 from lommel.measures.aperture_means import rms
 from lommel.measures.energy import energy_per_pixel
@@ -27,7 +26,7 @@ from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.show.drawing import HOW, MEANING
-from lommel.show.labels import few, few_of, of_pupils
+from lommel.show.labels import few, few_of, length_in_words, of_pupils
 from lommel.show.pupils import across
 from lommel.special import zernike
 
@@ -241,14 +240,13 @@ def _image(values: Array, cmap: str, words: str, side: int) -> str:
 
 def _terms(wavefront: Wavefront) -> list[Row]:
     """Return the largest Zernike terms, waves rms; of a stack the largest of each, and no more than eight."""
-    sizes = {t: float(np.abs(c).max()) for t, c in wavefront.edge_terms().items() if np.any(c)}
-    largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
     edge = wavefront.edge_terms()
-
-    def told(n: int, m: int) -> str:
-        return f"{_span(edge[n, m] / (2.0 * math.pi * zernike.rms_factor(n, m)), '.3g')} waves rms"
-
-    rows: list[Row] = [(zernike.name(*term), told(*term)) for term in largest[:_TERMS]]
+    sizes = {t: float(np.abs(c).max()) for t, c in edge.items() if np.any(c)}
+    largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
+    rows: list[Row] = []
+    for n, m in largest[:_TERMS]:
+        size = _span(edge[n, m] / (2.0 * math.pi * zernike.rms_factor(n, m)), ".3g")
+        rows.append((zernike.name(n, m), f"{size} waves rms"))
     if len(largest) > _TERMS:
         rows.append(("and", f"{len(largest) - _TERMS} smaller terms"))
     return rows
@@ -287,9 +285,7 @@ def _light(pupil: BasePupil) -> str:
 
 
 def _length(value: float, unit: str) -> str:
-    if unit != "m":
-        return f"{value:.4g} λN"
-    return format_length(float(value)).replace(" um", " µm").replace("infinity", "∞")
+    return length_in_words(float(value)) if unit == "m" else f"{value:.4g} λN"
 
 
 def _places(at: Array) -> str:

@@ -22,10 +22,12 @@ from lommel.show.drawing import (
     STRETCHES,
     USER,
     at_most,
+    caption,
     even_norm,
     lengths,
     new_axes,
     norm_of,
+    only_outer,
     only_single,
     pyplot,
     stretched,
@@ -99,7 +101,7 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
     grid = figure.subplots(2, 2, width_ratios=(wide, deep), height_ratios=(high, deep))
     xy, yz, xz, legend = grid.flat
-    norm = norm_of(stretch, float(values.max()) or 1.0)
+    norm = norm_of(stretch, values)
     aspect = "equal" if longest <= _LONGEST * min(lengths) else "auto"
     for axes, across, up, level, title in (
         (xy, x, y, values[plane], f"xy at z = {z[plane]:.4g} µm"),
@@ -108,16 +110,13 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     ):
         mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap="magma", rasterized=True)
         axes.set_title(title, fontsize=9)
-        axes.set_aspect(aspect)
-        axes.set_facecolor("black")
+        axes.set(aspect=aspect, facecolor="black")
     for axes in (xy, yz):
         axes.invert_yaxis()  # rows, from the top
     xy.set_ylabel("y in the sample (µm)")
-    xz.set_ylabel("z of the stage (µm)")
-    xz.set_xlabel("x in the sample (µm)")
-    yz.set_xlabel("z of the stage (µm)")
+    xz.set(xlabel="x in the sample (µm)", ylabel="z of the stage (µm)")
+    yz.set(xlabel="z of the stage (µm)", yticklabels=[])
     legend.set_axis_off()
-    yz.set_yticklabels([])
     told = "\n".join(_told(psf, z, aspect, stretch))
     legend.text(0.0, 1.0, told, transform=legend.transAxes, va="top", fontsize=8, linespacing=1.5)
     figure.colorbar(mesh, ax=grid, label=MEANING[psf.normalize])
@@ -174,10 +173,9 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     validation.choice("stretch", stretch, STRETCHES)
     if psf.pupil.shape != ():
         return _stack(psf, ax, stretch)
-    axes = _draw(psf, new_axes(ax), norm_of(stretch, float(psf.values.max()) or 1.0))
+    axes = _draw(psf, new_axes(ax), norm_of(stretch, psf.values))
     if ax is None:
-        axes.set_title(_title(psf), fontsize=9)
-        axes.figure.colorbar(axes.images[0], ax=axes, label=MEANING[psf.normalize])
+        caption(axes, _title(psf), MEANING[psf.normalize])
     return axes
 
 
@@ -187,7 +185,7 @@ def _stack(psf: PSFLike, ax: Axes | None, stretch: str) -> NDArray[np.object_]:
     if is_z_stack(psf):
         return sections(psf, stretch=stretch)
     at_most(psf.pupil.shape)
-    norm = norm_of(stretch, float(psf.values.max()) or 1.0)
+    norm = norm_of(stretch, psf.values)
 
     def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
         return _draw(psf[index], axes, norm).images[0]
@@ -216,8 +214,7 @@ def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
     high, half = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor
     axes.imshow(picture, extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high), **how)
-    axes.set_xlabel(f"x ({unit})")
-    axes.set_ylabel(f"y ({unit})")
+    axes.set(xlabel=f"x ({unit})", ylabel=f"y ({unit})")
     return axes
 
 
@@ -268,12 +265,7 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     grey = {} if pictures.ndim == 4 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
     for k, (picture, title) in enumerate(zip(pictures, titles, strict=True)):
         _show(picture, first, drawn[k], interpolation="nearest", **grey)
-        if k % columns:
-            drawn[k].set_ylabel("")
-            drawn[k].set_yticklabels([])
-        if k + columns < len(pictures):
-            drawn[k].set_xlabel("")
-            drawn[k].set_xticklabels([])
+        only_outer(drawn[k], k, len(pictures), columns)
         if title:
             drawn[k].set_title(title, fontsize=9)
     for spare in drawn[len(pictures) :]:
@@ -315,11 +307,8 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
         axes.set_title(name, fontsize=10)
         axes.tick_params(labelsize=7)
         axes.xaxis.label.set_fontsize(8)
-        if k:
-            axes.set_ylabel("")
-            axes.set_yticklabels([])
-        else:
-            axes.yaxis.label.set_fontsize(8)
+        axes.yaxis.label.set_fontsize(8)
+        only_outer(axes, k, len(answers), len(answers))
     truth = answers[reference]
     factor, unit = lengths(truth.unit)
     slices, errors = graphs.subplots(1, 2)
@@ -334,12 +323,11 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
             errors.semilogy(radius * factor, np.maximum(difference, 1e-17), color=f"C{k}", linewidth=1.3)
     slices.set_ylabel("intensity / peak of the reference")
     slices.legend(fontsize=8)
-    errors.set_ylabel(f"error against {reference} / peak")
-    errors.set_ylim(1e-17, 3.0)
+    errors.set(ylabel=f"error against {reference} / peak", ylim=(1e-17, 3.0))
     errors.grid(alpha=0.3)
     for axes in (slices, errors):
-        axes.set_xlabel(f"distance from the centre ({unit})")
-        axes.set_xlim(0.0, max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor)
+        far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
+        axes.set(xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
     return figure
 
 
@@ -387,24 +375,18 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     for i, j in np.ndindex(rows, columns):
         x, y = grid.x[j] * factor, grid.y[i] * factor
         values = pictures[i, j]
-        norm = {} if coloured else {"cmap": colors, "norm": norm_of(stretch, float(values.max()) or 1.0)}
-        axes.imshow(
-            values,
-            extent=(x - half_width, x + half_width, y + half_height, y - half_height),
-            interpolation=interpolation,
-            **norm,
-        )
-    axes.set_xlim(-0.5 * sensor[1], 0.5 * sensor[1])
-    axes.set_ylim(0.5 * sensor[0], -0.5 * sensor[0])
-    axes.set_aspect("equal")
+        norm = {} if coloured else {"cmap": colors, "norm": norm_of(stretch, values)}
+        extent = (x - half_width, x + half_width, y + half_height, y - half_height)
+        axes.imshow(values, extent=extent, interpolation=interpolation, **norm)
+    half = 0.5 * sensor[0], 0.5 * sensor[1]
+    axes.set(xlim=(-half[1], half[1]), ylim=(half[0], -half[0]), aspect="equal")
     axes.set_xticks(grid.x * factor, [f"{value:.3g}" for value in grid.x * factor + 0.0])
     axes.set_yticks(grid.y * factor, [f"{value:.3g}" for value in grid.y * factor + 0.0])
     if ax is None:
         axes.set_title(f"{rows} × {columns} PSFs, each over its largest value", fontsize=9, loc="left", pad=22)
-        scale = library("matplotlib.cm", *USER).ScalarMappable(norm_of(stretch, 1.0), colors)
+        scale = library("matplotlib.cm", *USER).ScalarMappable(norm_of(stretch, np.ones(1)), colors)
         axes.figure.colorbar(scale, ax=axes, shrink=0.75, label="value over the largest of each PSF")
-    axes.set_xlabel(f"x on the sensor ({unit})")
-    axes.set_ylabel(f"y on the sensor ({unit})")
+    axes.set(xlabel=f"x on the sensor ({unit})", ylabel=f"y on the sensor ({unit})")
     # Within the PSFs lengths are `larger`.
     inner, inner_unit = lengths(grid.unit)
     length = _round_length(0.8 * wide * inner)
@@ -480,20 +462,8 @@ def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Ax
         raise ValueError(f"a must have the shape of b, {b.shape}, got {values.shape}")
     largest, mean = peak_error(values, b.values), math.sqrt(mse(values, b.values))
     away = (values - b.values) / float(b.values.max())
-    factor, unit = lengths(b.unit)
-    high, half = (0.5 * side * factor for side in b.grid.pitch)
-    x, y = b.grid.x * factor, b.grid.y * factor
-    axes = new_axes(ax)
-    image = axes.imshow(
-        away,
-        extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high),
-        cmap="RdBu_r",
-        norm=even_norm(float(np.abs(away).max())),
-        interpolation="nearest",
-    )
-    axes.set_xlabel(f"x ({unit})")
-    axes.set_ylabel(f"y ({unit})")
+    norm = even_norm(float(np.abs(away).max()))
+    axes = _show(away, b, new_axes(ax), cmap="RdBu_r", norm=norm, interpolation="nearest")
     if ax is None:
-        axes.set_title(f"largest difference {largest:.2g} of the peak, rms {mean:.2g}", fontsize=9)
-        axes.figure.colorbar(image, ax=axes, label="difference over the peak")
+        caption(axes, f"largest difference {largest:.2g} of the peak, rms {mean:.2g}", "difference over the peak")
     return axes

@@ -14,7 +14,7 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import at_most, even_norm, new_axes, only_single, tiles
+from lommel.show.drawing import at_most, caption, even_norm, new_axes, only_single, tiles
 from lommel.show.labels import of_pupils, of_wavefronts
 
 if TYPE_CHECKING:
@@ -95,9 +95,9 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
     if what == "phase":
         return _phase(imaged(thing), ax, unit, of_pupils(thing))
     found = _few(imaged(thing), ax).amplitude
-    passing = "of both polarisations, over the largest" if thing.layered else _passing(thing)
+    passing = f"(1 = clear); {100.0 * thing.transmission:.3g} % of a clear disc's light pass"
     if thing.layered:
-        found = found / found.max()
+        found, passing = found / found.max(), "of both polarisations, over the largest"
     options = {"cmap": "viridis", "vmin": 0.0, "vmax": max(1.0, float(found.max()))}
     values = np.where(found > 0.0, found, np.nan)
     return _draw(thing, values, ax, (f"amplitude {passing}", "amplitude"), of_pupils(thing), options)
@@ -176,11 +176,8 @@ def _draw(
 
     def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
         image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **options)
-        axes.set_facecolor(_BLOCKED)
-        axes.set_xlabel("x (pupil radii)")
-        axes.set_ylabel("y (pupil radii)")
-        axes.set_xticks([-1, 0, 1])
-        axes.set_yticks([-1, 0, 1])
+        ticks = [-1, 0, 1]
+        axes.set(facecolor=_BLOCKED, xticks=ticks, yticks=ticks, xlabel="x (pupil radii)", ylabel="y (pupil radii)")
         if isinstance(pupil, ObjectivePupil) and pupil.layers.sample < pupil.layers.NA:
             angle = np.linspace(0.0, 2.0 * math.pi, 181)
             critical = pupil.layers.sample / pupil.layers.NA
@@ -188,14 +185,9 @@ def _draw(
         return image
 
     if pupil.shape:
-        return tiles(pupil.shape, one, titles, words[0], words[1])
+        return tiles(pupil.shape, one, titles, *words)
     axes = new_axes(ax)
-    image = one((), axes)
+    one((), axes)
     if ax is None:
-        axes.set_title(words[0], fontsize=9)
-        axes.figure.colorbar(image, ax=axes, label=words[1])
+        caption(axes, *words)
     return axes
-
-
-def _passing(pupil: BasePupil) -> str:
-    return f"(1 = clear); {100.0 * pupil.transmission:.3g} % of a clear disc's light pass"

@@ -239,13 +239,11 @@ def precision(
     pair: float | None,
     best: bool,
     f_number: float | None,
-    photons: float,
     read: float,
-    contrast: float,
-    window: float,
     between: tuple[float, float] | None,
     pixel: float | None,
     figure: Path | None,
+    **texture: float,
 ) -> Report:
     """Compute the achievable depth precision (Cramer-Rao bound).
 
@@ -262,7 +260,7 @@ def precision(
     """
     instrument = instrument_of(lens, pixel=pixel)
     one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
-    noise: Facts = {"noise": Noise(read=read), "photons": photons, "contrast": contrast, "window": window}
+    noise: Facts = {"noise": Noise(read=read), **texture}
     if (pair is not None) + best + (len(foci) > 1) != 1 or not foci:
         raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
     start = time.perf_counter()
@@ -282,7 +280,7 @@ def precision(
     if figure is not None:
         from lommel.show import depth_maps
 
-        title = f"{instrument.name}\nfocus {listed} at f/{one.f_number:.3g}, {photons:g} electrons a pixel"
+        title = f"{instrument.name}\nfocus {listed} at f/{one.f_number:.3g}, {texture['photons']:g} electrons a pixel"
         drawn: Any = depth_maps.precision(distance, {"": deviation}, title)
         save_figure(drawn.figure, figure)
     facts = {
@@ -298,10 +296,11 @@ def precision(
         known = math.isfinite(error)
         share = f"{100.0 * error / at:.2g} %" if known else ""
         rows.append((format_length(at), format_length(error, digits=3) if known else "inf", share))
-    side = format_length(instrument.side)
     parts: list[RenderableType] = [
         f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {listed}",
-        f"pixels of {side}, {photons:g} electrons, contrast {contrast:g}, windows of {window:g} pixels rms",
+        "pixels of {}, {photons:g} electrons, contrast {contrast:g}, windows of {window:g} pixels rms".format(
+            format_length(instrument.side), **texture
+        ),
         table_of(("distance", "standard deviation", "relative"), rows),
     ]
     return Report(facts, parts) + written([figure])

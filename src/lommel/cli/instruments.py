@@ -47,14 +47,18 @@ def instrument_of(lens: Path, **given: object) -> Instrument:
     """Return the instrument of a lens file, changed by the options of a command."""
     from lommel.lensfiles.lens_files import load_instrument
 
-    changes: Facts = {name: value for name, value in given.items() if value is not None}
+    changes = _changes(given)
     if "pixel" in changes:
         for side in changes["pixel"] if isinstance(changes["pixel"], tuple) else [changes["pixel"]]:
             validation.pixel(side, metric=True)
         changes["pixel"] = validation.pitch("pixel", changes["pixel"])
-    if "shape" in changes:
-        changes["shape"] = validation.image_shape(changes["shape"])
     return dataclasses.replace(load_instrument(lens), **changes)
+
+
+def _changes(given: Facts) -> Facts:
+    """Return the options that were given, the window checked."""
+    changes = {name: value for name, value in given.items() if value is not None}
+    return changes | ({"shape": validation.image_shape(changes["shape"])} if "shape" in changes else {})
 
 
 _OF_LENSES = {
@@ -69,7 +73,7 @@ def microscope_of(lens: Path, **given: object) -> Microscope | None:
     """Return the microscope of a file, changed by the options of a command, or None for a lens file."""
     from lommel.lensfiles.microscope_files import describes_microscope, load_microscope, stage_step
 
-    changes: Facts = {name: value for name, value in given.items() if value is not None}
+    changes = _changes(given)
     if not describes_microscope(lens):
         for name in ("stack", "step", "depth"):
             if name in changes:
@@ -83,8 +87,6 @@ def microscope_of(lens: Path, **given: object) -> Microscope | None:
     found = load_microscope(lens)
     if "pixel" in changes:
         validation.pixel(changes["pixel"], metric=True)
-    if "shape" in changes:
-        changes["shape"] = validation.image_shape(changes["shape"])
     if "stack" in changes:
         changes["planes"] = changes.pop("stack")
     if "step" in changes:

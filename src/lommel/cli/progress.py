@@ -26,10 +26,8 @@ class Steps:
             self._shown = min(max(share, self._shown), 1.0)  # estimates of the remaining time may increase
             self._bar.update(self._task, description=name, total=1.0, completed=self._shown)
             return
-        if self._total is None:
-            self._bar.update(self._task, description=name)
-        else:
-            self._bar.update(self._task, description=name, completed=self._begun)
+        done = None if self._total is None else self._begun
+        self._bar.update(self._task, description=name, completed=done)
         self._begun += 1
 
 
@@ -43,24 +41,16 @@ def progress(description: str, total: int | None = None) -> Iterator[Steps]:
         # Not even an end of line, which a bar that is disabled may leave.
         yield Steps(None, description, total)
         return
-    from rich.progress import (
-        BarColumn,
-        Progress,
-        SpinnerColumn,
-        TaskProgressColumn,
-        TextColumn,
-        TimeElapsedColumn,
-        TimeRemainingColumn,
-    )
+    from rich import progress as bars
 
     columns = (
-        SpinnerColumn(),
-        TextColumn("{task.description}"),
-        BarColumn(),
-        TaskProgressColumn(text_format_no_percentage=""),
-        TimeElapsedColumn(),
-        TextColumn("[dim]left"),
-        TimeRemainingColumn(),
+        bars.SpinnerColumn(),
+        bars.TextColumn("{task.description}"),
+        bars.BarColumn(),
+        bars.TaskProgressColumn(text_format_no_percentage=""),
+        bars.TimeElapsedColumn(),
+        bars.TextColumn("[dim]left"),
+        bars.TimeRemainingColumn(),
     )
-    with Progress(*columns, console=console, transient=True) as bar:
+    with bars.Progress(*columns, console=console, transient=True) as bar:
         yield Steps(bar, description, total)

@@ -164,16 +164,13 @@ def _mtf(wanted: bool, *of: Any) -> Report:
 
 def _of_lens(instrument: Instrument, mtf: bool, options: Facts) -> _Product[PSF]:
     """Return the PSF of a lens on the axis."""
-
-    def report(made: PSF, seconds: float) -> Report:
-        of_psf = reports.describe_psf(made, seconds)
-        return reports.describe_lens(instrument) + of_psf + _mtf(mtf, instrument)
-
     return _Product(
         size=_size(instrument.window),
         find=psf_files.find,
         make=lambda: compute(instrument.pupil(), instrument.window, instrument.pixel, **options),
-        report=report,
+        report=lambda made, seconds: (
+            reports.describe_lens(instrument) + reports.describe_psf(made, seconds) + _mtf(mtf, instrument)
+        ),
         entitle=lambda axes: axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9),
         note=_picture_note,
         drawn=": square root of the values",
@@ -215,15 +212,13 @@ def _of_field(
 
 def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: Facts) -> _Product[ColourPSF]:
     """Return the PSFs of a lens in colour channels."""
-
-    def report(made: ColourPSF, seconds: float) -> Report:
-        return reports.describe_colour(instrument, made, seconds) + _mtf(mtf, instrument, None, channels)
-
     return _Product(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
         find=psf_files.find_colours,
         make=lambda: colour_psf(instrument.pupil(), instrument.window, instrument.pixel, channels, **options),
-        report=report,
+        report=lambda made, seconds: (
+            reports.describe_colour(instrument, made, seconds) + _mtf(mtf, instrument, None, channels)
+        ),
         entitle=lambda axes: axes.figure.suptitle(instrument.name, fontsize=9),
     )
 
@@ -231,18 +226,15 @@ def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: F
 def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
     """Return the PSF of a microscope in all planes of its stack."""
     stack = microscope.planes > 1
-
-    def report(made: PSF, seconds: float) -> Report:
-        of_psf = reports.describe_stack(made, seconds)
-        return reports.describe_microscope(microscope, foci=False) + of_psf
-
     return _Product(
         size=(f"{microscope.planes} x " if stack else "") + _size(microscope.window),
         find=psf_files.find,
         make=lambda: compute(
             microscope.pupil(), microscope.window, microscope.pixel, integrate=microscope.integrate, **options
         ),
-        report=report,
+        report=lambda made, seconds: (
+            reports.describe_microscope(microscope, foci=False) + reports.describe_stack(made, seconds)
+        ),
         entitle=lambda axes: axes.figure.suptitle(microscope.name, fontsize=9),
         note=_picture_note,
         drawn=f": {'sections xy, xz and yz, ' if stack else ''}square root of the values",

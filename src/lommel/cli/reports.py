@@ -39,7 +39,9 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-_OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength")
+_OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
+            "model", "corrected_for")  # fmt: skip
+_OF_OBJECTIVE = ("NA", "magnification", "working_distance", "immersion")
 
 
 def describe_lens(instrument: Instrument) -> Report:
@@ -73,8 +75,6 @@ def describe_lens(instrument: Instrument) -> Report:
         "name": instrument.name,
         "source": instrument.source,
         **{name: getattr(lens, name) for name in _OF_LENS},
-        "model": lens.model,
-        "corrected_for": lens.corrected_for,
         "apodization": light.to_dict() if isinstance(light := lens.apodization, Apodization) else light,
         "rim_amplitude": float(np.divide(*lens.illumination.value([1.0, 0.0]))),
         "other_model": other_model(instrument),
@@ -462,9 +462,9 @@ def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channe
     if grid is not None:
         field = instrument.field()
         places = [(x, y, field.pupil(x, y)) for y in grid.y.tolist() for x in grid.x.tolist()]
-    lights: list[tuple[str | None, Polychromatic | None]] = [] if channels else [(None, None)]
-    for name, pairs in channels or ():
-        lights.append((name, Polychromatic([w for w, _ in pairs], [share for _, share in pairs])))
+    lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
+    if channels is not None:
+        lights = [(name, Polychromatic([w for w, _ in pairs], [s for _, s in pairs])) for name, pairs in channels]
     sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
     rows = [
         {"x": x, "y": y, "channel": name}
@@ -532,21 +532,19 @@ def compare(
         row: Facts = {"method": name, "options": method.to_dict(), "reason": None}
         row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
         rows.append(row)
-        if method == judge:
-            row |= {"seconds": seconds, "mse": 0.0, "peak_error": 0.0}
-            row |= {"error_bound": truth.error_bound, "sampling": truth.sampling}
-            continue
         if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and _magnifies(instrument.lens):
             row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike any objective'
             continue
-        started(name)
+        if method != judge:
+            started(name)
         # Its sums over the area of every pixel would take minutes.
         integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
         try:
-            found, row["seconds"] = timed(partial(answer, method, integrate))
+            own = (truth, seconds) if method == judge else timed(partial(answer, method, integrate))
         except (ValueError, ArithmeticError, ImportError) as error:
             row["reason"] = str(error)
             continue
+        found, row["seconds"] = own
         row["sampling"], row["error_bound"] = found.sampling, found.error_bound
         against = truth
         if found.sampling == truth.sampling:
@@ -601,10 +599,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
     facts = {
         "name": microscope.name,
         "source": microscope.source,
-        "NA": objective.NA,
-        "magnification": objective.magnification,
-        "working_distance": objective.working_distance,
-        "immersion": objective.immersion,
+        **{name: getattr(objective, name) for name in _OF_OBJECTIVE},
         "coverslip": _layer(glass),
         "films": [_layer(film) for film in objective.films],
         "design": None if as_designed else {"immersion": design.immersion, "coverslip": _layer(design.coverslip)},

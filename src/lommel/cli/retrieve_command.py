@@ -97,16 +97,12 @@ def retrieve(
     defocus: str,
     terms: str,
     also: str,
-    white: float | None,
-    read: float,
-    offset: float,
-    saturation: float | None,
-    starts: int,
-    seed: int,
+    object_distance: float | None,
+    pixel: float | None,
     unit: str,
     output: Path | None,
     figure: Path | None,
-    **changes: object,
+    **given: Any,
 ) -> Report:
     """Estimate a wavefront from star images (phase retrieval).
 
@@ -127,8 +123,9 @@ def retrieve(
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    instrument = instrument_of(lens, **changes)
-    noise = Noise(white=white, read=read, offset=offset)
+    instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
+    noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
+    starts = given["starts"]
     with progress("reading") as started:
         stars = read_images(_files(images))
         started("fitting")
@@ -140,13 +137,11 @@ def retrieve(
             terms=_terms(terms),
             also=_names(also),
             defocus=_numbers(defocus),
-            saturation=saturation,
             integrate=instrument.integrate,
-            starts=starts,
-            seed=seed,
             progress=lambda share, chi2: started(
                 f"start {int(starts * share) + 1} of at most {starts}, chi2 {chi2:.3g}", share
             ),
+            **given,
         )
     if output is not None:
         found.save(output)

@@ -103,6 +103,12 @@ def at_most(shape: tuple[int, ...]) -> None:
         raise ValueError(f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, as stack[:8]")
 
 
+def circle(axes: Axes, radius: float, **how: Any) -> None:
+    """Draw a dashed circle about the origin."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 181)
+    axes.plot(radius * np.cos(angle), radius * np.sin(angle), "--", **how)
+
+
 def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
     """Leave labels to the first of each row, and to the last of each column, of pictures side by side."""
     if k % columns:

@@ -14,7 +14,7 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import at_most, caption, even_norm, new_axes, only_single, tiles
+from lommel.show.drawing import at_most, caption, circle, even_norm, new_axes, only_single, tiles
 from lommel.show.labels import of_pupils, of_wavefronts
 
 if TYPE_CHECKING:
@@ -179,9 +179,7 @@ def _draw(
         ticks = [-1, 0, 1]
         axes.set(facecolor=_BLOCKED, xticks=ticks, yticks=ticks, xlabel="x (pupil radii)", ylabel="y (pupil radii)")
         if isinstance(pupil, ObjectivePupil) and pupil.layers.sample < pupil.layers.NA:
-            angle = np.linspace(0.0, 2.0 * math.pi, 181)
-            critical = pupil.layers.sample / pupil.layers.NA
-            axes.plot(critical * np.cos(angle), critical * np.sin(angle), "--", color="0.3", linewidth=0.8)
+            circle(axes, pupil.layers.sample / pupil.layers.NA, color="0.3", linewidth=0.8)
         return image
 
     if pupil.shape:

@@ -13,7 +13,7 @@ from lommel.measures.aperture_means import gradient, spot_radius
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
-from lommel.show.drawing import lengths
+from lommel.show.drawing import circle, lengths
 from lommel.show.plot import plot
 
 if TYPE_CHECKING:
@@ -95,11 +95,9 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     axes: Axes = plot(psf, ax, stretch=stretch)
     limits = axes.get_xlim(), axes.get_ylim()
     axes.scatter(x, y, s=4.0, color="deepskyblue", linewidths=0.0, label=f"{x.size} rays")
-    angle = np.linspace(0.0, 2.0 * np.pi, 181)
     airy = pupil.airy_radius * factor
-    axes.plot(airy * np.cos(angle), airy * np.sin(angle), "--", color="lime", linewidth=1.0, label="Airy circle")
-    axes.set_xlim(*limits[0])
-    axes.set_ylim(*limits[1])
+    circle(axes, airy, color="lime", linewidth=1.0, label="Airy circle")
+    axes.set(xlim=limits[0], ylim=limits[1])
     axes.legend(fontsize=7, loc="upper right")
     if ax is None:
         low, high = sorted(limits[1])

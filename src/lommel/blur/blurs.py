@@ -7,7 +7,6 @@ Every one is a density of shifts b, nowhere negative and of all light 1: the ima
 from __future__ import annotations
 
 import math
-from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import ClassVar
@@ -30,12 +29,17 @@ mpmath with q = s^3, of which the integrand is analytic; a test does it again.
 _NU = 5.0 / 6.0
 
 
-class Blur(ABC):
+def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
+    """Return frequencies along columns and rows, broadcast."""
+    across, down = validation.broadcast("fx and fy", validation.real_array("fx", fx), validation.real_array("fy", fy))
+    return across, down
+
+
+class Blur:
     """A factor of the transfer function. Of a pupil with a wavelength lengths are metres, else units of lambda*N."""
 
     metric: ClassVar[bool | None] = None
 
-    @abstractmethod
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
         """Return the transfer function at frequencies along columns and rows.
 
@@ -49,8 +53,22 @@ class Blur(ABC):
         Returns
         -------
         float or ndarray
-            Real, 1 at frequency 0.
+            Real, 1 at frequency 0: ``exp(-2 pi^2 f.C f) sinc(f.d)``, C the covariance and d the streak.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the frequencies are no finite numbers, or do not broadcast.
         """
+        x, y = frequencies(fx, fy)
+        (xx, xy), (_, yy) = self.covariance
+        dx, dy = self.streak
+        found = np.ones(x.shape)
+        if xx or yy:
+            found = found * np.exp(-2.0 * math.pi**2 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
+        if dx or dy:
+            found = found * np.sinc(x * dx + y * dy)
+        return numbers(found, x.shape)
 
     @property
     def covariance(self) -> Array:
@@ -70,17 +88,6 @@ class Blur(ABC):
     def to_dict(self) -> Json:
         """Return its name and options in plain types."""
         return {"name": type(self).__name__} | asdict(self)  # type: ignore[call-overload, no-any-return]
-
-    def _at(self, fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
-        parts = validation.real_array("fx", fx), validation.real_array("fy", fy)
-        across, down = validation.broadcast("fx and fy", *parts)
-        return across, down
-
-    def _smooth(self, fx: ArrayLike, fy: ArrayLike) -> Numbers:
-        x, y = self._at(fx, fy)
-        (xx, xy), (_, yy) = self.covariance
-        found = np.exp(-2.0 * math.pi**2 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
-        return numbers(found, x.shape)
 
 
 @dataclass(frozen=True)
@@ -185,7 +192,7 @@ class Seeing(Blur):
 
         TypeError or ValueError if these are no finite numbers, or do not broadcast.
         """
-        x, y = self._at(fx, fy)
+        x, y = frequencies(fx, fy)
         given = None if wavelength is None else validation.wavelength(wavelength)
         q = np.hypot(x, y) / self.coherence(given)
         if self.outer_scale is None:
@@ -259,10 +266,6 @@ class Jitter(Blur):
         turn = np.array([[c, -s], [s, c]])
         return np.asarray(turn @ np.diag([along**2, across**2]) @ turn.T)
 
-    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
-        """Return ``exp(-2 pi^2 f.C f)`` at `fx`, `fy`, C the covariance; the `wavelength` does not matter."""
-        return self._smooth(fx, fy)
-
 
 @dataclass(frozen=True)
 class ChargeDiffusion(Blur):
@@ -294,10 +297,6 @@ class ChargeDiffusion(Blur):
     def covariance(self) -> Array:
         """Of the position (x, y)."""
         return self.sigma**2 * np.eye(2)
-
-    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
-        """Return ``exp(-2 pi^2 sigma^2 f^2)`` at `fx`, `fy`; the `wavelength` does not matter."""
-        return self._smooth(fx, fy)
 
 
 @dataclass(frozen=True)
@@ -333,12 +332,6 @@ class Motion(Blur):
     def streak(self) -> tuple[float, float]:
         """From one end to the other, (x, y)."""
         return self.length * math.cos(self.angle), self.length * math.sin(self.angle)
-
-    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
-        """Return ``sinc(f.d)`` at `fx`, `fy`, d the line; the `wavelength` does not matter."""
-        x, y = self._at(fx, fy)
-        dx, dy = self.streak
-        return numbers(np.sinc(x * dx + y * dy), x.shape)
 
 
 KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter, ChargeDiffusion, Motion)}

@@ -12,12 +12,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur
 from lommel.blur.readout import ends, gained
-from lommel.blur.turbulence import Gate, Halo, between, seeing_of
+from lommel.blur.turbulence import Gate, Halo, between, table
 
 _U = 2.0**-53
 
@@ -43,10 +44,8 @@ class Short(NamedTuple):
 
     def reach(self, left: float) -> tuple[float, float]:
         """Return how far along x and y all but a part `left` of the light goes."""
-        from scipy.special import erfcinv
-
         deviations = np.sqrt(np.diag(self.covariance))
-        far = math.sqrt(2.0) * float(erfcinv(min(0.5 * left, 1.0)))
+        far = math.sqrt(2.0) * float(scipy.special.erfcinv(min(0.5 * left, 1.0)))
         x, y = far * deviations + 0.5 * np.abs(self.streaks).sum(axis=0)
         return float(x), float(y)
 
@@ -73,14 +72,12 @@ class Spread(NamedTuple):
 
     def on(self, samples: Array, threads: int) -> Array:
         """Return a stack of samples, shape (n, rows, columns), spread."""
-        from scipy import fft
-
         workers = threads or -1
         out = np.empty(samples.shape)
         for one, place in zip(samples, out, strict=True):
-            turned = fft.rfft2(one, self.size, workers=workers)
+            turned = scipy.fft.rfft2(one, self.size, workers=workers)
             turned *= self.response
-            place[:] = fft.irfft2(turned, self.size, workers=workers)[: one.shape[0], : one.shape[1]]
+            place[:] = scipy.fft.irfft2(turned, self.size, workers=workers)[: one.shape[0], : one.shape[1]]
         return out
 
     def rounding(self, samples: Array) -> float:
@@ -96,25 +93,23 @@ class Spread(NamedTuple):
 
 def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> Spread:
     """Return the response on a lattice of at least `least` samples, `margin` (v) wider than what is read."""
-    from scipy import fft
-
     gate, seen = halo.gate, bool(halo.several)
-    size = tuple(fft.next_fast_len(side, real=True) for side in least)
-    y = 2.0 * math.pi / gate.h * fft.fftfreq(size[0])[:, None]
-    x = 2.0 * math.pi / gate.h * fft.rfftfreq(size[1])
+    size = tuple(scipy.fft.next_fast_len(side, real=True) for side in least)
+    y = 2.0 * math.pi / gate.h * scipy.fft.fftfreq(size[0])[:, None]
+    x = 2.0 * math.pi / gate.h * scipy.fft.rfftfreq(size[1])
     response: NDArray[np.generic] = np.ones((size[0], x.size))
     error = blind = missing = off = 0.0
     gain = norm = 1.0
     if not short.nothing:
         response, error, blind = _periodic(short, gate, x, y), 3.0 * gate.error, short_of(gate)
-        kernel = fft.irfft2(response, size)
+        kernel = scipy.fft.irfft2(response, size)
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
     if seen:
         tabulated, apart = _kernel(halo, size)
         core = float(tabulated.max()) / gate.h**2
         missing, off = gain * halo.bound(margin) + blind * core, gain * apart * core
-        response = fft.rfft2(tabulated) * response
-        kernel = fft.irfft2(response, size)
+        response = scipy.fft.rfft2(tabulated) * response
+        kernel = scipy.fft.irfft2(response, size)
         error += gate.error
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
     return Spread(response, size, gain, norm, error, missing, off, blind)
@@ -137,8 +132,7 @@ def _periodic(short: Short, gate: Gate, x: Array, y: Array) -> Array:
 
 
 def _gated(w: Array, gate: Gate) -> Array:
-    from scipy.special import erfc
-
+    erfc = scipy.special.erfc
     return np.asarray(0.5 * (erfc((w - gate.middle) / gate.width) - erfc((w + gate.middle) / gate.width)))
 
 
@@ -146,14 +140,9 @@ def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
     """Return the kernel of a halo on a lattice, from its corner on, and how many of its largest value it is off."""
     h, error = halo.gate.h, max(0.1 * halo.gate.error, 1e-12)
     half = size[0] // 2 + 1, size[1] // 2 + 1
-    table, step, off = halo.table(h * math.hypot(*half), error)
+    filtered, step, off = table(halo, h * math.hypot(*half), error)
     quadrant, columns = np.empty(half), np.arange(half[1])
     for row in range(half[0]):
-        quadrant[row] = h * h * between(table, step, error, h * np.hypot(row, columns))
+        quadrant[row] = h * h * between(filtered, step, error, h * np.hypot(row, columns))
     rows, columns = (np.minimum(k := np.arange(n), n - k) for n in size)
     return quadrant[rows[:, None], columns], off
-
-
-def halo_of(several: tuple[Blur, ...], scale: float, wavelength: float | None, gate: Gate) -> Halo:
-    """Return the seeing of several blurs in light of a wavelength, of which one lambda*N is `scale`."""
-    return Halo(seeing_of(several), scale, wavelength, gate)

@@ -9,7 +9,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values, largest
 from lommel.blur.blurs import Blur, require_unit
-from lommel.blur.convolution import Short, Spread, halo_of, spread
+from lommel.blur.convolution import Short, Spread, spread
 from lommel.blur.readout import Readout, ends, readout
 from lommel.blur.turbulence import Gate, Halo
 from lommel.core.answers import Images, ToleranceError, Wanted, not_met
@@ -42,10 +42,10 @@ class Asked(NamedTuple):
 
 
 class Made(NamedTuple):
-    """Images of the flattened stack and parts of their error bounds, or None, each of shape (n,)."""
+    """Images of the flattened stack and parts of their error bounds, each of shape (n,)."""
 
     values: Array
-    given: Array | None  # error of the samples
+    given: Array  # error of the samples, NaN where nothing is known of it
     response: Array  # error of the responses, and rounding
     missing: Array  # light that turbulence would bring from beyond the lattice
     method: Method
@@ -57,17 +57,9 @@ def summed(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]
     if not isinstance(method, Polychromatic):
         return _of_stack(asked, Component(1.0, 1.0, pupil), grid, several)
     parts = method.components(pupil)
-    made = [_of_stack(asked._replace(method=method.method), part, grid, several) for part in parts]
-    weights = [part.weight for part in parts]
-
-    def total(found: list[Array]) -> Array:
-        return np.asarray(np.sum([weight * one for weight, one in zip(weights, found, strict=True)], axis=0))
-
-    values, response, missing = (
-        total([getattr(one, name) for one in made]) for name in ("values", "response", "missing")
-    )
-    given = [one.given for one in made if one.given is not None]
-    return Made(values, total(given) if len(given) == len(made) else None, response, missing, method)
+    made = [_of_stack(asked._replace(method=method.method), part, grid, several)[:4] for part in parts]
+    weighted = ([part.weight * value for value in values] for part, values in zip(parts, made, strict=True))
+    return Made._make([*(np.sum(each, axis=0) for each in zip(*weighted, strict=True)), method])
 
 
 def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ...]) -> Made:
@@ -84,7 +76,7 @@ def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ..
         readout(to_v * places, to_v * active, gate)
         for places, active in zip((grid.y, grid.x), grid.active, strict=True)
     )
-    short, halo = Short.of(several, pupil.scale), halo_of(several, pupil.scale, pupil.wavelength, gate)
+    short, halo = Short.of(several, pupil.scale), Halo.of(several, pupil.scale, pupil.wavelength, gate)
     box, kernel = _lattice(asked, short, halo, rows, columns)
     blocks = _blocks(pupil, math.prod(box[1]))
     return _joined([_of_block(asked, block, gate, box, kernel, (rows, columns)) for block in blocks])
@@ -92,14 +84,8 @@ def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ..
 
 def _joined(parts: list[Made]) -> Made:
     """Return images of parts of a stack, one after the other."""
-    given = [one.given for one in parts if one.given is not None]
-    return Made(
-        np.concatenate([one.values for one in parts]),
-        np.concatenate(given) if len(given) == len(parts) else None,
-        np.concatenate([one.response for one in parts]),
-        np.concatenate([one.missing for one in parts]),
-        parts[0].method,
-    )
+    each = zip(*(one[:4] for one in parts), strict=True)
+    return Made._make([*(np.concatenate(values) for values in each), parts[0].method])
 
 
 Box = tuple[tuple[int, int], tuple[int, int]]
@@ -155,7 +141,7 @@ def _of_block(
     if kernel is not None:
         light = 4.0 * math.pi * pupil.transmission
         seen = gate.h**2 * samples.sum(axis=(1, 2))
-        unsure = 0.0 if off is None else gate.h**2 * samples[0].size * off
+        unsure = gate.h**2 * samples[0].size * np.nan_to_num(off)
         missing = gain * kernel.missing * np.clip(light - seen + unsure, 0.0, light)
         spreading = ceiling * (1.0001 * kernel.error + kernel.blind) + light * kernel.off + kernel.rounding(samples)
         response += gain * spreading
@@ -164,11 +150,11 @@ def _of_block(
     top, left = rows.first - first[0], columns.first - first[1]
     part = samples[:, top : top + rows.samples, left : left + columns.samples]
     values = np.stack([(columns.matrix @ (rows.matrix @ one).T).T for one in part])
-    return Made(values, None if off is None else gain * off, response, missing, method)
+    return Made(values, gain * off, response, missing, method)
 
 
-def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array | None]:
-    """Return the method, samples of a stack on a lattice, and bounds on what each is off by."""
+def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array]:
+    """Return the method, samples of a stack on a lattice, and bounds on what each is off by, or NaN."""
     if asked.method is not None:
         ways: tuple[Method, ...] = (asked.method.tightened(max(asked.tol, asked.method.least_tol)),)
         if asked.tol > asked.method.tol:
@@ -189,7 +175,7 @@ def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array,
 
     way, made = first_proven(ways, ask)
     assert made.peak is not None
-    return way, made.values, None if made.error is None else made.error * made.peak
+    return way, made.values, np.full(len(made.values), np.nan) if made.error is None else made.error * made.peak
 
 
 _TRIES = 7
@@ -213,15 +199,18 @@ def recorded_images(
         tops = np.maximum(made.values.max(axis=(1, 2)), elsewhere)
         if not tops.min() > 0:
             raise ValueError("no light falls into the window that is brighter than the errors there")
-        if made.given is None:
-            # Nothing is known of the samples: what is added is kept below the tolerance on its own.
-            relative, unknown = (made.response + made.missing) / tops, True
-        else:
-            relative, unknown = (made.given + made.response + made.missing) / tops, False
+        # Where nothing is known of the samples, what is added is kept below the tolerance on its own.
+        unknown = bool(np.isnan(made.given).any())
+        relative = ((0.0 if unknown else made.given) + made.response + made.missing) / tops
         relative = np.where(relative < 0.5, relative / (1.0 - np.minimum(relative, 0.5)), np.inf)
         bounds = stored(normalized_error(relative) if peaked else relative, dtype)
         if bounds.max() <= tol or (method is not None and not method.keeps_tol and not unknown):
-            return _finished(made, bounds if not unknown else None, wanted)
+            tops = made.values.max(axis=(1, 2))
+            scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(np.asarray(wanted.scale), tops.shape)
+            values = np.empty(made.values.shape, dtype) if wanted.out is None else wanted.out
+            # Nothing is negative that is an average of light.
+            np.multiply(np.maximum(made.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
+            return made.method, Images(values, scales, None if unknown else bounds)
         asked = _again(asked, made, aim * tops)
     raise not_met(tol, float(bounds.max()), "the largest value in the window")
 
@@ -233,7 +222,7 @@ def _on_axis(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ..
         return 0.0
     there = Grid(3, grid.pixel, integrate=grid.integrate, fill=grid.fill)
     made = summed(asked._replace(tol=max(asked.tol, 1e-6), error=max(asked.error, 1e-9)), pupil, there, several)
-    off = made.response + made.missing + (0.0 if made.given is None else made.given)
+    off = made.response + made.missing + np.nan_to_num(made.given)
     return np.asarray(np.maximum(made.values.max(axis=(1, 2)) - off, 0.0))
 
 
@@ -243,7 +232,7 @@ def _first(
     """Return what is likely to be enough, from how wide things are."""
     to_v = math.pi / pupil.scale
     short = Short.of(several, pupil.scale)
-    halo = halo_of(several, pupil.scale, pupil.wavelength, Gate.of(STEP, 1e-6))
+    halo = Halo.of(several, pupil.scale, pupil.wavelength, Gate.of(STEP, 1e-6))
     spot = 4.0 * math.pi * pupil.transmission / pupil.likely_peak
     sides = 2.0 * math.pi * np.diag(short.covariance) + (short.streaks**2).sum(axis=0)
     sides = sides + np.array([(to_v * a) ** 2 for a in grid.active[::-1]])
@@ -263,30 +252,17 @@ def _first(
 
 def _again(asked: Asked, made: Made, allowed: Array) -> Asked:
     """Return what is asked next, by what was off too much."""
-
-    def factor(part: Array | None, share: float) -> float:
-        worst = 0.0 if part is None else float((part / (share * allowed)).max())
-        return max(worst, 0.0)
-
     tol, error, margin = asked.tol, asked.error, asked.margin
-    if (much := factor(made.given, 0.5)) > 1.0:
+    given = np.zeros(len(allowed)) if np.isnan(made.given).any() else made.given
+    if (much := float((given / (0.5 * allowed)).max())) > 1.0:
         tol *= max(0.5 / much, 1e-4)
-    if (much := factor(made.response, 0.2)) > 1.0:
+    if (much := float((made.response / (0.2 * allowed)).max())) > 1.0:
         error *= max(0.5 / much, 1e-6)
-    if (much := factor(made.missing, 0.3)) > 1.0:
+    if (much := float((made.missing / (0.3 * allowed)).max())) > 1.0:
         margin *= min(1.1 * much ** (3.0 / 14.0), 3.0)
         # How much light is missing is told by the sum of the samples.
         tol *= 0.5
     return asked._replace(tol=tol, error=max(error, 1e-15), margin=margin)
-
-
-def _finished(made: Made, bounds: Array | None, wanted: Wanted) -> tuple[Method, Images]:
-    tops = made.values.max(axis=(1, 2))
-    scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(np.asarray(wanted.scale), tops.shape)
-    values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
-    # Nothing is negative that is an average of light.
-    np.multiply(np.maximum(made.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
-    return made.method, Images(values, scales, bounds)
 
 
 def recorded(
@@ -322,7 +298,5 @@ def recorded(
         "normalize": normalize,
         "error_bound": None if made.error is None else largest(made.error),
         "scale": np.asarray(made.scale).reshape(pupil.shape),
-        "derivatives": {},
-        "derivative_bounds": {},
         "blur": several,
     }

@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 
 from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur, Seeing
@@ -34,25 +35,25 @@ class Gate(NamedTuple):
     @classmethod
     def of(cls, h: float, error: float) -> Gate:
         """Return the gate for samples `h` apart that errs by at most `error`."""
-        from scipy.special import erfcinv
-
         far = 2.0 * math.pi / h - 2.0
-        return cls(h, 0.5 * (2.0 + far), 0.5 * (far - 2.0) / float(erfcinv(0.5 * error)), error)
+        return cls(h, 0.5 * (2.0 + far), 0.5 * (far - 2.0) / float(scipy.special.erfcinv(0.5 * error)), error)
 
     def round(self, w: Array) -> Array:
         """Return the response to waves of the length w of the vector of frequency, smooth in w^2."""
-        from scipy.special import erfc
-
-        far = 2.0 * math.pi / self.h - 2.0
-        middle, half = 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0)
-        return np.asarray(0.5 * erfc((w * w - middle) / half * (0.5 * (far - 2.0) / self.width)))
+        middle, half, fall = self._squared
+        return np.asarray(0.5 * scipy.special.erfc((w * w - middle) / half * (fall / self.width)))
 
     @property
     def end(self) -> float:
         """From where on the round response is below 1e-30."""
+        middle, half, fall = self._squared
+        return math.sqrt(middle + 8.3 * half * self.width / fall)
+
+    @property
+    def _squared(self) -> tuple[float, float, float]:
+        # Middle and half of the fall in w^2, and half of it in w.
         far = 2.0 * math.pi / self.h - 2.0
-        middle, half = 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0)
-        return math.sqrt(middle + 8.3 * half * self.width / (0.5 * (far - 2.0)))
+        return 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0), 0.5 * (far - 2.0)
 
 
 class Halo(NamedTuple):
@@ -62,6 +63,11 @@ class Halo(NamedTuple):
     scale: float
     wavelength: float | None
     gate: Gate
+
+    @classmethod
+    def of(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None, gate: Gate) -> Halo:
+        """Return the seeing of several blurs in light of a wavelength, of which one lambda*N is `scale`."""
+        return cls(tuple(blur for blur in several if isinstance(blur, Seeing)), scale, wavelength, gate)
 
     def response(self, w: Array) -> Array:
         """Return the transfer function at w, without the gate."""
@@ -83,10 +89,6 @@ class Halo(NamedTuple):
         """Return the kernel at radii in v, directly."""
         w, weight = _rule(self, float(np.max(r, initial=1.0)))
         return _transformed(weight, w, r)
-
-    def table(self, far: float, error: float) -> tuple[Array, float, float]:
-        """Return the kernel at equal steps of r to beyond `far`, the step, and what of ``c(0)`` is off between."""
-        return _table(self, far, error)
 
     def bound(self, far: float) -> float:
         """Bound the kernel beyond the radius `far`."""
@@ -122,18 +124,17 @@ def _rule(halo: Halo, far: float, *, gated: bool = True) -> tuple[Array, Array]:
 
 
 def _transformed(weight: Array, w: Array, r: Array) -> Array:
-    from scipy.special import j0
-
     out = np.empty(r.shape)
     many = max(1, 2**21 // w.size)
     for start in range(0, r.size, many):
         part = slice(start, start + many)
-        out[part] = j0(np.multiply.outer(r[part], w)) @ weight
+        out[part] = scipy.special.j0(np.multiply.outer(r[part], w)) @ weight
     return out
 
 
 @lru_cache(maxsize=4)
-def _table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
+def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
+    """Return the kernel at equal steps of r to beyond `far`, the step, and what of ``c(0)`` is off between."""
     w, weight = _rule(halo, far)
     step = _BAND / float(w.max())
     rule = steps(_BAND, error)
@@ -145,12 +146,12 @@ def _table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
     return filtered, step, rule.error
 
 
-def between(table: Array, step: float, error: float, r: Array) -> Array:
-    """Return a table of :meth:`Halo.table` at radii within it."""
+def between(known: Array, step: float, error: float, r: Array) -> Array:
+    """Return the kernel at radii within a :func:`table`."""
     taps = steps(_BAND, error).taps
     half = taps.size // 2
-    mirrored = np.concatenate([table[half:0:-1], table])
-    cell = np.minimum((r / step).astype(np.int64), table.size - half - 1)
+    mirrored = np.concatenate([known[half:0:-1], known])
+    cell = np.minimum((r / step).astype(np.int64), known.size - half - 1)
     found = np.zeros(r.shape)
     weights = taps.at((r / step - cell).ravel()).reshape(*r.shape, taps.size)
     for k in range(taps.size):
@@ -167,8 +168,3 @@ def _gate_norm(gate: Gate, far: float) -> tuple[float, float]:
     g = np.abs(_transformed(weight * w * gate.round(w) / (2.0 * math.pi), w, r))
     # It falls faster than exponentially; what is beyond 60 is below what is before.
     return 1.01 * float(2.0 * math.pi * np.trapezoid(g * r, r)), float(g[r >= min(far, 45.0)].max())
-
-
-def seeing_of(several: tuple[Blur, ...]) -> tuple[Seeing, ...]:
-    """Return those of several blurs that are seeing."""
-    return tuple(blur for blur in several if isinstance(blur, Seeing))

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures.continuous_image import ImageModel, cartesian_images
 from lommel.measures.psf_like import PSFLike, checked
@@ -69,11 +68,10 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
     """
     from scipy.interpolate import CubicSpline
 
-    validation.choice("of", of, ("image", "optics"))
-    z = stage(psf)
+    model, z = ImageModel.of(psf, of), stage(psf)
     if z.shape[-1] < 4:
         raise ValueError(f"the width along z takes at least 4 planes, got {z.shape[-1]}")
-    lines = _lines(psf, of).reshape(-1, z.shape[-1])
+    lines = _lines(psf, model).reshape(-1, z.shape[-1])
     out = []
     for places, line in zip(z.reshape(lines.shape), lines, strict=True):
         spline = CubicSpline(places, line)
@@ -88,11 +86,11 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
     return numbers(out, z.shape[:-1])
 
 
-def _lines(psf: PSFLike, of: str) -> Array:
+def _lines(psf: PSFLike, model: ImageModel) -> Array:
     """Return the light along z, of the shape of the stack."""
-    pupil, model = psf.pupil, ImageModel.of(psf, of)
-    if psf.radial_method is not None and model.plain:
-        found = psf.radial_method.profile(pupil, np.zeros(1)).values
+    pupil = psf.pupil
+    if model.radial_method is not None:
+        found = model.radial_method.profile(pupil, np.zeros(1)).values
         return np.asarray(psf.scale * found.reshape(pupil.shape))
     planes = pupil.shape[-1]
     brightest = psf.values.reshape(-1, planes, math.prod(psf.grid.shape)).max(axis=2).argmax(axis=1)

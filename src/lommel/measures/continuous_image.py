@@ -29,16 +29,17 @@ from numpy.typing import NDArray
 from scipy import fft
 from scipy.special import erfc, j0, j1
 
+from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.blur.blurs import Blur, Seeing
 from lommel.blur.convolution import Short
 from lommel.core.answers import Images, ToleranceError, Wanted
 from lommel.measures.overlap import autocorrelation
-from lommel.measures.psf_like import PSFLike
+from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.method import Method, widened
+from lommel.methods.method import Method, RadialMethod, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
@@ -75,18 +76,20 @@ class ImageModel(NamedTuple):
     @classmethod
     def of(cls, psf: PSFLike, what: str = "image") -> ImageModel:
         """Return the model of a PSF, with its pixels or, where `what` is "optics", without."""
+        validation.choice("of", what, ("image", "optics"))
+        checked(psf)
         return cls(psf.pupil, psf.method, psf.blur, psf.grid.active if what == "image" else (0.0, 0.0))
+
+    @property
+    def radial_method(self) -> RadialMethod | None:
+        """The method, where a profile along the radius is all of the image."""
+        return None if self.blur or self.active != (0.0, 0.0) else self.method.along_radius(self.pupil)
 
     @property
     def singles(self) -> list[ImageModel]:
         """Return those of each pupil of the flattened stack."""
         shape = self.pupil.shape
         return [self._replace(pupil=self.pupil[index]) for index in np.ndindex(shape)] if shape else [self]
-
-    @property
-    def plain(self) -> bool:
-        """Whether it is the intensity of the optics alone."""
-        return not self.blur and self.active == (0.0, 0.0)
 
     def response(self, fx: Array, fy: Array, wavelength: float | None) -> Array:
         """Return the factors of blur and pixels at frequencies in cycles per lambda*N."""
@@ -217,7 +220,7 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
     kept_y, kept_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
     fy, fx = fy[kept_y], fx[kept_x]
-    cut = _cut_off(np.hypot(fy[:, None], fx), band) * np.where(fx > 0.0, 2.0, 1.0) / side**2
+    cut = 0.5 * erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH) * np.where(fx > 0.0, 2.0, 1.0) / side**2
     parts = model.parts
     count = math.prod(pupil.shape)
     step = max(1, _AT_ONCE // side**2)
@@ -286,10 +289,6 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
             inside = np.einsum("fy,yf->f", rows, image @ columns)
             found[k] += share * response * (inside + (1.0 - image.sum()) * beyond)
     return found
-
-
-def _cut_off(f: Array, band: float) -> Array:
-    return np.asarray(0.5 * erfc((f / band - _MIDDLE) / _WIDTH))
 
 
 def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
@@ -393,14 +392,12 @@ def images(model: ImageModel, reach: float) -> Iterator[Any]:
 
 def polar(model: ImageModel) -> bool:
     """Return whether an image is that of a radially symmetric lens, whose transfer function is known at once."""
-    method = model.method
-    if isinstance(method, Polychromatic):
-        known = method.method is None or isinstance(method.method, NijboerZernike | ChordalGauss)
-    else:
-        known = isinstance(method, NijboerZernike | ChordalGauss)
-    if not (known and isinstance(model.pupil, Pupil) and model.pupil.circular):
+    one = model.method.method if isinstance(model.method, Polychromatic) else model.method
+    if not (one is None or isinstance(one, NijboerZernike | ChordalGauss)):
         return False
-    return all(part.pupil.radial for part in method.components(model.pupil))
+    if not (isinstance(model.pupil, Pupil) and model.pupil.circular):
+        return False
+    return all(part.pupil.radial for part in model.method.components(model.pupil))
 
 
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, cartesian_images
+from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, cartesian_images, images
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method, RadialMethod
@@ -21,9 +21,6 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
 from lommel.special.legendre import gauss_panels
-
-WHAT = ("image", "optics")
-"""What is measured: the image that values are samples of, with the pixels that average, or without these."""
 
 
 def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
@@ -56,19 +53,15 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
         than some 700 lambda*N, less by how far blur carries light, with vanes and seeing some 500; or `about` or `of`
         is none of these.
     """
-    checked(psf)
-    at = validation.real_array("radius", radius, least=0.0)
-    validation.choice("of", of, WHAT)
-    center = energy_centers(psf, about)
-    pupil = psf.pupil
-    if psf.radial_method is not None and _plain(psf, of):
-        return radial_energy(psf.radial_method, pupil, at)
-    flat = at.ravel() / pupil.scale
-    away = center / pupil.scale
-    reach = float(flat.max(initial=0.0)) + float(np.hypot(*away.T).max(initial=0.0))
-    validation.reach(f"radius={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
-    places = zip(_images(psf, of, reach), away, strict=True)
-    return numbers([image.circles(flat, tuple(c)) for image, c in places], pupil.shape + at.shape)
+    model, at = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
+    away = energy_centers(psf, about) / psf.pupil.scale
+    if model.radial_method is not None:
+        return radial_energy(model.radial_method, psf.pupil, at)
+
+    def within(image: Any, radii: Array, center: Array) -> Array:
+        return np.asarray(image.circles(radii, tuple(center)))
+
+    return _measured(model, "radius", at, away, np.hypot(*away.T), within)
 
 
 def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
@@ -92,34 +85,26 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     TypeError, ValueError
         If a width is no number, negative or not finite, or `about` or `of` is none of these.
     """
-    checked(psf)
-    at = validation.real_array("half_width", half_width, least=0.0)
-    validation.choice("of", of, WHAT)
-    center = energy_centers(psf, about)
-    pupil = psf.pupil
-    if psf.radial_method is not None and _plain(psf, of):
-        return radial_square_energy(psf.radial_method, pupil, at)
-    flat = at.ravel() / pupil.scale
-    away = center / pupil.scale
-    reach = float(flat.max(initial=0.0)) + float(np.abs(away).max(initial=0.0))
-    validation.reach(f"half_width={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
-    inside = [
-        [image.rectangle((x - a, y - a), (x + a, y + a)) for a in flat]
-        for image, (x, y) in zip(_images(psf, of, reach), away, strict=True)
-    ]
-    return numbers(inside, pupil.shape + at.shape)
+    model, at = ImageModel.of(psf, of), validation.real_array("half_width", half_width, least=0.0)
+    away = energy_centers(psf, about) / psf.pupil.scale
+    if model.radial_method is not None:
+        return radial_square_energy(model.radial_method, psf.pupil, at)
+
+    def within(image: Any, sides: Array, center: Array) -> list[float]:
+        return [image.rectangle(tuple(center - a), tuple(center + a)) for a in sides]
+
+    return _measured(model, "half_width", at, away, np.abs(away), within)
 
 
-def _plain(psf: PSFLike, of: str) -> bool:
-    """Return whether what is measured is the intensity of the optics alone."""
-    return not psf.blur and (of == "optics" or not psf.grid.integrate)
-
-
-def _images(psf: PSFLike, of: str, reach: float) -> Iterator[Any]:
-    """Return the images of the flattened stack, good up to `reach` lambda*N from the axis."""
-    from lommel.measures.continuous_image import ImageModel, images
-
-    return images(ImageModel.of(psf, of), reach)
+def _measured(
+    model: ImageModel, name: str, at: Array, centers: Array, away: Array, within: Callable[..., object]
+) -> Numbers:
+    """Return the light `within` a shape of each size around the center of each image of a stack."""
+    pupil, flat = model.pupil, at.ravel() / model.pupil.scale
+    reach = float(flat.max(initial=0.0)) + float(away.max(initial=0.0))
+    validation.reach(f"{name}={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
+    each = zip(images(model, reach), centers, strict=True)
+    return numbers([within(image, flat, center) for image, center in each], pupil.shape + at.shape)
 
 
 def image_centroid(psf: PSFLike) -> Array:
@@ -274,8 +259,8 @@ def window_energy(psf: PSFLike) -> Numbers:
     )
     if radial is None:
         low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
-        images = _images(psf, "optics", float(np.abs([low, far]).max()))
-        return numbers([image.rectangle(tuple(low), tuple(far)) for image in images], pupil.shape)
+        each = images(ImageModel.of(psf, "optics"), float(np.abs([low, far]).max()))
+        return numbers([image.rectangle(tuple(low), tuple(far)) for image in each], pupil.shape)
     step = math.pi / pupil.scale
     # Inclusion and exclusion of rectangles with one corner on the axis.
     corners = [

@@ -19,6 +19,7 @@ doi:10.1098/rspa.1955.0158. E. L. O'Neill, "Transfer function for an annular ape
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -38,7 +39,7 @@ _MAX_NODES = 4096
 
 def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
     """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
-    if pupil.radial:
+    if pupil.circular and pupil.radial:
         # It depends on the length of f only.
         canonical = np.stack([np.hypot(f[:, 0], f[:, 1]), np.zeros(len(f))], axis=-1)
         mirrored = np.zeros(len(f), dtype=bool)
@@ -47,31 +48,47 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
         mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
         canonical = np.where(mirrored[:, None], -f, f)
     points, where = np.unique(canonical, axis=0, return_inverse=True)
-    where = where.reshape(-1)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
-    # Nearer to 0 than this nothing changes, and quotients overflow.
-    values[:, shift <= 1e-100] = 1.0
-    within = np.flatnonzero((shift > 1e-100) & (shift < 1))
+    # Nearer to 0 than this nothing changes: quotients overflow, or edges are known to rounding only.
+    least = 1e-100 if pupil.circular else 1e-14
+    values[:, shift <= least] = 1.0
+    within = np.flatnonzero((shift > least) & (shift < 1))
     blur = float(pupil.v(pupil.geometric_radius()).max())
-    # Alike frequencies take alike many nodes.
-    for group in (
-        np.array_split(within[np.argsort(shift[within])], math.ceil(len(within) / 32)) if len(within) else []
-    ):
-        values[:, group] = _refined(pupil, points[group], shift[group], blur, tol)
-    values = values[:, where]
+    # Alike frequencies take alike many nodes; the lines across other apertures are those of one frequency.
+    together = 32 if pupil.circular else 1
+    within = within[np.argsort(shift[within])]
+    integral = _of_discs if pupil.circular else _of_clear_parts
+    for group in np.array_split(within, math.ceil(len(within) / together)) if len(within) else ():
+        values[:, group] = integral(pupil, points[group], shift[group], blur, tol)
+    values = values[:, where.reshape(-1)]
     return np.where(mirrored, values.conj(), values)
 
 
-def _refined(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF at few frequencies with as many nodes as it takes."""
+def _of_discs(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
+    """Return the OTF of circular or annular apertures at few frequencies."""
     # Half of the phase that a line of the overlap sees, about; too few nodes are found out by those that follow.
     swing = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
     nodes = 16 + math.ceil(0.25 * swing + 0.25 * pupil.illumination.slope)
+    return _settled(lambda nodes: _overlap_integral(pupil, f, shift, nodes), nodes, tol, tol + 1e-15 * blur)
+
+
+def _of_clear_parts(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
+    """Return the OTF of other apertures at one frequency, with more nodes along the lines until two sums agree."""
+    swing = 2.0 * blur * min(1.0, 2.0 * float(shift[0]))
+    nodes, overlap = 12 + math.ceil(0.25 * (swing + pupil.illumination.slope)), _Overlap(pupil, f[0])
+    found = _settled(lambda nodes: overlap.across(nodes, 0.25 * tol), nodes, tol, 0.5 * tol + 1e-15 * blur)
+    return found[:, None]
+
+
+def _settled(
+    integral: Callable[[int], NDArray[np.complex128]], nodes: int, tol: float, least: float
+) -> NDArray[np.complex128]:
+    """Return an integral with as many nodes as it takes until two differ by no more than `least`."""
     before: NDArray[np.complex128] | None = None
     while nodes <= _MAX_NODES:
-        value = _overlap_integral(pupil, f, shift, nodes)
-        if before is not None and np.abs(value - before).max() <= tol + 1e-15 * blur:
+        value = integral(nodes)
+        if before is not None and np.abs(value - before).max() <= least:
             return value
         before, nodes = value, math.ceil(1.4 * nodes)
     raise ToleranceError(f"the OTF to tol={tol:g} takes more than {_MAX_NODES} nodes along a line")
@@ -132,13 +149,7 @@ def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:
 
 
 def _panel(
-    first: Array,
-    last: Array,
-    radius: float,
-    shift: Array,
-    eps: float,
-    x: Array,
-    w: Array,
+    first: Array, last: Array, radius: float, shift: Array, eps: float, x: Array, w: Array
 ) -> tuple[Values, ...]:
     """Return the lines with ``y = radius sin(theta)``, theta from `first` to `last`, one of each a frequency."""
     theta = first[:, None] + (last - first)[:, None] * x
@@ -165,26 +176,9 @@ def _panel(
 # they differ by is below the tolerance.
 
 _ACROSS = 10  # nodes of a panel, and of each of its halves
-_MOST = 4096  # panels halved at once, and nodes along a piece
+_MOST = 4096  # panels halved at once
 _LEVELS = 48  # times that a panel is halved: then it is as wide as rounding
 _CUT_CHUNK = 2**19  # pupil values held at once
-
-
-def cut_autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
-    values = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
-    # OTF(-f) is the conjugate of OTF(f), and nothing changes nearer to 0 than rounding of the edges.
-    mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
-    points, where = np.unique(np.where(mirrored[:, None], -f, f), axis=0, return_inverse=True)
-    found = np.zeros((len(values), len(points)), dtype=np.complex128)
-    for k, point in enumerate(points):
-        shift = math.hypot(*point)
-        if shift < 1e-14:
-            found[:, k] = 1.0
-        elif shift < 1.0:
-            found[:, k] = _Overlap(pupil, point).integral(tol)
-    values = found[:, where.reshape(-1)]
-    return np.where(mirrored, values.conj(), values)
 
 
 class _Overlap:
@@ -196,19 +190,7 @@ class _Overlap:
         self.cos, self.sin = f / self.shift
         self.scale = math.pi * pupil.transmission
 
-    def integral(self, tol: float) -> NDArray[np.complex128]:
-        """Return the OTF, shape (n,): with more nodes along the lines until two sums agree."""
-        blur = float(self.pupil.v(self.pupil.geometric_radius()).max())
-        nodes = 12 + math.ceil(0.25 * (2.0 * blur * min(1.0, 2.0 * self.shift) + self.pupil.illumination.slope))
-        before: NDArray[np.complex128] | None = None
-        while nodes <= _MOST:
-            found = self._across(nodes, 0.25 * tol)
-            if before is not None and np.abs(found - before).max() <= 0.5 * tol + 1e-15 * blur:
-                return found
-            before, nodes = found, math.ceil(1.4 * nodes)
-        raise ToleranceError(f"the OTF to tol={tol:g} takes more than {_MOST} nodes along a line")
-
-    def _across(self, nodes: int, tol: float) -> NDArray[np.complex128]:
+    def across(self, nodes: int, tol: float) -> NDArray[np.complex128]:
         """Return the sum over panels in the angle theta, y = top sin(theta), halved until they err by less."""
         edges = np.unique(np.concatenate([np.linspace(-1.0, 1.0, 9), self._corners()]))
         low, high = np.arcsin(edges[:-1]), np.arcsin(edges[1:])

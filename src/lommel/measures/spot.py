@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,15 +12,13 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
+from lommel.measures.continuous_image import CartesianImage, ImageModel, cartesian_images, images, polar
 from lommel.measures.energy import energy_centers, radial_energy, require_radial
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.method import Method, RadialMethod
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-
-if TYPE_CHECKING:
-    from lommel.measures.continuous_image import CartesianImage, ImageModel
 
 _STEP = 0.15
 """Spacing of tables in v, over the stretch of the method."""
@@ -166,14 +164,10 @@ def fwhm(psf: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
     ValueError
         If `along` or `of` is none of these, or the image does not fall to half within 500 lambda*N.
     """
-    checked(psf)
     validation.choice("along", along, ("mean", "x", "y"))
-    validation.choice("of", of, ("image", "optics"))
-    from lommel.measures.continuous_image import ImageModel
-
     model = ImageModel.of(psf, of)
-    if psf.radial_method is not None and model.plain:
-        return radial_fwhm(psf.radial_method, psf.pupil)
+    if model.radial_method is not None:
+        return radial_fwhm(model.radial_method, psf.pupil)
     return numbers([width(model, along) for model in model.singles], psf.pupil.shape)
 
 
@@ -203,8 +197,6 @@ def brightest_place(model: ImageModel) -> tuple[float, float]:
 
 def _scanned(model: ImageModel, reach: float) -> tuple[CartesianImage, Array, Array, float]:
     """Return a single image, samples eight to a period up to `reach`, their places along each axis, and the step."""
-    from lommel.measures.continuous_image import cartesian_images
-
     (image,) = cartesian_images(model, reach)
     step = 0.125 / image.band
     places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
@@ -308,18 +300,13 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
         If `fraction`, `about` or `of` is out of range, or the circle would be wider than about 6000 lambda*N, for a
         pupil that is not radially symmetric than some 1400 lambda*N.
     """
-    checked(psf)
-    wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
-    validation.choice("about", about, ("axis", "centroid"))
-    validation.choice("of", of, ("image", "optics"))
     from scipy.optimize import brentq
 
-    from lommel.measures.continuous_image import ImageModel, images, polar
-
+    wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     model, pupil = ImageModel.of(psf, of), psf.pupil
-    if psf.radial_method is not None and model.plain:
-        return radial_diameter(psf.radial_method, pupil, wanted)
     centers = energy_centers(psf, about) / pupil.scale
+    if model.radial_method is not None:
+        return radial_diameter(model.radial_method, pupil, wanted)
     out = []
     for one, (x, y) in zip(model.singles, centers, strict=True):
         reach = one.extent

@@ -16,9 +16,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.blur.blurs import Blur, blurs, require_unit
+from lommel.blur.blurs import Blur, blurs, frequencies, require_unit
+from lommel.measures.continuous_image import ImageModel, sampled_transfer
 from lommel.measures.energy import energy_per_pixel
-from lommel.measures.overlap import autocorrelation, cut_autocorrelation
+from lommel.measures.overlap import autocorrelation
 from lommel.measures.psf_like import Measurable, PSFLike
 from lommel.measures.psf_like import checked as checked_answer
 from lommel.methods.polychromatic import Polychromatic
@@ -85,14 +86,7 @@ def otf(
     0.391002
     """
     if isinstance(pupil, Measurable):
-        given = {
-            "pixel": pixel is not None,
-            "fill": fill != 1.0,
-            "blur": blur != (),
-            "spectrum": spectrum is not None,
-        }
-        if stray := [name for name, there in given.items() if there]:
-            raise ValueError(f"{stray[0]} must be left out for a PSF, which has its own; give it with psf.pupil")
+        _own(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
         of_image: Complexes = pupil.measured(lambda one: image_otf(one, fx, fy, tol=tol))
         return of_image
     _unmasked(pupil)
@@ -107,8 +101,7 @@ def otf(
     for share, _, part in parts:
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
-        overlap = autocorrelation if part.circular else cut_autocorrelation
-        total += share * overlap(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
+        total += share * autocorrelation(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * rest)[()]
     return result
 
@@ -146,8 +139,6 @@ def image_otf(
         pixels = {"pixel": grid.pixel, "fill": grid.fill} if averaged else {}
         spectrum = method if isinstance(method, Polychromatic) else None
         return otf(pupil, fx, fy, **pixels, blur=psf.blur, spectrum=spectrum, tol=tol)
-    from lommel.measures.continuous_image import ImageModel, sampled_transfer
-
     across, down = frequencies(fx, fy)
     scaled = across.ravel() * pupil.scale, down.ravel() * pupil.scale
     result: Complexes = sampled_transfer(ImageModel.of(psf, of), *scaled).reshape(pupil.shape + across.shape)[()]
@@ -331,13 +322,6 @@ def _unmasked(pupil: Pupil) -> None:
             "pupil must be without a mask for its transfer function; take that of its image, psf.mtf(fx, fy) or "
             "psf.otf(fx, fy), which is known to 1e-4 or so"
         )
-
-
-def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
-    """Return frequencies along columns and rows, broadcast."""
-    parts = validation.real_array("fx", fx), validation.real_array("fy", fy)
-    across, down = validation.broadcast("fx and fy", *parts)
-    return across, down
 
 
 def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:

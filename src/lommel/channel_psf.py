@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Self, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Self, TypedDict, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -25,7 +25,7 @@ from lommel.methods.question import asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.colour.spectrum import Channels, checked
 from lommel.optics.grid import Grid
-from lommel.psf import PSF, Measured, Plan
+from lommel.psf import PSF, Found, Plan, Recorded
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,7 +56,7 @@ class Keywords(PSFKeywords, total=False):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ColourPSF(Measured):
+class ColourPSF(Recorded):
     """PSFs of a pupil, or a stack of them, in channels; ``answer["red"]`` is one like any other.
 
     Attributes
@@ -69,6 +69,12 @@ class ColourPSF(Measured):
         and measures of the PSF take them all.
     values : ndarray, shape ``pupil.shape + (channels, height, width)``
         Values of all channels, each normalised on its own.
+    pupil : Pupil or ObjectivePupil
+        That of the first channel.
+    grid : Grid
+        The pixels.
+    normalize : str
+        What values are relative to, channel by channel.
 
     Raises
     ------
@@ -79,6 +85,9 @@ class ColourPSF(Measured):
     channels: Channels
     psfs: tuple[PSF, ...]
     values: Values = field(init=False)
+    pupil: BasePupil = field(init=False)
+    grid: Grid = field(init=False)
+    normalize: str = field(init=False)
 
     def __post_init__(self) -> None:
         validation.instance("channels", self.channels, Channels)
@@ -96,6 +105,7 @@ class ColourPSF(Measured):
             base = np.stack([p.values for p in psfs])
             psfs = tuple(replace(p, values=base[k]) for k, p in enumerate(psfs))
         vars(self).update(psfs=psfs, values=np.moveaxis(base, 0, -3))
+        vars(self).update({name: getattr(psfs[0], name) for name in ("pupil", "grid", "normalize")})
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -103,40 +113,10 @@ class ColourPSF(Measured):
         return self.channels.names
 
     @property
-    def shape(self) -> tuple[int, ...]:
-        """Shape of the values."""
-        return self.values.shape
-
-    @property
-    def pupil(self) -> BasePupil:
-        """That of the first channel."""
-        return self.psfs[0].pupil
-
-    @property
-    def grid(self) -> Grid:
-        """The pixels."""
-        return self.psfs[0].grid
-
-    @property
-    def pixel(self) -> float | tuple[float, float]:
-        """Pixel pitch, in :attr:`unit`."""
-        return self.psfs[0].pixel
-
-    @property
-    def unit(self) -> str:
-        """Unit of lengths."""
-        return self.psfs[0].unit
-
-    @property
-    def normalize(self) -> str:
-        """What values are relative to, channel by channel."""
-        return self.psfs[0].normalize
-
-    @property
     def error_bound(self) -> float | None:
         """Bound on the largest error over the peak of a channel, that of the worst; None where one has none."""
-        bounds = [psf.error_bound for psf in self.psfs]
-        return None if None in bounds else max(bound for bound in bounds if bound is not None)
+        known = [psf.error_bound for psf in self.psfs if psf.error_bound is not None]
+        return max(known) if len(known) == len(self) else None
 
     def __len__(self) -> int:
         """Return the number of channels."""
@@ -163,10 +143,6 @@ class ColourPSF(Measured):
         """Return part of a stack in all channels, by an `index` as of a NumPy array of the pupils."""
         return type(self)(self.channels, tuple(psf[index] for psf in self.psfs))
 
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
-        """Return `values`."""
-        return np.array(self.values, dtype=dtype, copy=copy)
-
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         return (
@@ -175,9 +151,9 @@ class ColourPSF(Measured):
             f"error bound {bound}>"
         )
 
-    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+    def measured(self, measure: Callable[[PSF], Found]) -> Found:
         """Return a `measure` of each channel, on an axis after those of the stack."""
-        return np.stack([measure(psf) for psf in self.psfs], axis=len(self.pupil.shape))
+        return cast(Found, np.stack([np.asarray(measure(psf)) for psf in self.psfs], axis=len(self.pupil.shape)))
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         """Draw the PSF in colour, a stack side by side; other numbers of channels than three each on their own.
@@ -295,7 +271,10 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
     step = max(1, _AT_ONCE // math.prod(sides))
     for first in range(0, count, step):
         block = slice(first, min(first + step, count))
-        part, grid = _part(pupil, asked.grid, block, count)
+        part, grid = pupil, asked.grid
+        if step < count:
+            index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
+            part, grid = pupil[index], grid[index] if grid.stack else grid
         normalized = asked.wanted.scale is None
         aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
         found = together(sums, part, grid, plan.threads, aim, window=normalized)
@@ -321,14 +300,6 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
         )
         for c, each in enumerate(sums)
     )
-
-
-def _part(pupil: BasePupil, grid: Grid, block: slice, count: int) -> tuple[BasePupil, Grid]:
-    """Return a block of a flattened stack, and its pixels."""
-    if block == slice(0, count):
-        return pupil, grid
-    index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
-    return pupil[index], grid[index] if grid.stack else grid
 
 
 def _scale(

@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -324,6 +324,9 @@ class Plan:
 _kept = lru_cache(maxsize=16, typed=True)(Plan)
 
 
+Found = TypeVar("Found")
+
+
 class Measured:
     """Measures of the image that values sample: the light of the optics with blur and pixels.
 
@@ -332,34 +335,34 @@ class Measured:
     channels, if any, then that of the argument. Error bounds stand in the functions that each method links.
     """
 
-    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+    def measured(self, measure: Callable[[PSF], Found]) -> Found:
         """Return the `measure` of each PSF."""
         raise NotImplementedError
 
     @property
     def energy(self) -> Numbers:
         """Fraction of all light that falls inside the window, to the edges of its outer pixels."""
-        return self._numbers(measures.energy.window_energy)
+        return self.measured(measures.energy.window_energy)
 
     @property
     def strehl(self) -> Numbers:
         """Intensity on the axis over that without aberration; :func:`lommel.strehl` is that of a pupil."""
-        return self._numbers(measures.spot.axis_strehl)
+        return self.measured(measures.spot.axis_strehl)
 
     @property
     def peak_strehl(self) -> Numbers:
         """Largest value in the window over the peak of the same aperture without aberration, wherever it is."""
-        return self._numbers(measures.spot.peak_strehl)
+        return self.measured(measures.spot.peak_strehl)
 
     @property
     def peak_position(self) -> NDArray[np.float64]:
         """Place (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
-        return np.asarray(self.measured(measures.spot.peak_position))
+        return self.measured(measures.spot.peak_position)
 
     @property
     def centroid(self) -> NDArray[np.float64]:
         """Centroid (x, y) of all light, from the axis; see :func:`lommel.measures.energy.image_centroid`."""
-        return np.asarray(self.measured(measures.energy.image_centroid))
+        return self.measured(measures.energy.image_centroid)
 
     def encircled_energy(self, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the fraction of all light within `radius` (metres or lambda*N) of the axis, or `about` the centroid.
@@ -367,7 +370,7 @@ class Measured:
         Of the image, or `of` the "optics" without the pixel; also beyond the window. See
         :func:`lommel.measures.energy.encircled_energy`.
         """
-        return self._numbers(lambda one: measures.energy.encircled_energy(one, radius, about=about, of=of))
+        return self.measured(lambda one: measures.energy.encircled_energy(one, radius, about=about, of=of))
 
     def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the fraction of all light within a square of sides ``2 half_width``.
@@ -375,7 +378,7 @@ class Measured:
         `about` the axis or the centroid, `of` the image or the optics: see
         :func:`lommel.measures.energy.ensquared_energy`.
         """
-        return self._numbers(lambda one: measures.energy.ensquared_energy(one, half_width, about=about, of=of))
+        return self.measured(lambda one: measures.energy.ensquared_energy(one, half_width, about=about, of=of))
 
     def energy_diameter(self, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
         """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
@@ -383,14 +386,14 @@ class Measured:
         `about` the axis or the centroid, `of` the image or the optics: see
         :func:`lommel.measures.spot.energy_diameter`.
         """
-        return self._numbers(lambda one: measures.spot.energy_diameter(one, fraction, about=about, of=of))
+        return self.measured(lambda one: measures.spot.energy_diameter(one, fraction, about=about, of=of))
 
     def fwhm(self, along: str = "mean", *, of: str = "image") -> Numbers:
         """Return the full width at half maximum along "x", "y" or their mean, of the image or `of` the optics.
 
         See :func:`lommel.measures.spot.fwhm`.
         """
-        return self._numbers(lambda one: measures.spot.fwhm(one, along, of=of))
+        return self.measured(lambda one: measures.spot.fwhm(one, along, of=of))
 
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> NDArray[np.complex128] | np.complex128:
         """Return the optical transfer function of the image, or `of` the optics, at frequencies `fx`, `fy`.
@@ -398,22 +401,43 @@ class Measured:
         Of lenses from the wavefront, beyond the Nyquist frequency of the pixels, too: see :func:`lommel.otf`. The
         transform of the values themselves is :func:`lommel.measures.transfer.sampled_otf`.
         """
-        found: NDArray[np.complex128] | np.complex128 = self.measured(
-            lambda one: measures.transfer.image_otf(one, fx, fy, of=of)
-        )
-        return found
+        return self.measured(lambda one: measures.transfer.image_otf(one, fx, fy, of=of))
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> Numbers:
         """Return the modulation transfer function, the modulus of :meth:`otf`, at `fx`, `fy`, `of` the same."""
         return np.abs(self.otf(fx, fy, of=of))
 
-    def _numbers(self, measure: Callable[[PSF], Numbers]) -> Numbers:
-        found: Numbers = self.measured(measure)
-        return found
+
+class Recorded(Measured):
+    """PSFs on pixels, in one array."""
+
+    values: Values
+    grid: Grid
+    pupil: BasePupil
+    normalize: str
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the values."""
+        return self.values.shape
+
+    @property
+    def pixel(self) -> float | tuple[float, float]:
+        """Pixel pitch, in :attr:`unit`; height and width where these differ."""
+        return self.grid.pixel
+
+    @property
+    def unit(self) -> str:
+        """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
+        return self.pupil.unit
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
+        """Return `values`."""
+        return np.array(self.values, dtype=dtype, copy=copy)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PSF(Measured):
+class PSF(Recorded):
     """A computed point spread function, or a stack of them, and how it was made.
 
     Attributes
@@ -470,16 +494,6 @@ class PSF(Measured):
             raise ValueError(f"values must have the shape {wanted}, got {self.values.shape}")
 
     @property
-    def shape(self) -> tuple[int, ...]:
-        """Shape of the values."""
-        return self.values.shape
-
-    @property
-    def pixel(self) -> float | tuple[float, float]:
-        """Pixel pitch, in :attr:`unit`; height and width where these differ."""
-        return self.grid.pixel
-
-    @property
     def sampling(self) -> str:
         """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
         return "pixel" if self.grid.integrate else "center"
@@ -488,11 +502,6 @@ class PSF(Measured):
     def undersampled(self) -> bool:
         """Whether values sample pixels wider than lambda*N/2, so that they do not sum to the light of the window."""
         return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
-
-    @property
-    def unit(self) -> str:
-        """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
-        return self.pupil.unit
 
     def positions(self) -> tuple[Array, Array]:
         """Return where columns and rows are, x and y from the axis, of each of the flattened stack."""
@@ -559,10 +568,6 @@ class PSF(Measured):
             derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
         )
 
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
-        """Return `values`."""
-        return np.array(self.values, dtype=dtype, copy=copy)
-
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
@@ -576,7 +581,7 @@ class PSF(Measured):
             f"normalize {self.normalize!r}, error bound {bound}>"
         )
 
-    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+    def measured(self, measure: Callable[[PSF], Found]) -> Found:
         """Return the `measure` of this PSF."""
         return measure(self)
 

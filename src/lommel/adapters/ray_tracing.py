@@ -48,17 +48,14 @@ Trace = Callable[[float, float, Array, Array], TracedField]
 """From a point of the field, as fractions of its edge, and points of the pupil to their rays."""
 
 
-def sample_points(degree: int) -> tuple[Array, Array]:
+def sample_points(degree: int, tol: float = 0.01) -> tuple[Array, Array]:
     """Return x and y of pupil points that determine Zernike terms up to `degree` and show residuals."""
+    validation.real("tol", tol, above=0.0)
+    validation.integer("degree", degree, least=2, most=MAX_DEGREE)
     nodes = gauss_legendre(degree // 2 + 4)[0]
     rho = np.sqrt(nodes)
     theta = 2.0 * math.pi / (2 * degree + 5) * np.arange(2 * degree + 5)
     return np.outer(rho, np.cos(theta)).ravel(), np.outer(rho, np.sin(theta)).ravel()
-
-
-def _checked_points(degree: int, tol: float) -> tuple[Array, Array]:
-    validation.real("tol", tol, above=0.0)
-    return sample_points(validation.integer("degree", degree, least=2, most=MAX_DEGREE))
 
 
 def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, int], float], float]:
@@ -95,7 +92,7 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
 def single_pupil(trace: Trace, field: object, wavelength: float, degree: int, tol: float) -> Pupil:
     """Return the pupil at one point of the field, with the f-number there."""
     hx, hy = _point("field", field)
-    terms, f_number = fit(trace(hx, hy, *_checked_points(degree, tol)), degree, tol)
+    terms, f_number = fit(trace(hx, hy, *sample_points(degree, tol)), degree, tol)
     wavefront = Wavefront.zernike(terms, normalization="edge")
     return Pupil(wavefront, wavelength=wavelength, f_number=f_number)
 
@@ -104,7 +101,7 @@ def field_map(
     trace: Trace, heights: int, fields: Sequence[object] | None, wavelength: float, degree: int, tol: float
 ) -> FieldMap:
     """Return the map over the field, with the f-number on the axis; without `fields` a symmetric lens is required."""
-    points = _checked_points(degree, tol)
+    points = sample_points(degree, tol)
     axis, f_number = fit(trace(0.0, 0.0, *points), degree, tol)
     aperture = Pupil(wavelength=wavelength, f_number=f_number)
     if fields is not None:

@@ -176,7 +176,8 @@ def _sweep(folder: Path) -> None:
     """Remove, once a process, what others left in a folder a day ago; but never the only copy of anything."""
     try:
         with os.scandir(folder) as entries:
-            old = [Path(e.path) for e in entries if e.name.startswith(_PREFIX) and _age(e) > _DAY]
+            ours = [entry for entry in entries if entry.name.startswith(_PREFIX)]
+            old = [Path(one.path) for one in ours if time.time() - one.stat(follow_symlinks=False).st_mtime > _DAY]
     except OSError:
         return  # What is wrong with the folder, the write will tell.
     for path in old:
@@ -185,10 +186,6 @@ def _sweep(folder: Path) -> None:
                 path.unlink()
         elif not (path / "old").exists():
             shutil.rmtree(path, ignore_errors=True)
-
-
-def _age(entry: os.DirEntry[str]) -> float:
-    return time.time() - entry.stat(follow_symlinks=False).st_mtime
 
 
 # Nothing is written for it, so nothing of a killed process has to be judged or cleared away.

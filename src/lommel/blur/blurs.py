@@ -83,7 +83,7 @@ class Blur:
     @property
     def lengths(self) -> tuple[float, ...]:
         """What is a length on the sensor."""
-        return ()
+        return tuple(vars(self)[name] for name in ("sigma", "across", "length") if name in vars(self))
 
     def to_dict(self) -> Json:
         """Return its name and options in plain types."""
@@ -253,12 +253,6 @@ class Jitter(Blur):
         vars(self)["angle"] = validation.real("angle", self.angle)
 
     @property
-    def lengths(self) -> tuple[float, ...]:
-        """The two deviations."""
-        assert self.across is not None
-        return self.sigma, self.across
-
-    @property
     def covariance(self) -> Array:
         """Of the position (x, y)."""
         along, across = self.lengths
@@ -289,11 +283,6 @@ class ChargeDiffusion(Blur):
         vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
 
     @property
-    def lengths(self) -> tuple[float, ...]:
-        """The deviation."""
-        return (self.sigma,)
-
-    @property
     def covariance(self) -> Array:
         """Of the position (x, y)."""
         return self.sigma**2 * np.eye(2)
@@ -322,11 +311,6 @@ class Motion(Blur):
     def __post_init__(self) -> None:
         vars(self)["length"] = validation.real("length", self.length, least=0.0)
         vars(self)["angle"] = validation.real("angle", self.angle)
-
-    @property
-    def lengths(self) -> tuple[float, ...]:
-        """That of the line."""
-        return (self.length,)
 
     @property
     def streak(self) -> tuple[float, float]:

@@ -82,13 +82,8 @@ class Spread(NamedTuple):
 
     def rounding(self, samples: Array) -> float:
         """Bound what transforms in double precision add to any value of these samples."""
-        return (
-            20.0
-            * math.log2(math.prod(self.size))
-            * _U
-            * self.norm
-            * float(np.sqrt((samples**2).sum(axis=(1, 2)).max()))
-        )
+        size = float(np.sqrt((samples**2).sum(axis=(1, 2)).max()))
+        return 20.0 * math.log2(math.prod(self.size)) * _U * self.norm * size
 
 
 def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> Spread:

@@ -54,7 +54,11 @@ def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
 
 
 def _finite(error: Callable[[Array, Array], float], values: ArrayLike, reference: ArrayLike) -> float:
-    a, b = _pair(values, reference)
+    a, b = validation.real_array("values", values), validation.real_array("reference", reference)
+    if a.shape != b.shape:
+        raise ValueError(f"values and reference must have the same shape, got {a.shape} and {b.shape}")
+    if not b.size or not b.max() > 0:
+        raise ValueError("values and reference must be finite, and the reference have a positive peak")
     with np.errstate(over="ignore"):
         found = float(error(a, b))
     if not math.isfinite(found):
@@ -63,12 +67,3 @@ def _finite(error: Callable[[Array, Array], float], values: ArrayLike, reference
             f"{np.abs(a).max():g} and {b.max():g}"
         )
     return found
-
-
-def _pair(values: ArrayLike, reference: ArrayLike) -> tuple[Array, Array]:
-    a, b = validation.real_array("values", values), validation.real_array("reference", reference)
-    if a.shape != b.shape:
-        raise ValueError(f"values and reference must have the same shape, got {a.shape} and {b.shape}")
-    if not (np.all(np.isfinite(a)) and np.all(np.isfinite(b)) and b.max() > 0):
-        raise ValueError("values and reference must be finite, and the reference have a positive peak")
-    return a, b

@@ -141,18 +141,11 @@ def _write_pfm(values: NDArray[np.float32]) -> bytes:
     return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
 
 
-def _write_npy(values: NDArray[np.float32]) -> bytes:
-    return atomic.contents(np.save, values)
-
-
-def _write_tiff(values: NDArray[np.float32]) -> bytes:
-    return write_tiff(values, 100, None)
-
-
+_form, _write_npy = partial(Format, "depth map"), partial(atomic.contents, np.save)
 registry.register(
-    Format("depth map", (".npy",), _write_npy, _npy, (b"\x93NUMPY",)),
-    Format("depth map", (".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
-    Format("depth map", (".tif", ".tiff"), _write_tiff, _raster, TIFF, library="tifffile"),
-    Format("depth map", (".png",), read=_raster, starts=PNG),
+    _form((".npy",), _write_npy, _npy, (b"\x93NUMPY",)),
+    _form((".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
+    _form((".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _raster, TIFF, library="tifffile"),
+    _form((".png",), read=_raster, starts=PNG),
 )
 find = partial(registry.find, "depth map")

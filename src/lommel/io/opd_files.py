@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import math
-import struct
 from array import array
 from collections.abc import Mapping
 from functools import partial
@@ -18,15 +17,23 @@ from lommel.base import atomic, reading, validation
 from lommel.base.units import LENGTHS, parse_length
 from lommel.io import code_v, fits_images, registry, text_files
 from lommel.io.registry import Description, Format, Values
-from lommel.io.zernike_tables import UNITS
+from lommel.io.zernike_tables import UNIT_NAMES, UNITS
 from lommel.optics.wavefront.opd_fit import OPDMap
 
 _MAGIC = (0x881B036F, 0x881B0370, 0x881B0371)
 _HEADERS = (834, 4096)  # bytes
+_HEAD = np.dtype(
+    {
+        "names": ["magic", "format", "size", "across", "down", "buckets", "width", "height", "bytes",
+                  "scale", "wavelength", "obliquity", "spacing", "resolution"],
+        "formats": [">u4", ">u2", ">u4", *[">u2"] * 5, ">u4", *[">f4"] * 4, ">u2"],
+        "offsets": [0, 4, 6, 52, 54, 56, 68, 70, 72, 164, 168, 176, 184, 218],
+        "itemsize": _HEADERS[0],
+    }
+)  # fmt: skip
 _INVALID = 2147483640
 _STEPS = {0: 4096, 1: 32768, 2: 131072}  # per fringe, by the resolution of the phase
 _SCALE = 0.5  # waves per fringe: light is reflected
-_LENGTHS = {"NanoMeters": "nm", "MicroMeters": "um", "MilliMeters": "mm", "Meters": "m", "Waves": "waves"}
 
 
 class Measured(NamedTuple):
@@ -40,29 +47,23 @@ class Measured(NamedTuple):
 
 def read_dat(data: bytes) -> Measured:
     """Return the map in a file of MetroPro, whose numbers are big-endian at fixed offsets."""
-
-    def at(place: int, kind: str) -> Any:
-        return struct.unpack_from(">" + kind, data, place)[0]
-
-    if len(data) < _HEADERS[0] or at(0, "I") not in _MAGIC:
+    head = np.frombuffer(data[: _HEADERS[0]].ljust(_HEADERS[0], b"\0"), _HEAD)[0].item()
+    magic, _, size, across, down, buckets, width, height, _, scale, wavelength, obliquity, spacing, resolution = head
+    if len(data) < _HEADERS[0] or magic not in _MAGIC:
         raise ValueError("it does not begin as a file of MetroPro")
-    size = at(6, "I")
     if size not in _HEADERS:
         raise ValueError(f"its header has {size} bytes; 834 or 4096 are known")
-    intensity = 2 * at(52, "H") * at(54, "H") * max(at(56, "H"), 1)
-    width, height, steps = at(68, "H"), at(70, "H"), _STEPS.get(at(218, "H"))
-    if steps is None:
-        raise ValueError(f"its phase has the resolution {at(218, 'H')}; 0 to 2 are known")
+    if resolution not in _STEPS:
+        raise ValueError(f"its phase has the resolution {resolution}; 0 to 2 are known")
     reading.pixels(width, height)
-    start = size + intensity
+    start = size + 2 * across * down * max(buckets, 1)  # behind the intensities
     if start + 4 * width * height > len(data):
         raise ValueError(f"{width} x {height} values end beyond its {len(data)} bytes")
-    scale, wavelength, obliquity, spacing = (at(place, "f") for place in (164, 168, 176, 184))
     for name, value in (("scale factor", scale), ("wavelength", wavelength), ("obliquity factor", obliquity)):
         validation.real(f"its {name}", value, above=0.0)
     validation.real("its lateral resolution", spacing, least=0.0)
     phase = np.frombuffer(data, ">i4", width * height, start).reshape(height, width)
-    metres = phase * (float(scale) * float(obliquity) * float(wavelength) / steps)
+    metres = phase * (scale * obliquity * wavelength / _STEPS[resolution])
     return Measured(np.where(phase >= _INVALID, np.nan, metres), "m", _digits(spacing) or None, _digits(wavelength))
 
 
@@ -79,22 +80,10 @@ def write_dat(opd: OPDMap) -> bytes:
         raise ValueError(
             f"a .dat holds paths below {_INVALID * step:.3g} m, got {np.nanmax(np.abs(opd.values)):.3g} m"
         )
-    head = bytearray(_HEADERS[0])
-    for place, kind, value in (
-        (0, "I", _MAGIC[0]),
-        (4, "H", 1),
-        (6, "I", _HEADERS[0]),
-        (68, "H", width),
-        (70, "H", height),
-        (72, "I", 4 * width * height),
-        (164, "f", _SCALE),
-        (168, "f", opd.wavelength),
-        (176, "f", 1.0),
-        (184, "f", opd.spacing or 0.0),
-        (218, "H", 1),
-    ):
-        struct.pack_into(">" + kind, head, place, value)
-    return bytes(head) + np.where(np.isnan(levels), _INVALID, levels).astype(">i4").tobytes()
+    head = np.zeros(1, _HEAD)
+    lengths = (_SCALE, opd.wavelength, 1.0, opd.spacing or 0.0)
+    head[0] = (_MAGIC[0], 1, _HEADERS[0], 0, 0, 0, width, height, 4 * width * height, *lengths, 1)
+    return head.tobytes() + np.where(np.isnan(levels), _INVALID, levels).astype(">i4").tobytes()
 
 
 def read_datx(data: bytes) -> Measured:
@@ -117,11 +106,11 @@ def read_datx(data: bytes) -> Measured:
                 _number(said[key]) for key in ("Interferometric Scale Factor", "Obliquity Factor") if key in said
             )
             values *= np.prod(list(factors))
-            name = "Waves"
-        if name not in _LENGTHS:
-            raise ValueError(f"it has the unknown unit {validation.shown(name)}")
-        spacing = _spacing(said["X Converter"]) if "X Converter" in said else 0.0
-        return Measured(values, _LENGTHS[name], spacing or None, wavelength)
+            name = "waves"
+        spacing = 0.0
+        if "X Converter" in said:  # whose second parameter is metres
+            spacing = validation.real("the spacing", float(np.ravel(said["X Converter"])[0][2][1]), least=0.0)
+        return Measured(values, _unit(name), spacing or None, wavelength)
 
 
 def _surface(file: Any, h5py: Any) -> Any:
@@ -146,19 +135,9 @@ def _number(attribute: Any) -> float:
     return validation.real("an attribute", float(np.ravel(attribute)[0]))
 
 
-def _spacing(converter: Any) -> float:
-    """Return the pixel spacing in metres, the second parameter of the converter of x."""
-    parameters = np.ravel(converter)[0][2]
-    return validation.real("the spacing", float(parameters[1]), least=0.0)
-
-
 def _digits(value: float) -> float:
     """Return a 32-bit number without rounding noise: 6.328e-07, not 6.328000176813395e-07."""
     return float(str(np.float32(value)))
-
-
-_NAMES = {"micron": "um", "microns": "um", "micrometer": "um", "micrometers": "um", "nanometer": "nm"}
-_NAMES |= {"nanometers": "nm", "meter": "m", "meters": "m", "wave": "waves", "rad": "radians", "radian": "radians"}
 
 
 class OPDFileError(ValueError):
@@ -284,7 +263,7 @@ def _unit(text: Any) -> str | None:
     plain = str(text).strip()
     if not plain:
         return None
-    name = _NAMES.get(plain.lower(), plain)
+    name = UNIT_NAMES.get(plain.lower(), plain)
     if name not in UNITS:
         raise ValueError(f"it has the unknown unit {validation.shown(plain)}")
     return name

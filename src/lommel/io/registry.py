@@ -91,7 +91,7 @@ class Format:
     - "depth map": values of float32 to bytes; (bytes, metres per level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
     - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_files.Measured``
-    - "zernike": (ZernikeTable, settings, terms) to text; bytes to (ZernikeTable or None, list of errors)
+    - "zernike": (settings, terms), both by name, to text; bytes to (ZernikeTable or None, list of errors)
 
     Bytes are moved into place as a whole. Contents that a format cannot hold, or that are damaged, are a ValueError.
     A description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the

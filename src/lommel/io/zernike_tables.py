@@ -26,6 +26,10 @@ from lommel.special import zernike
 Index: TypeAlias = int | tuple[int, int]
 
 UNITS = ("radians", "waves", "metres", *LENGTHS)
+UNIT_NAMES = {"wave": "waves", "rad": "radians", "radian": "radians", "meter": "m", "meters": "m"}
+UNIT_NAMES |= dict.fromkeys(("micron", "microns", "micrometer", "micrometers"), "um")
+UNIT_NAMES |= {"nanometer": "nm", "nanometers": "nm", "millimeters": "mm"}
+"""Units as other programs name them."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +166,11 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
         table = ZernikeTable.from_wavefront(table)
     if not isinstance(table, ZernikeTable):
         raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
-    atomic.write(validation.path("path", path), find(path).write(table).encode())
+    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
+    if table.wavelength is not None:
+        settings["wavelength"] = f"{table.wavelength!r} m"
+    terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): c for i, c in table.terms.items()}
+    atomic.write(validation.path("path", path), find(path).write(settings, terms).encode())
 
 
 @display.save.register(Wavefront)
@@ -295,7 +303,6 @@ _VALUES = ("value", "coefficient", "coeff", "c")
 _NAMES = ("name", "aberration", "description")  # of columns that are ignored
 _COLUMN = re.compile(r"([a-z]+)\s*(?:[(\[]\s*(\S+?)\s*[)\]])?")
 _NUMBERED = re.compile(r"z\s*_?(\d+)", re.IGNORECASE | re.ASCII)
-_ALSO = {"wave": "waves", "rad": "radians", "radian": "radians", "meters": "metres", "micron": "um", "microns": "um"}
 
 _Row: TypeAlias = tuple[int, list[str]]
 
@@ -322,7 +329,7 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
         lines.setdefault(key, place)
 
     if "unit" in settings:
-        settings["unit"] = _ALSO.get(settings["unit"].lower(), settings["unit"])
+        settings["unit"] = UNIT_NAMES.get(settings["unit"].lower(), settings["unit"])
     (head, columns), *rows = [*text_files.rows(text, _between(text))] or [(0, [])]
     plain = [cell.lower() for cell in columns]
     if plain and all(map(_NUMBERED.fullmatch, plain)):
@@ -364,7 +371,7 @@ def _told(columns: Sequence[str], order: str | None) -> tuple[list[str], str, st
     single = len(index) == 1 and order != "nm" and index[0] in (*_INDICES, *zernike.ORDERS[1:])
     if not value or value[1] not in _VALUES or not (pair or single):
         return [], "", ""
-    unit = _ALSO.get(value[2] or "", value[2] or "")
+    unit = UNIT_NAMES.get(value[2] or "", value[2] or "")
     return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
 
 
@@ -569,28 +576,19 @@ def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     return (None if twice else table), [*twice, *found]
 
 
-def _settings(table: ZernikeTable) -> dict[str, str]:
-    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
-    return settings if table.wavelength is None else settings | {"wavelength": f"{table.wavelength!r} m"}
+def _write_json(settings: Mapping[str, str], terms: Mapping[str, float]) -> str:
+    return json.dumps({**settings, "terms": terms}, indent=2, allow_nan=False) + "\n"
 
 
-def _terms(table: ZernikeTable) -> dict[str, float]:
-    return {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): c for i, c in table.terms.items()}
+def _write_toml(settings: Mapping[str, str], terms: Mapping[str, float]) -> str:
+    head = [f'{key} = "{value}"' for key, value in settings.items()]
+    return "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in terms.items()), ""])
 
 
-def _write_json(table: ZernikeTable) -> str:
-    return json.dumps(_settings(table) | {"terms": _terms(table)}, indent=2, allow_nan=False) + "\n"
-
-
-def _write_toml(table: ZernikeTable) -> str:
-    head = [f'{key} = "{value}"' for key, value in _settings(table).items()]
-    return "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in _terms(table).items()), ""])
-
-
-def _write_csv(table: ZernikeTable) -> str:
-    head = [f"# {key}: {value}" for key, value in _settings(table).items()]
-    columns = "n,m,value" if table.order == "nm" else "index,value"
-    return "\n".join([*head, columns, *(f"{key},{c!r}" for key, c in _terms(table).items()), ""])
+def _write_csv(settings: Mapping[str, str], terms: Mapping[str, float]) -> str:
+    head = [f"# {key}: {value}" for key, value in settings.items()]
+    columns = "n,m,value" if settings["order"] == "nm" else "index,value"
+    return "\n".join([*head, columns, *(f"{key},{c!r}" for key, c in terms.items()), ""])
 
 
 _form = partial(Format, "zernike")

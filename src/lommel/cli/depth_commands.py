@@ -67,7 +67,8 @@ _ROWS, _POINTS = 11, 121
         "Noise",
         *NOISE,
         Option("--saturation", type=float,
-               help="Stored value at which pixels saturate; the largest integer always counts as saturated."),
+               help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
+               "saturated."),
     ),
     *under(
         "Estimation",

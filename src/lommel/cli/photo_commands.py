@@ -202,7 +202,7 @@ _METHODS = ("richardson-lucy", "total-variation")
     *under(
         "Noise",
         *NOISE,
-        Option("--saturation", type=float, help="Level at which pixels saturate; white is 1."),
+        Option("--saturation", type=float, help="Linear level at which pixels saturate, as a fraction of white."),
     ),
     *under(
         "Restoration",
@@ -235,8 +235,8 @@ def restore(
     the distance of each point from the lens in metres: a grey TIFF, NPY, PFM or PNG. Without a lens file LENS,
     focal length and f-number come from the options or from the photo's EXIF.
 
-    The discrepancy compares the blurred result with the photo: it is about 1 where they differ only by noise. A
-    larger one means that depth, lens or noise do not fit the photo.
+    The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
+    about 1 where they differ only by noise. A larger one means that depth, lens or noise do not fit the photo.
 
     Examples
     --------

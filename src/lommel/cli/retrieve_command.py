@@ -80,7 +80,8 @@ def _is_number(word: str) -> bool:
         documented(Noise, "read", type=float, required=True),
         Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
         Option("--saturation", type=float,
-               help="Value at which pixels saturate; the largest integer always counts as saturated."),
+               help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
+               "saturated."),
         SQUARE_PIXEL,
         OBJECT_DISTANCE,
     ),

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.paper import figures, methods_cost, numbers, write
+from lommel.paper import figures, numbers, write
 from lommel.paper.setting import VARIANTS, Setting
 
 SMALL = Setting(shape=96)
@@ -131,7 +131,7 @@ def test_forms_of_j0_agree_where_each_is_meant_to_hold():
 
 
 def test_costs_are_ratios_to_one_fft_and_a_method_over_its_budget_is_left_out():
-    data = methods_cost.compute(sizes=(16, 32), budget=0.0)
+    data = figures.methods_cost(sizes=(16, 32), budget=0.0)
     names = list(data.arrays["methods"])
     assert np.all(data.arrays["ratio"][:, 0] > 0)
     assert np.all(np.isnan(data.arrays["ratio"][:, 1]))
@@ -154,7 +154,7 @@ def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
 @pytest.mark.parametrize(
     ("data", "draw", "panels"),
     [
-        (lambda: methods_cost.compute(sizes=(16,), budget=0.0), methods_cost.draw, 2),
+        (lambda: figures.methods_cost(sizes=(16,), budget=0.0), figures.draw_methods_cost, 2),
         (lambda: figures.bessel_forms(samples=51), figures.draw_bessel_forms, 2),
         (lambda: figures.compare_with_fft(SMALL), figures.draw_comparison, 7),
         (lambda: figures.vary("terms", SMALL, (10, 30)), figures.draw_varied, 5),

@@ -28,14 +28,14 @@ from lommel.optics.base_pupil import object_distances
 from lommel.optics.lens import Lens
 
 _MOST_PHOTONS = 1e12
+# Largest structures, pixels, of the texture whose contrast is given.
 _SIDE = 128
-"""Largest structures, pixels, of the texture whose contrast is given."""
+# Radians of defocus between the points of derivatives by differences of the fourth order.
 _STEP = 0.02
-"""Radians of defocus between the points of derivatives by differences of the fourth order."""
+# Relative rounding error of the information, which equal photographs leave.
 _ROUNDING = 1e-9
-"""Relative rounding error of the information, which equal photographs leave."""
+# Radians of defocus between an object and the foci of the first trials.
 _SPANS = np.geomspace(0.15, 30.0, 14)
-"""Radians of defocus between an object and the foci of the first trials."""
 
 
 def depth_precision(
@@ -213,8 +213,8 @@ def _pixel(lenses: Sequence[Lens], pixel: float) -> float:
     return pitch
 
 
+# Noise over light of each photograph; contrast, window, and whether the texture is known.
 _Surface = tuple[Array, float, float, bool]
-"""Noise over light of each photograph; contrast, window, and whether the texture is known."""
 
 
 def _surface(

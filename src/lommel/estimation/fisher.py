@@ -166,15 +166,9 @@ def _shown(deviation: Array, unit: str) -> str:
 
 
 _UNITS: dict[Name, str] = {
-    "row": "pixels",
-    "column": "pixels",
-    "wavelength": "m",
-    "f_number": "",
-    "obscuration": "",
-    "object_distance": "m",
-    "focus_distance": "m",
-    "z": "m",
-    "depth": "m",
+    **dict.fromkeys(("wavelength", "object_distance", "focus_distance", "z", "depth"), "m"),
+    **dict.fromkeys(("row", "column"), "pixels"),
+    **dict.fromkeys(("f_number", "obscuration"), ""),
     "photons": "electrons",
     "background": "electrons/pixel",
 }

@@ -70,14 +70,12 @@ class Noise:
         They may be negative, by read noise. ValueError if a value is not finite.
         """
         values = validation.real_array("image", image)
-        white = 1.0 if self.white is None else self._for("white", values.shape)
-        return np.asarray((values - self._for("offset", values.shape)) * white)
+        return np.asarray((values - self._for("offset", values.shape)) * self._for("white", values.shape))
 
     def image(self, electrons: ArrayLike) -> Array:
         """Return the image of `electrons`, the inverse of :meth:`electrons`; ValueError if one is not finite."""
         values = validation.real_array("electrons", electrons)
-        white = 1.0 if self.white is None else self._for("white", values.shape)
-        return np.asarray(values / white + self._for("offset", values.shape))
+        return np.asarray(values / self._for("white", values.shape) + self._for("offset", values.shape))
 
     def variance(self, electrons: ArrayLike) -> Array:
         """Return the variance ``electrons + read**2`` for mean `electrons`; ValueError if one is not finite."""
@@ -99,7 +97,9 @@ class Noise:
 
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:
         """Return a number, or the values for each pixel if images have this shape."""
-        value: float | Array = getattr(self, name)
+        value: float | Array | None = getattr(self, name)
+        if value is None:
+            return 1.0
         if isinstance(value, float) or value.shape == shape[-2:]:
             return value
         raise ValueError(f"{name}, of shape {value.shape}, must have a value for each pixel, got images of {shape}")

@@ -15,18 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
 from lommel.estimation.noise import Noise
-from lommel.estimation.star_images import (
-    CERTAIN,
-    STEADY,
-    SURE,
-    Scores,
-    StarImages,
-    Unknowns,
-    changes,
-    climb,
-    covariance,
-    uncertainty,
-)
+from lommel.estimation.star_images import SURE, Scores, StarImages, Unknowns, changes, climb, covariance, uncertainty
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name
 from lommel.optics.pupil import Pupil, checked
@@ -43,6 +32,10 @@ _AT_ONCE = 2  # random starts in one stack
 # 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, none of the others ended lower.
 _AGREEING = 3
 _VISIBLE = 5.0  # standard errors of its flux that a star exceeds
+# Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
+_CERTAIN = 0.25
+# Factor by which a standard error may change within one standard deviation of the answer.
+_STEADY = 1.125
 _UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
 _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
@@ -505,13 +498,13 @@ def label(name: Name) -> str:
 def _doubt(model: StarImages, x: Array, inverse: Array) -> str:
     """Return why the standard errors at the answer `x` do not hold, or ""."""
     error, axes = uncertainty(model, inverse)
-    if error > CERTAIN:
+    if error > _CERTAIN:
         return (
             f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
             "image, and other wavefronts may fit as well"
         )
     factors = changes(model, x, inverse, axes)
-    worst = [k for k in np.argsort(-factors) if factors[k] > STEADY]
+    worst = [k for k in np.argsort(-factors) if factors[k] > _STEADY]
     if not worst:
         return ""
     names = ", ".join(label(model.names[k]) for k in worst[:3])

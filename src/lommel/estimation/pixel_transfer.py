@@ -17,16 +17,16 @@ from lommel.base.arrays import Array
 from lommel.optics.lens import Lens
 from lommel.psf import psf
 
+# Pixels of a window beyond the cone of rays, for pixels up to 3 lambda*N wide; fewer for larger ones.
 _MARGIN, _LEAST_MARGIN = 20, 4
-"""Pixels of a window beyond the cone of rays, for pixels up to 3 lambda*N wide; fewer for larger ones."""
 
 
 class WindowError(ValueError):
     """The windows would be too large."""
 
 
+# Pixels from the middle of a window to its edge, at most.
 MOST_HALF = 512
-"""Pixels from the middle of a window to its edge, at most."""
 
 
 def half_window(lenses: Sequence[Lens], distances: Array, pixel: float) -> int:

@@ -85,8 +85,8 @@ def _zernike_terms(name: Name) -> dict[Term, float]:
     return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
 
 
+# Standard deviations of chi2: a fit within the first ends the search, one beyond the second is a misfit.
 SURE, MOST = 3.0, 6.0
-"""Standard deviations of chi2: a fit within the first ends the search, one beyond the second is a misfit."""
 
 _LEAST = 0.05  # electrons squared: the smallest variance of reading
 
@@ -413,13 +413,6 @@ def deviations(information: Array) -> Array:
     """Return the roots (s, p) of the diagonal of information (s, p, p), or 1 where that is 0."""
     diagonal = np.einsum("sii->si", information)
     return np.where(diagonal > 0.0, np.sqrt(diagonal), 1.0)
-
-
-CERTAIN = 0.25
-"""Radians rms: where phases are known less well, other minima of the likelihood are often as deep."""
-
-STEADY = 1.125
-"""Factor by which a standard error may change within one standard deviation of the answer."""
 
 
 def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:

@@ -18,8 +18,8 @@ from lommel.paper.setting import REFERENCE, VARIANTS, Facts, Setting, measures, 
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 FIRST = Setting()
+# Where both errors of the tangent-line comparison come closest to the paper's; see :func:`tangent_search`.
 SECOND = replace(FIRST, **VARIED["tangent"].fixed)  # type: ignore[arg-type]
-"""Where both errors of the tangent-line comparison come closest to the paper's; see :func:`tangent_search`."""
 
 WINDOWS = np.arange(100.0, 301.0, 1.0)
 DEFOCI = np.arange(11.0, 41.0, 1.0)

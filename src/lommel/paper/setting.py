@@ -15,14 +15,14 @@ from lommel.methods import ClosedForm, Fraunhofer, Method, NijboerZernike
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
-from lommel.special.erf import AbramowitzErf, Erf, FresnelErf
+from lommel.special.erf import AbramowitzErf, FresnelErf
 
 Arrays: TypeAlias = dict[str, NDArray[Any]]
 Facts: TypeAlias = dict[str, Any]
 
 VARIANTS = ("printed", "corrected")
+# The reference of every error, with a proven bound; `Hankel` agrees with it.
 REFERENCE = NijboerZernike(tol=1e-9)
-"""The reference of every error, with a proven bound; `Hankel` agrees with it."""
 
 
 @dataclass(frozen=True)
@@ -47,14 +47,10 @@ class Setting:
         """Optical coordinate along the slice from the centre to the right."""
         return np.arange(self.shape - self.shape // 2, dtype=np.float64) * (self.window / (self.shape // 2))
 
-    @property
-    def erf(self) -> Erf:
-        """The error function that `terms` stands for."""
-        return FresnelErf() if self.terms is None else AbramowitzErf(self.terms)
-
     def closed_form(self, variant: str) -> ClosedForm:
         """Return the paper's method with these parameters."""
-        return ClosedForm(tangent=self.tangent, erf=self.erf, variant=variant)
+        erf = FresnelErf() if self.terms is None else AbramowitzErf(self.terms)
+        return ClosedForm(tangent=self.tangent, erf=erf, variant=variant)
 
     def fft(self) -> Fraunhofer:
         """Return the FFT that the paper compares with: one transform as large as the image, without more padding."""

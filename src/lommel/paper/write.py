@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from lommel.base import atomic
-from lommel.paper import figures, methods_cost, numbers
+from lommel.paper import figures, numbers
 from lommel.paper.setting import Facts, FigureData
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ class _Plan:
 
 _draw_errors = partial(figures.draw_varied, errors=True)
 FIGURES = {
-    "1": _Plan("Methods and cost against n", methods_cost.compute, methods_cost.draw),
+    "1": _Plan("Methods and cost against n", figures.methods_cost, figures.draw_methods_cost),
     "2": _Plan("Comparison of various forms of J0(a)", figures.bessel_forms, figures.draw_bessel_forms),
     "3": _Plan("PSF comparison between FFT and CFIS", figures.compare_with_fft, figures.draw_comparison),
     "4": _Plan("CFIS PSF for varying N", partial(figures.vary, "terms"), figures.draw_varied),

@@ -17,8 +17,8 @@ from lommel.base.optional import library
 _EXTRAS = ("jax", "torch", "cupy")
 _NEEDED = ("matmul", "take", "where", "isfinite", "concat", "flip")
 _Result = TypeVar("_Result")
+# An array of the same namespace, or a number: NumPy overloads its operators by types that a Protocol cannot name.
 Operand: TypeAlias = Any
-"""An array of the same namespace, or a number: NumPy overloads its operators by types that a Protocol cannot name."""
 
 
 class Tensor(Protocol):
@@ -48,8 +48,8 @@ class Tensor(Protocol):
     def __getitem__(self, index: Operand, /) -> Tensor: ...
 
 
+# Tables of one wavelength, by name.
 Tables = dict[str, Tensor]
-"""Tables of one wavelength, by name."""
 
 
 class ArrayFunctions(Protocol):

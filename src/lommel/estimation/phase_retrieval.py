@@ -434,7 +434,10 @@ def _retrieval(
     inverse = covariance(scores.information[0])
     unknowns, shared, own = model.unknowns, model.shared, model.per_image(x)[0]
     names, errors = model.names, np.sqrt(np.diag(inverse))
-    per_pixel = model.tilt_of_pixel / model.magnification(x)
+    optics: dict[str, Any] = model.optics_of(x)
+    per_pixel = model.tilt_of_pixel
+    if "f_number" in optics:  # by which tilts move images farther
+        per_pixel /= optics["f_number"] / model.pupil.f_number
     own_errors: dict[Name, Numbers] = dict(
         zip((*unknowns.places, "flux", "background"), errors[model.own].reshape(-1, model.count), strict=True)
     )
@@ -442,7 +445,6 @@ def _retrieval(
     for j, place in enumerate(unknowns.places):
         center[:, ("row", "column").index(place)] += own[j] / per_pixel
         own_errors[place] = own_errors[place] / per_pixel
-    optics: dict[str, Any] = model.optics_of(x)
     wavefront = model.wavefront(x[0])
     chi2, limit = float(scores.chi2[0]), float(model.limit(scores)[0])
     visible = own[-2] / own_errors["flux"]

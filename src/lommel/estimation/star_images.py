@@ -245,11 +245,6 @@ class StarImages:
         """Return the variance of pixels, at least a part of that of reading where a background is below 0."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
-    def magnification(self, x: Array) -> float:
-        """Return the estimated f-number over the initial one, by which tilts move images farther."""
-        at = self.pupil.f_number
-        return 1.0 if at is None else self.optics_of(x).get("f_number", at) / at
-
     def scores(self, x: Array, dtype: DTypeLike = np.float32) -> Scores:
         """Return the quality of the fit for parameters (s, p); products of derivatives are summed in `dtype`."""
         values, slopes = self.images(x)
@@ -351,12 +346,15 @@ def climb(
     now = model.scores(x)
     damping, stretch = np.full(count, _DAMPING[0]), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
-    taken, idle = 0, np.zeros(count, dtype=int)
+    taken, idle, diagonal = 0, np.zeros(count, dtype=int), np.arange(model.size)
     for turn in range(most + 1):
         report(turn, float(now.chi2.min()))
         at = np.flatnonzero(moving)
         there = now if at.size == count else Scores(*(part[at] for part in now))
-        step = damped(there.information, there.slope, damping[at])
+        scale = deviations(there.information)
+        matrix = there.information / (scale[:, :, None] * scale[:, None, :])
+        matrix[:, diagonal, diagonal] += damping[at][:, None]
+        step = np.linalg.solve(matrix, (there.slope / scale)[..., None])[..., 0] / scale
         promised = np.einsum("si,si->s", step, there.slope)
         done = (promised < _SETTLED) & (damping[at] <= 1.0)
         settled[at] = done
@@ -384,15 +382,6 @@ def climb(
         for mine, theirs in zip(now, new, strict=True):
             mine[at[better]] = theirs[better]
     return x, now, settled, taken
-
-
-def damped(information: Array, slope: Array, damping: Array) -> Array:
-    """Return Levenberg-Marquardt steps (s, p) for information (s, p, p), slopes (s, p) and dampings (s,)."""
-    scale = deviations(information)
-    matrix = information / (scale[:, :, None] * scale[:, None, :])
-    diagonal = np.arange(scale.shape[-1])
-    matrix[:, diagonal, diagonal] += damping[:, None]
-    return np.asarray(np.linalg.solve(matrix, (slope / scale)[..., None])[..., 0] / scale)
 
 
 def covariance(information: Array) -> Array:

@@ -12,17 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel import methods
 from lommel.measures.errors import peak_error
-from lommel.methods import (
-    ClosedForm,
-    Fraunhofer,
-    Hankel,
-    HuygensFresnel,
-    Method,
-    NijboerZernike,
-    RadialMethod,
-    TunedClosedForm,
-)
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -150,7 +141,7 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
     return FigureData("Methods and cost against n", arrays, columns, facts)
 
 
-def _methods(n: int) -> dict[str, tuple[Method, Pupil]]:
+def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
     """Return each method with a pupil that it supports; Huygens needs the distances of a lens."""
     pupil = Pupil(Wavefront(_DEFOCUS))
     # R_max = 0.0015 m as in the paper, focused at infinity; the object's distance makes the defocus.
@@ -160,13 +151,13 @@ def _methods(n: int) -> dict[str, tuple[Method, Pupil]]:
     blur, window = float(pupil.v(pupil.geometric_radius())), (n / 2 + 0.5) * _PITCH
     fewest = max(8, math.ceil((blur + window) / math.pi) + 1)
     return {
-        "Huygens, every pixel": (HuygensFresnel(symmetry=False), near),
-        "Huygens, every radius": (HuygensFresnel(), near),
-        "FFT of the pupil": (Fraunhofer(samples=fewest, padding=1.0), pupil),
-        "Hankel": (Hankel(), pupil),
-        "CFIS, Eq. (14), N = 30": (ClosedForm(erf=AbramowitzErf(30), variant="printed"), pupil),
-        "CFIS, Fresnel integrals": (ClosedForm(erf=FresnelErf()), pupil),
-        "NijboerZernike": (NijboerZernike(), pupil),
+        "Huygens, every pixel": (methods.HuygensFresnel(symmetry=False), near),
+        "Huygens, every radius": (methods.HuygensFresnel(), near),
+        "FFT of the pupil": (methods.Fraunhofer(samples=fewest, padding=1.0), pupil),
+        "Hankel": (methods.Hankel(), pupil),
+        "CFIS, Eq. (14), N = 30": (methods.ClosedForm(erf=AbramowitzErf(30), variant="printed"), pupil),
+        "CFIS, Fresnel integrals": (methods.ClosedForm(erf=FresnelErf()), pupil),
+        "NijboerZernike": (methods.NijboerZernike(), pupil),
     }
 
 
@@ -454,11 +445,11 @@ def draw_quartic_phase(data: FigureData) -> Figure:
     return figure
 
 
-_FORMS: dict[str, RadialMethod] = {
-    "printed": ClosedForm(tangent=100.0, erf=AbramowitzErf(30), variant="printed"),
-    "corrected": ClosedForm(tangent=100.0, erf=AbramowitzErf(30)),
-    "corrected, exact erf": ClosedForm(tangent=100.0),
-    "tuned to 1e-4": TunedClosedForm(1e-4),
+_FORMS: dict[str, methods.RadialMethod] = {
+    "printed": methods.ClosedForm(tangent=100.0, erf=AbramowitzErf(30), variant="printed"),
+    "corrected": methods.ClosedForm(tangent=100.0, erf=AbramowitzErf(30)),
+    "corrected, exact erf": methods.ClosedForm(tangent=100.0),
+    "tuned to 1e-4": methods.TunedClosedForm(1e-4),
 }
 
 

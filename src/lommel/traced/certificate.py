@@ -136,38 +136,40 @@ class Mean(NamedTuple):
 
 
 def fewest(
-    name: str,
     where: tuple[tuple[Any, ...], float, tuple[Array, Array]],
     c: Array,
     disks: list[tuple[float, Array]],
     error: float,
-    chords: int,
     unit: float,
-) -> tuple[int, Mean, Tables] | None:
-    """Return the fewest chords or nodes for an error of all members `c`, with their bound; None without a curve.
+) -> tuple[int, int, Mean, Tables] | None:
+    """Return the fewest chords and nodes for an error of all members `c`, with their bound; None without a curve.
 
-    `where` are terms, stretch and window, `disks` their radii and constants of the logarithms on the curves.
+    `where` are terms, stretch and window, `disks` radii and the constants of the logarithms of both on the curves.
     """
-    found = None
-    for j, b in enumerate(CURVES.tolist()):
-        if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
-            break
-        tables: Tables = {}
-        for k, (radius, constants) in enumerate(disks):
-            mean, one = mean_on_curve(*where, name, b, chords, (k, radius))
-            one[f"{name} {k} constant"] = one[f"{name} {k} constant"] + (float(constants[j]) + _ROUNDED)
-            tables |= one
-        mean = mean._replace(disks=len(disks), unit=unit)
-        with np.errstate(over="ignore", invalid="ignore"):
-            size = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
-        if not size < _MOST_OF_MEAN:
-            continue
-        count = even((size - math.log(error)) / (2.0 * b))
-        if found is None or count < found[0]:
-            for k in range(len(disks)):
-                tables[f"{name} {k} constant"] = tables[f"{name} {k} constant"] - 2.0 * count * b
-            found = count, mean, tables
-    return found
+    counts, every = [0], Tables()
+    for kind, name in enumerate(("chords", "nodes")):
+        found = None
+        for j, b in enumerate(CURVES.tolist()):
+            if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
+                break
+            tables = Tables()
+            for k, (radius, constants) in enumerate(disks):
+                mean, one = mean_on_curve(*where, name, b, counts[-1], (k, radius))
+                one[f"{name} {k} constant"] = one[f"{name} {k} constant"] + (float(constants[kind, j]) + _ROUNDED)
+                tables |= one
+            mean = mean._replace(disks=len(disks), unit=unit)
+            with np.errstate(over="ignore", invalid="ignore"):
+                size = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
+            count = even((size - math.log(error)) / (2.0 * b)) if size < _MOST_OF_MEAN else 0
+            if count and (found is None or count < found[0]):
+                for k in range(len(disks)):
+                    tables[f"{name} {k} constant"] = tables[f"{name} {k} constant"] - 2.0 * count * b
+                found = count, tables
+        if found is None:
+            return None
+        counts.append(found[0])
+        every |= found[1]
+    return counts[1], counts[2], mean, every  # which is the same for all of them
 
 
 def even(needed: float) -> int:

@@ -292,7 +292,12 @@ def make(
     low, light = pupil.obscuration, pupil.illumination
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
-    by_means = _by_means((terms, stretch, window), c, disks, error, UNIT[precision])
+    degrees, by_means = [n for n, _ in terms], None
+    if max(degrees) <= _SAMPLED:
+        members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MEMBERS]]
+        # The inner disk has the weight of its area.
+        of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
+        by_means = fewest((terms, stretch, window), members, of_disks, 0.5 * error, UNIT[precision])
     chords, nodes, mean, bounds = by_means or _by_largest(terms, c, stretch, disks, reach, error)
     if max(chords, nodes) > _MOST:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
@@ -300,9 +305,8 @@ def make(
     at_x, at_y = (np.stack([sign[k] * p for sign in IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py)))
     rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
     basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
-    degree = max(n for n, _ in terms)
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
-    phase, arrays = phases.make(basis, degree**2, largest, precision, pupils_last=True)
+    phase, arrays = phases.make(basis, max(degrees) ** 2, largest, precision, pupils_last=True)
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
@@ -316,32 +320,6 @@ def make(
     return Chordal(phase, left, (across, down), mean, core), tables
 
 
-_Counts = tuple[int, int, Mean | None, Tables]
-
-
-def _by_means(
-    where: tuple[tuple[Term, ...], float, tuple[Array, Array]],
-    c: Array,
-    disks: list[tuple[float, Apodization]],
-    error: float,
-    unit: float,
-) -> _Counts | None:
-    """Return chords, nodes and their bounds by means, for low degrees; `where` are terms, stretch and window."""
-    degrees = [n for n, _ in where[0]]
-    if max(degrees) > _SAMPLED:
-        return None
-    members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MEMBERS]]
-    # The inner disk has the weight of its area.
-    of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
-    parts = [(radius, of[0]) for radius, of in of_disks]
-    if (chords := fewest("chords", where, members, parts, 0.5 * error, 0, unit)) is None:
-        return None
-    parts = [(radius, of[1]) for radius, of in of_disks]
-    if (nodes := fewest("nodes", where, members, parts, 0.5 * error, chords[0], unit)) is None:
-        return None
-    return chords[0], nodes[0], chords[1], chords[2] | nodes[2]
-
-
 def _by_largest(
     terms: tuple[Term, ...],
     c: Array,
@@ -349,7 +327,7 @@ def _by_largest(
     disks: list[tuple[float, Apodization]],
     reach: tuple[float, float],
     error: float,
-) -> _Counts:
+) -> tuple[int, int, Mean | None, Tables]:
     """Return chords, nodes and their bounds by the largest values of the integrand."""
     # Terms that share a degree and abs(m) have one amplitude.
     kinds = sorted({(n, abs(m)) for n, m in terms})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from importlib import import_module
 from typing import Any, Protocol, TypeAlias, TypeVar, cast
 
@@ -154,7 +155,7 @@ class Namespace:
 
     def turned(self, x: Tensor) -> Tensor:
         """Return an array of three axes with these in the opposite order."""
-        return self.apart(_turned, x) if self.name == "jax" else self.xp.permute_dims(x, (2, 1, 0))
+        return self.apart(partial(self.xp.permute_dims, axes=(2, 1, 0)), x)
 
     def stop(self, x: Operand) -> Tensor:
         """Return `x` as a constant, through which no gradient passes."""
@@ -212,7 +213,3 @@ class Namespace:
         if hasattr(x, "to_device") and self.name == "array_api_strict":
             x = x.to_device(self.xp.Device("CPU_DEVICE"))
         return np.asarray(x)
-
-
-def _turned(x: Operand) -> Tensor:
-    return x.transpose((2, 1, 0))  # type: ignore[no-any-return]

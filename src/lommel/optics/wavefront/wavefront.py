@@ -453,7 +453,7 @@ class Wavefront(display.Shown):
     @cached_property
     def symmetric(self) -> int:
         """Number of radially symmetric terms, the first: those of n = 2, 4, ..."""
-        return sum(m == 0 for _, m in self.terms)
+        return [m for _, m in self.terms].count(0)
 
     @property
     def radial(self) -> bool:

@@ -27,7 +27,7 @@ from scipy.special import erf
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
-from lommel.imaging.observed import Observed
+from lommel.imaging.deconvolution import Observed
 from lommel.imaging.photograph import fill_missing
 
 Array = NDArray[np.float64]

@@ -1,14 +1,13 @@
 """Images as a lens records them: depth of field, occlusion, blur over the field, deblurring, depth from defocus."""
 
 from lommel.imaging.blur import BlurSlopes, DepthBlur
+from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
 from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field
 from lommel.imaging.restoration import Restoration, restore, restore_with
-from lommel.imaging.richardson_lucy import RichardsonLucy
-from lommel.imaging.total_variation import TotalVariation
 from lommel.imaging.traced_blur import traced_blur
 from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo

@@ -269,33 +269,29 @@ class FocusPlan:
         return replace(made, values=out)
 
 
+class ChunkKeywords(Keywords, total=False):
+    """Options of depth-of-field rendering by parts."""
+
+    tile: int | None
+    depths: tuple[float, float] | None
+
+
+class SceneKeywords(ChunkKeywords, total=False):
+    """Options of depth-of-field rendering at once."""
+
+    out: Pixels | None
+    progress: Callable[[int, int], object] | None
+
+
 @overload
 def depth_of_field(
-    image: LazyArray,
-    depth: LazyArray,
-    lens: Lens,
-    pixel: float,
-    *,
-    encoding: str,
-    tile: int | None = None,
-    depths: tuple[float, float] | None = None,
-    **options: Unpack[Keywords],
+    image: LazyArray, depth: LazyArray, lens: Lens, pixel: float, *, encoding: str, **options: Unpack[ChunkKeywords]
 ) -> LazyArray: ...
 
 
 @overload
 def depth_of_field(
-    image: ArrayLike,
-    depth: ArrayLike,
-    lens: Lens,
-    pixel: float,
-    *,
-    encoding: str,
-    tile: int | None = None,
-    depths: tuple[float, float] | None = None,
-    out: Pixels | None = None,
-    progress: Callable[[int, int], object] | None = None,
-    **options: Unpack[Keywords],
+    image: ArrayLike, depth: ArrayLike, lens: Lens, pixel: float, *, encoding: str, **options: Unpack[SceneKeywords]
 ) -> Photograph: ...
 
 

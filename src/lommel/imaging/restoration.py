@@ -20,9 +20,9 @@ from lommel.base.options import shares
 from lommel.estimation.noise import Noise
 from lommel.field.maps import FieldMap
 from lommel.imaging.blur import DepthBlur, require_lens
+from lommel.imaging.deconvolution import NOISE, STEPS, Method, Observed, RichardsonLucy, Tell, TotalVariation
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.observed import NOISE, STEPS, Method, Observed, Tell
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import (
     TILE,
@@ -37,9 +37,7 @@ from lommel.imaging.photograph import (
     stored,
     tiles_of,
 )
-from lommel.imaging.richardson_lucy import RichardsonLucy
 from lommel.imaging.settings import Keywords, Settings
-from lommel.imaging.total_variation import TotalVariation
 from lommel.optics.lens import Lens
 
 _QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the next

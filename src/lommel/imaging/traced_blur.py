@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -13,7 +14,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.imaging.blur import require_lens, require_round
 from lommel.imaging.sensor_light import SensorLight
-from lommel.methods.pixels.rule import octant
+from lommel.methods.pixels.rule import cells_alike, quarters
 from lommel.optics.lens import Lens
 from lommel.traced.namespaces import Namespace, Operand, Tensor
 from lommel.traced.traced_psf import Distances
@@ -29,7 +30,6 @@ class Blur(NamedTuple):
     low: float
     high: float
     half: int
-    precision: str
     error: float
 
 
@@ -88,6 +88,8 @@ class TracedBlur:
         ValueError
             If they are not of one shape.
         """
+        from scipy.fft import next_fast_len
+
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
         if len(image.shape) != 2 or tuple(image.shape) != tuple(distance.shape):
@@ -105,7 +107,7 @@ class TracedBlur:
             powers.append(here)
         factors = ns.matmul(xp.stack(powers, axis=-1), self._weights)
         parts = xp.permute_dims(factors, (2, 0, 1)) * image
-        size = _fast(height + 2 * static.half), _fast(width + 2 * static.half)
+        size = tuple(int(next_fast_len(side + 2 * static.half, real=True)) for side in (height, width))
         spectrum = xp.fft.rfftn(parts, s=size, axes=(-2, -1)) * xp.fft.rfftn(self._windows, s=size, axes=(-2, -1))
         whole = xp.fft.irfftn(xp.sum(spectrum, axis=0), s=size, axes=(-2, -1))
         return whole[static.half : static.half + height, static.half : static.half + width]
@@ -177,27 +179,32 @@ def traced_blur(
     low, high = (low, high) if high - low > 0.2 else (low - 0.1, high + 0.1)
     light = SensorLight.of(lens, [(lens.wavelength, 1.0)], pitch)
     half, _ = light.enough((low, high), share, validation.integer("largest", largest, least=1, most=4096))
-    return _made(ns, light, lens, (low, high, half), (precision, allowed, device))
-
-
-def _made(
-    ns: Namespace, light: SensorLight, lens: Lens, where: tuple[float, float, int], how: tuple[str, float, object]
-) -> TracedBlur:
-    (low, high, half), (precision, tol, device) = where, how
     middle, radius = 0.5 * (low + high), 0.5 * (high - low)
 
     def windows(x: Array) -> Array:
         shares = light.shares(light.defocused(middle + radius * x), half)
-        column, row = octant(half)
-        alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
-        return shares / (shares @ alike)[:, None]
+        return shares / (shares @ cells_alike(half))[:, None]
 
+    weights, kept, error = _low_rank(windows, radius, allowed)
+    away = np.abs(np.arange(-half, half + 1))
+    waves = math.pi / (2.0 * lens.wavelength) * (0.5 * lens.aperture_diameter) ** 2
+    there = Distances(1.0 / lens.sensor_distance - 1.0 / lens.focal_length, waves)
+    kind = getattr(ns.xp, precision)
+    if ns.name == "jax":
+        _register()
+    kernels = quarters(kept, half)[:, away[:, None], away]
+    static = Blur(ns, there, low, high, half, error)
+    return TracedBlur(static, ns.put(weights, device, kind), ns.put(kernels, device, kind))
+
+
+def _low_rank(windows: Callable[[Array], Array], radius: float, tol: float) -> tuple[Array, Array, float]:
+    """Return weights of Chebyshev polynomials, (degrees, rank), windows, (rank, cells), and their largest error."""
     # |I| grows like exp(2 |Im C|), which bounds the truncation but for the division by the light.
     rho = 1.0 + np.geomspace(1e-3, 20.0, 200)
     logarithm = radius * (rho - 1.0 / rho) + np.log(4.0 / (1e-9 * (rho - 1.0)))
     count = 8 + math.ceil(float((1.0 + logarithm / np.log(rho)).min()))
     if count > _MOST:
-        raise ValueError(f"distances span C_d from {low:.4g} to {high:.4g} rad and take {count} windows, too many")
+        raise ValueError(f"distances span {2.0 * radius:.4g} rad of C_d and take {count} windows, more than {_MOST}")
     angle = (np.arange(count) + 0.5) * (math.pi / count)
     transform = np.cos(np.outer(np.arange(count), angle)) * (2.0 / count)
     transform[0] *= 0.5
@@ -208,37 +215,14 @@ def _made(
     # Negligible degrees are left out: windows at nodes have errors of 1e-7 of their peaks.
     tail = np.cumsum(np.abs(coefficients).max(axis=1)[::-1])[::-1]
     degrees = max(2, int((tail > 1e-2 * tol * peak.min()).sum()))
-    # A picture sums over pixels at all depths, so errors have to be small beside the faintest peak.
-    weights, kept = _factored(coefficients[:degrees], polynomials[:, :degrees], 0.4 * tol * peak.min())
-    error = float((np.abs(polynomials[:, :degrees] @ weights @ kept - exact).max(axis=1) / peak).max())
-    column, row = octant(half)
-    cell = np.empty((half + 1, half + 1), dtype=np.int64)
-    cell[row, column] = cell[column, row] = np.arange(row.size)
-    away = np.abs(np.arange(-half, half + 1))
-    waves = math.pi / (2.0 * lens.wavelength) * (0.5 * lens.aperture_diameter) ** 2
-    distances = Distances(1.0 / lens.sensor_distance - 1.0 / lens.focal_length, waves)
-    static = Blur(ns, distances, low, high, half, precision, error)
-    kind = getattr(ns.xp, precision)
-    if ns.name == "jax":
-        _register()
-    kernels = kept[:, cell[away[:, None], away]]
-    return TracedBlur(static, ns.put(weights, device, kind), ns.put(kernels, device, kind))
-
-
-def _fast(side: int) -> int:
-    from scipy.fft import next_fast_len
-
-    return int(next_fast_len(side, real=True))
-
-
-def _factored(coefficients: Array, windows: Array, allowed: float) -> tuple[Array, Array]:
-    """Return factors of Chebyshev `coefficients` (degrees, pixels), of the least rank for an error of the windows."""
-    left, size, right = np.linalg.svd(coefficients, full_matrices=False)
-    exact = windows @ coefficients
+    polynomials, coefficients = polynomials[:, :degrees], coefficients[:degrees]
+    truncated, (left, size, right) = polynomials @ coefficients, np.linalg.svd(coefficients, full_matrices=False)
     for rank in range(1, len(size) + 1):
-        if np.abs((windows @ (left[:, :rank] * size[:rank])) @ right[:rank] - exact).max() <= allowed:
+        weights, kept = left[:, :rank] * size[:rank], right[:rank]
+        # A picture sums over pixels at all depths, so errors have to be small beside the faintest peak.
+        if np.abs(polynomials @ weights @ kept - truncated).max() <= 0.4 * tol * peak.min():
             break
-    return left[:, :rank] * size[:rank], right[:rank]
+    return weights, kept, float((np.abs(polynomials @ weights @ kept - exact).max(axis=1) / peak).max())
 
 
 @cache

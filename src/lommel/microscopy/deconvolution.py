@@ -10,9 +10,8 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
-from lommel.imaging.observed import MISFIT, TINY, Tell, slack_of
+from lommel.imaging.deconvolution import MISFIT, TINY, Course, RichardsonLucy, Tell, slack_of
 from lommel.imaging.restoration import Restoration, shown
-from lommel.imaging.richardson_lucy import Course, RichardsonLucy
 from lommel.microscopy.stack_blur import Part, Piece, TiledBlur
 from lommel.psf import PSF
 
@@ -122,7 +121,7 @@ def deconvolve(
 
 
 class _Counted:
-    """A stack as counts, in units of light as :class:`lommel.imaging.observed.Observed`, converted part by part."""
+    """A stack as counts, in units of light as :class:`lommel.imaging.deconvolution.Observed`, by parts."""
 
     def __init__(self, recorded: Values, noise: Noise) -> None:
         side = recorded.shape[1:]

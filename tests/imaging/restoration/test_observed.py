@@ -8,7 +8,7 @@ from scipy.special import kl_div
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur
-from lommel.imaging.observed import Observed
+from lommel.imaging.deconvolution import Observed
 
 LENS = Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 

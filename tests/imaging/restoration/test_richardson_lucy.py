@@ -9,7 +9,7 @@ import pytest
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
-from lommel.imaging.observed import MISFIT, NOISE, STEPS, Observed, Solution
+from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Observed, Solution
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DEPTH = np.full((48, 56), 2.5)

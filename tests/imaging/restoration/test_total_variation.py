@@ -8,8 +8,7 @@ from scipy.optimize import minimize
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur, TotalVariation
-from lommel.imaging.observed import MISFIT, NOISE, STEPS, Observed
-from lommel.imaging.total_variation import _gradient, _gradient_transposed, _shorten
+from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Observed, _gradient, _gradient_transposed, _shorten
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 

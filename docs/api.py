@@ -109,7 +109,7 @@ SECTIONS = [
         "Imaging",
         "See [](imaging.md), [](restore.md) and [](depth.md).",
         package="imaging",
-        more="imaging.settings.Settings imaging.traced_blur.TracedBlur imaging.field_bank.FieldBank"
+        more="imaging.settings.Settings imaging.traced_blur.TracedBlur imaging.field_blur.FieldBank"
         " imaging.bank.Bank"
         " methods.pixels.rule.pixel_rule methods.pixels.rule.PixelRule methods.pixels.rule.octant"
         " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging.bank import build_bank
-from lommel.imaging.remainder import MirroredKernels, Remainder
+from lommel.imaging.bank import MirroredKernels, Remainder, build_bank
 from lommel.imaging.sensor_light import SensorLight
 
 

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging.bank import Bank, build_bank
-from lommel.imaging.remainder import inner_energy, reach_of, smooth_transforms
+from lommel.imaging.bank import Bank, build_bank, inner_energy, reach_of, smooth_transforms
 from lommel.imaging.sensor_light import SensorLight, shares_used
 
 PIXEL = 6e-6

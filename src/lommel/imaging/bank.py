@@ -1,16 +1,34 @@
-"""A bank of pixel-integrated PSFs over defocus, close enough to interpolate those between."""
+"""Banks of pixel-integrated PSFs over defocus: windows to interpolate between, and a remainder of the light beyond.
+
+References
+----------
+K. R. Gabriel and S. Zamir, "Lower rank approximation of matrices by least squares with any choice of weights",
+Technometrics 21, 489 (1979), doi:10.1080/00401706.1979.10489819. S. A. Martucci, "Symmetric convolution and the
+discrete sine and cosine transforms", IEEE Trans. Signal Process. 42, 1038 (1994), doi:10.1109/78.295213.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base.arrays import Array, Values
-from lommel.imaging.remainder import Remainder, fit, inner_energy, reach_of
-from lommel.imaging.sensor_light import DefocusNodes, SensorLight, cut, find_cuts, shares_used, sums_of_quarters
+from lommel.imaging.sensor_light import (
+    DefocusNodes,
+    SensorLight,
+    cut,
+    find_cuts,
+    of_neighbours,
+    ring_shares,
+    shares_used,
+    sums_of_quarters,
+)
+from lommel.methods.pixels.rule import cells_alike, octant, quarters
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
@@ -68,8 +86,7 @@ class Bank:
     @property
     def halves(self) -> NDArray[np.int64]:
         """Pixels from the middle of each window to the last one used, shape (count,)."""
-        padded = np.ceil(np.pad(self.cuts, 1, mode="edge")).astype(np.int64)
-        return np.maximum(np.maximum(padded[:-2], padded[2:]), padded[1:-1])
+        return of_neighbours(np.ceil(self.cuts)).astype(np.int64)
 
     @property
     def beyond(self) -> tuple[int, int]:
@@ -204,3 +221,357 @@ def _interpolation_error(exact: Array, middle: Array) -> float:
     inner = middle[1:-1]
     off -= inner
     return float((np.abs(off, out=off).max(axis=1) / inner.max(axis=1)).max())
+
+
+_GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
+_MOST = 16  # products
+_LOOSE = 1.2  # tolerances that products may be off together: one more costs a twentieth of a photograph
+_TURNS = 4  # of the alternation: more change the error by less than one product more does
+_SAMPLES = 4  # defocus that the products are found from, for each pixel that windows reach
+
+
+def inner_energy(step: float) -> float:
+    """Return the share of the light that windows hold if a remainder holds the rest, for pixels `step` in v wide."""
+    return float(np.clip(1.0 - 1.0 / (math.pi * _GAP * step), 0.98, 0.9975))
+
+
+def reach_of(half: int, step: float) -> int:
+    """Return the pixels from the middle up to which the remainder is tabulated, for windows up to `half`."""
+    return max((3 * half) // 2 + 6, min(96, int(math.cbrt(7e6 / step**2))))
+
+
+# Beyond the shadow of the aperture a PSF hardly depends on defocus. So where a window does not reach, the PSF is,
+# closely, sum_r a_r(c) g_r(q); within, the window holds exactly the PSF less this sum, whatever that is there. The
+# g_r are values on pixels up to a reach, from alternating least squares in which every pixel counts only for those
+# defocus whose windows leave it out. Farther away they are sums of (r^2 + s^2)^(-3/2 - j), j = 0, 1, 2, the mean of
+# the tail of an aperture without its fine rings; these have Fourier transforms in closed form, and the light beyond
+# the reach, which is known, is held exactly. So is all light: the a_r are those of least error that lose none.
+@dataclass(frozen=True, eq=False)
+class Remainder:
+    """The light beyond the windows of one channel."""
+
+    knots: Array  # (count, rank): the a_r at the windows of the bank, interpolated by the same cubics as these
+    spacing: float  # of the windows in defocus, radians
+    table: Array  # (rank, reach + 1, reach + 1): the g_r less their smooth part, from the middle row and column on
+    smooth: Array  # (rank, 3): factors of s^(2 j) (r^2 + s^2)^(-3/2 - j), r in pixels
+    scale: float  # s, pixels
+    off: NDArray[np.float32]  # (count - 3, near): largest errors of K, near each gap between windows
+    far: Array  # largest errors of the pixels after these up to the reach, at any defocus
+    rings: float  # sum of the fine rings beyond the reach, which are left out there; estimated
+    held: float  # largest error of the light beyond the reach
+
+    def error(self, positions: ArrayLike | None = None, shape: tuple[int, int] | None = None) -> float:
+        """Return the sum over pixels of the largest error of K at `positions`, within an image of `shape`."""
+        off = self.off
+        if positions is not None:
+            gaps = np.clip(np.asarray(positions).astype(np.int32).ravel() - 1, 0, len(off) - 1)
+            off = off[np.flatnonzero(np.bincount(gaps))]
+        reach = self.table.shape[1] - 1
+        table = quarters(np.append(off.max(axis=0), self.far)[None], reach)[0]
+        once = np.where(np.arange(reach + 1) == 0, 1.0, 2.0)
+        height, width = (reach + 1, reach + 1) if shape is None else shape
+        near = float(once[:height] @ table[:height, :width] @ once[:width])
+        if shape is None:
+            return near + self.rings + self.held
+        if max(shape) - 1 <= reach:
+            return near
+        # Rings fall as the tail does: the integral of r^-3 outside of a rectangle of a by b is hypot(a, b) / a b.
+        sides = height - 0.5, width - 0.5
+        known = min(sides[0], reach + 0.5), min(sides[1], reach + 0.5)
+        some, others, all_ = (math.hypot(a, b) / (a * b) for a, b in (known, sides, (reach + 0.5,) * 2))
+        return near + self.rings * (some - others) / all_ + self.held
+
+    @property
+    def rank(self) -> int:
+        """Number of products."""
+        return int(self.knots.shape[1])
+
+    @property
+    def sums(self) -> Array:
+        """Sum of each g_r over all pixels, shape (rank,)."""
+        once = np.where(np.arange(self.table.shape[1]) == 0, 1.0, 2.0)
+        everywhere = self.smooth @ smooth_transforms(np.zeros(1), self.scale)[:, 0]
+        return np.asarray(np.einsum("rij,i,j->r", self.table, once, once) + everywhere)
+
+    def factors(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> Values:
+        """Return the a_r, shape (rank, ...), at positions in the bank."""
+        return _between(self.knots, positions, 0, dtype)
+
+    def slopes(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> Values:
+        """Return the derivatives of the a_r by defocus, per radian, at positions in the bank."""
+        return _between(self.knots / self.spacing, positions, 1, dtype)
+
+    def values(self, half: int) -> Array:
+        """Return the g_r from the middle row and column on, up to `half` pixels, which may exceed the reach."""
+        away = np.arange(half + 1.0)
+        made = np.tensordot(self.smooth, _smooth(away[:, None] ** 2 + away**2, self.scale), axes=1)
+        known = min(half + 1, self.table.shape[1])
+        made[:, :known, :known] += self.table[:, :known, :known]
+        return np.asarray(made)
+
+
+def fit(
+    nodes: DefocusNodes,
+    start: float,
+    spacing: float,
+    exact: Array,
+    middle: Array,
+    cuts: Array,
+    reach: int,
+    tol: float,
+) -> tuple[Remainder, Array]:
+    """Return the remainder of a bank, and its part of the windows (count, cells), which these are to leave out."""
+    near, distance, alike = exact.shape[1], octant(reach)[0], cells_alike(reach)
+    at = start + spacing * np.arange(len(exact), dtype=np.float64)
+    some = np.linspace(0, len(exact) - 1, 32 + math.ceil(_SAMPLES * np.ptp(cuts))).astype(np.int64)
+    some = np.unique(np.append(some, [cuts.argmin(), cuts.argmax()]))
+    all_left = 1.0 - ring_shares(cuts, reach)
+    shown, left = nodes.values(at[some]), all_left[some][:, distance]
+    typical = np.maximum((left * shown).sum(axis=0), 1e-300) / np.maximum(left.sum(axis=0), 1e-300)
+    weights: Array = alike / typical
+    kernels, factors = _products(shown, left, weights, alike, _LOOSE * tol)
+    # What is beyond the reach is like one more pixel, that no window holds.
+    beyond = 1.0 - shown @ alike
+    held = np.asarray(np.linalg.lstsq(factors, beyond, rcond=None)[0], dtype=np.float64)
+    # Farther than any window reaches, sums over pixels are all that matters.
+    first, last = kernels[:, :near], kernels[:, near:]
+    rest = nodes.sums(last * weights[near:]).values(at)
+    left = all_left[:, distance[:near]]
+    knots = _all_light(
+        _normal(left**2 * weights[:near], first) + (last * weights[near:]) @ last.T,
+        (left**2 * weights[:near] * exact) @ first.T + rest,
+        (left * alike[:near]) @ first.T + last @ alike[near:] + held,
+        1.0 - ((1.0 - left) * exact) @ alike[:near],
+    )
+    begin = (3 * reach) // 4
+    ring = distance > begin
+    smooth, scale = _far(kernels, held, ring, alike, reach)
+    column, row = octant(reach)
+    squared = (column**2 + row**2).astype(np.float64)
+    table = quarters(kernels - smooth @ _smooth(squared, scale), reach)
+    # What is off is looked for at each window and half-way between them; far away, where all is smooth, at some.
+    within, halfway = knots @ first, _halfway(knots)
+    missed = left * (within - exact)
+    between = np.abs(_halfway(exact + missed) - middle)
+    np.abs(missed, out=missed)
+    off = of_neighbours(np.maximum(np.maximum(missed[1:-2], missed[2:-1]), between)).astype(np.float32)
+    inner = some[(some > 0) & (some < len(at) - 2)]
+    there = nodes.values(at[inner] + 0.5 * spacing)
+    wrong = np.vstack([knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:]])
+    # Beyond the reach the misfit falls with r as the tail does, or faster: its sum is to that of a ring as 1 / reach
+    # to 1 / begin - 1 / reach.
+    misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
+    # Points so far away are of many defocus, whose rings differ: no one of them is the worst everywhere.
+    rings = float((np.abs(misfit) @ alike[ring]).max()) * begin / (reach - begin)
+    lacking = float(np.abs(knots[some] @ held - beyond).max())
+    return Remainder(knots, spacing, table, smooth, scale, off, np.abs(wrong).max(axis=0), rings, lacking), within
+
+
+def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
+    """Return the g_r on the octant, shape (rank, cells), and the a_r of these samples, shape (samples, rank)."""
+    seen = left.max(axis=0) > 0.0
+    values, parts, many = shown[:, seen], left[:, seen], alike[seen]
+    weights = parts**2 * scales[seen]
+    common = values[:, parts.min(axis=0) == 1.0] * np.sqrt(scales[seen][parts.min(axis=0) == 1.0])
+    # Those of greatest weight come last.
+    sizes, basis = np.linalg.eigh(common @ common.T)
+    basis = basis[:, ::-1]
+    most, factors = min(_MOST, len(shown)), basis[:, :0]
+    for rank in range(1, most + 1):
+        # A product that is left out is missed by little less than its size.
+        if rank < most and sizes[-rank - 1] > (10.0 * tol) ** 2:
+            factors = basis[:, :rank]
+            continue
+        factors = np.column_stack([factors, basis[:, rank - 1]])
+        for _ in range(_TURNS):
+            # Turn by turn the one is linear in the other.
+            found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
+            factors = _solved(_normal(weights, found, 1e-14), (weights * values) @ found.T)
+            wrong = float(np.abs((factors @ found - values) * parts).max(axis=0) @ many)
+            if wrong <= tol:
+                break
+            factors = np.linalg.qr(factors)[0]
+        if wrong <= tol:
+            break
+    kernels = np.zeros((rank, shown.shape[1]))
+    kernels[:, seen] = found
+    return kernels, factors
+
+
+def _normal(weights: Array, basis: Array, ridge: float = 0.0) -> Array:
+    """Return the normal matrix of each row of weights for a basis of shape (rank, n): shape (rows, rank, rank)."""
+    rank = len(basis)
+    normal = (weights @ (basis[:, None] * basis).reshape(rank * rank, -1).T).reshape(-1, rank, rank)
+    normal += (ridge / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
+    return np.asarray(normal)
+
+
+def _solved(normal: Array, right: Array) -> Array:
+    return np.asarray(np.linalg.solve(normal, right[..., None])[..., 0])
+
+
+def _all_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
+    """Return the least squares of each row whose product with `sums` is `light`, by Lagrange's multiplier."""
+    rank = sums.shape[1]
+    normal = normal + (1e-14 / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
+    both = np.linalg.solve(normal, np.stack([right, sums], axis=-1))
+    free, along = both[..., 0], both[..., 1]
+    lacking = (light - (free * sums).sum(axis=1)) / (along * sums).sum(axis=1)
+    return np.asarray(free + lacking[:, None] * along)
+
+
+def _far(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
+    """Return the smooth parts that are least off on a ring, of those that hold the light beyond the reach; and s."""
+    scale = max(8.0, reach / 8.0)  # so large that sums over pixels are integrals
+    first, second = octant(reach)
+    smooth = _smooth((first**2 + second**2).astype(np.float64), scale)
+    totals = smooth_transforms(np.zeros(1), scale)[:, 0] - smooth @ alike
+    basis = smooth[:, ring]
+    weighted = basis * (alike[ring] / basis[0] ** 2)
+    # Least squares, and Lagrange's multiplier for the light.
+    system = np.block([[weighted @ basis.T, totals[:, None]], [totals, np.zeros(1)]])
+    found = np.linalg.solve(system, np.vstack([weighted @ kernels[:, ring].T, held]))
+    return np.ascontiguousarray(found[:-1].T), scale
+
+
+def _smooth(squared: Array, scale: float) -> Array:
+    """Return ``s^(2 j) (r^2 + s^2)^(-3/2 - j)`` for j = 0, 1, 2, shape (3, ...)."""
+    inverse = 1.0 / (squared + scale * scale)
+    near = inverse * np.sqrt(inverse)
+    inverse *= scale * scale
+    return np.stack([near, near * inverse, near * inverse * inverse])
+
+
+def smooth_transforms(frequency: Array, scale: float) -> Array:
+    """Return the Fourier transforms of the smooth parts over the plane, at cycles a pixel up to 1/2.
+
+    Those of their values on pixels differ by less than ``exp(-pi s)`` of the largest: by all at a frequency of 1/2
+    and more.
+    """
+    phase = (2.0 * math.pi * scale) * frequency
+    near = (2.0 * math.pi / scale) * np.exp(-phase)
+    return np.stack([near, near * (1.0 + phase) / 3.0, near * (3.0 + phase * (3.0 + phase)) / 15.0])
+
+
+def _halfway(knots: Array) -> Array:
+    return (9.0 * (knots[1:-2] + knots[2:-1]) - knots[:-3] - knots[3:]) / 16.0
+
+
+def _between(knots: Array, positions: ArrayLike, order: int, dtype: DTypeLike) -> Values:
+    """Return cubics through four windows each, or their derivatives by the position; shape (rank, ...)."""
+    at = np.clip(np.asarray(positions, dtype=np.float64), 0.0, len(knots) - 1.0)
+    first = np.clip(at.astype(np.int32) - 1, 0, len(knots) - 4)
+    at = at - first
+    weights = [weight.deriv(order)(at).astype(dtype) for weight in _lagrange()]
+    rows = np.ascontiguousarray(knots.T, dtype=dtype)
+    out = np.zeros((len(rows), *at.shape), dtype=dtype)
+    for r, row in enumerate(rows):
+        for j, weight in enumerate(weights):
+            out[r, ...] += weight * row[j:][first]
+    return out
+
+
+@lru_cache(maxsize=1)
+def _lagrange() -> list[Any]:
+    """Return the cubics that are 1 at one of 0, 1, 2, 3 and 0 at the others."""
+    from numpy.polynomial import Polynomial
+
+    made = []
+    for j in range(4):
+        others = [k for k in range(4) if k != j]
+        made.append(Polynomial.fromroots(others) / math.prod(j - k for k in others))
+    return made
+
+
+_COPIES = 9.04  # sum of 1 over the cubed distances from one point of a square lattice to the others: 9.0336
+
+
+# Of an image between two mirrors, half a pixel beyond its first and its last pixel, a convolution with an even
+# kernel is diagonal in the discrete cosine transform of type II, whatever the reach of the kernel: it multiplies by
+# sum_q g(q) cos(pi k q / n), the transform of the kernel at the frequencies k / 2 n. Where no mirror is wanted, an
+# image is continued first, and the mirror is farther away: the last pixels go on for half of the height and width;
+# darkness is as wide as it takes for light from its mirrors to be less than half of the tolerance.
+class MirroredKernels:
+    """The g_r of a remainder, as they act on images of one shape and border."""
+
+    def __init__(
+        self, remainder: Remainder, shape: tuple[int, int], border: str, dtype: np.dtype[np.floating], tol: float
+    ) -> None:
+        self.remainder, self.border, self.dtype, self.error = remainder, border, dtype, 0.0
+        self._around = [(0, 0), (0, 0)]
+        if border == "extend":
+            self._around = [(max(1, side // 2),) * 2 for side in shape]
+        elif border == "zero":
+            from scipy.fft import next_fast_len
+
+            tail = float(np.abs(remainder.knots @ remainder.smooth[:, 0]).max())
+            light = _COPIES * math.prod(shape) * tail
+            dark = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
+            self._around = [(dark, next_fast_len(side + 2 * dark, real=True) - side - dark) for side in shape]
+            self.error = light / (2.0 * dark) ** 3
+        (top, _), (left, _) = self._around
+        self._image = slice(top, top + shape[0]), slice(left, left + shape[1])
+        self._sides = [side + sum(more) for side, more in zip(shape, self._around, strict=True)]
+
+    @cached_property
+    def eigenvalues(self) -> Values:
+        """Transforms of the g_r, shape (rank, height, width) of the image as it is continued; kept."""
+        table, scale = self.remainder.table.astype(self.dtype), self.remainder.scale
+        down, across = (_cosines(side, table.shape[1] - 1, self.dtype.char) for side in self._sides)
+        made = down @ table @ across.T
+        known = _smooth_spectra(*self._sides, scale, self.dtype.char)
+        for each, parts in zip(made, self.remainder.smooth.astype(self.dtype), strict=True):
+            for part, transform in zip(parts, known, strict=True):
+                each += part * transform
+        return np.asarray(made)
+
+    def transformed(self, r: int, plane: Values) -> Values:
+        """Return the transform of a plane convolved with g_r."""
+        from scipy.fft import dctn
+
+        if self.border != "reflect":
+            plane = np.pad(plane, self._around, mode="edge" if self.border == "extend" else "constant")
+        made = dctn(plane, overwrite_x=True)
+        made *= self.eigenvalues[r]
+        return np.asarray(made)
+
+    def image(self, transform: Values, threads: int = 1) -> Values:
+        """Return the image of a transform."""
+        from scipy.fft import idctn
+
+        return np.asarray(idctn(transform, overwrite_x=True, workers=threads)[self._image])
+
+    def known(self, plane: Values, threads: int = 1) -> Values:
+        """Return the transform of a plane with darkness around it: the transpose of :meth:`image` but for a scale."""
+        from scipy.fft import dctn
+
+        return np.asarray(dctn(np.pad(plane, self._around), workers=threads))
+
+    def taken(self, r: int, known: Values) -> Values:
+        """Return the transpose of :meth:`transformed`, but for that scale, of a transform."""
+        from scipy.fft import idctn
+
+        taken = idctn(self.eigenvalues[r] * known, overwrite_x=True)
+        if self.border == "extend":
+            # What copies of the edges took goes to these.
+            for lines, (before, after) in zip((taken, taken.T), self._around, strict=True):
+                lines[before] += lines[:before].sum(axis=0)
+                lines[-after - 1] += lines[-after:].sum(axis=0)
+        return np.asarray(taken[self._image])
+
+
+@lru_cache(maxsize=8)
+def _cosines(side: int, reach: int, kind: str) -> Values:
+    """Return the cosines that an even kernel is multiplied by, and 2 where a value stands for two."""
+    turns = np.outer(np.arange(side), np.arange(reach + 1)) % (2 * side)
+    made = 2.0 * np.cos((math.pi / side) * turns)
+    made[:, 0] = 1.0
+    made.flags.writeable = False
+    return np.asarray(made.astype(kind))
+
+
+@lru_cache(maxsize=4)
+def _smooth_spectra(height: int, width: int, scale: float, kind: str) -> Values:
+    """Return the transforms of the smooth parts, shape (3, height, width)."""
+    down, across = ((np.arange(side) / (2.0 * side)).astype(kind) for side in (height, width))
+    return smooth_transforms(np.hypot(down[:, None], across), scale)

@@ -18,9 +18,8 @@ from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.core import engine
-from lommel.imaging.bank import Bank, build_bank, stored_windows
+from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
 from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
-from lommel.imaging.remainder import MirroredKernels, Remainder
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
@@ -104,16 +103,13 @@ class DepthBlur(LinearBlur):
         self.dtype, self.threads = cast("np.dtype[np.floating]", settings.dtype), settings.threads or 0
         self.place(depth)
         reach = (float(self.defocus.min()), float(self.defocus.max()))
+        largest = settings.largest or max(1, min(self.shape) // 2)
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
 
         def bank(spectrum: tuple[tuple[float, float], ...]) -> Bank:
+            light = SensorLight.of(lens, spectrum, self.pixel, self.threads)
             return build_bank(
-                SensorLight.of(lens, spectrum, self.pixel, self.threads),
-                reach,
-                tol=settings.tol,
-                energy=settings.energy,
-                largest=settings.largest or max(1, min(self.shape) // 2),
-                dtype=self.dtype,
+                light, reach, tol=settings.tol, energy=settings.energy, largest=largest, dtype=self.dtype
             )
 
         distinct = tuple(dict.fromkeys(self.spectra))
@@ -259,10 +255,6 @@ class DepthBlur(LinearBlur):
             # What points beyond the edges took goes to those that they are copies of.
             yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
 
-    def _at(self, channel: int) -> int:
-        """Return the index of a channel among `banks`; TypeError or ValueError if there is none."""
-        return validation.integer("channel", channel, least=0, most=len(self.banks) - 1)
-
     def _require(self, plane: Any, points: Any) -> None:
         """Raise TypeError unless a plane has this shape and the type of the sums."""
         validation.instance("points", points, Points)
@@ -273,7 +265,7 @@ class DepthBlur(LinearBlur):
 
     def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
         """Return the rows and columns of the image with copies of its edges, and the margins of their windows."""
-        bank = self.banks[self._at(channel)]
+        bank = self.banks[validation.integer("channel", channel, least=0, most=len(self.banks) - 1)]
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
@@ -293,7 +285,7 @@ class DepthBlur(LinearBlur):
 
     def positions(self, channel: int) -> Array:
         """Return the position of each point in the bank of a `channel`; ValueError if there is no such channel."""
-        channel = self._at(channel)
+        channel = validation.integer("channel", channel, least=0, most=len(self.banks) - 1)
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
             known = {(b.start, b.spacing): np.maximum(b.positions(self.defocus), 0.0) for b in self.banks}

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lommel.estimation.pixel_transfer import squared_frequency
-from lommel.imaging.defocus_costs import Costs, Transform, Weights, residuals
+from lommel.imaging.defocus_depth import Costs, Transform, Weights, residuals
 
 DRAW = np.random.default_rng(0)
 

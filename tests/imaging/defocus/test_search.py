@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.imaging.defocus_costs import _minimum, _spread
+from lommel.imaging.defocus_depth import _minimum, _spread
 
 
 @pytest.mark.parametrize("where", [6.0, 6.3, 6.5, 1.2, 10.9])

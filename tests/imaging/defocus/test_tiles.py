@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 import lommel as lm
-from lommel.imaging import defocus_costs
+from lommel.imaging import defocus_depth
 from planes import CAMERA, PAIR, PIXEL, shoot, texture
 
 
 def test_tiles_tell_what_the_whole_does(monkeypatch):
     images = [one[:, :100] for one in shoot(texture(side=152), 1.5, PAIR)]
     whole = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
-    monkeypatch.setattr(defocus_costs, "_CORE", 48)
+    monkeypatch.setattr(defocus_depth, "_CORE", 48)
     seen = []
     parts = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, progress=lambda *at: seen.append(at), **CAMERA)
     assert seen[-1] == (9, 9)

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from lommel.imaging import field_blur
-from lommel.imaging.field_bank import Nodes
-from lommel.imaging.field_blur import MixedBlur
+from lommel.imaging.field_blur import MixedBlur, Nodes
 
 HEIGHT, WIDTH, SIDE = 23, 31, 5
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.imaging.field_bank import MOST, Nodes, enough, interpolated
+from lommel.imaging.field_blur import MOST, Nodes, enough, interpolated
 
 
 @pytest.mark.parametrize("degree", [3, 5])

@@ -552,12 +552,19 @@ def write_frames(
     target = check_pattern(path)
     duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
     validation.integer("quality", quality, least=1, most=100)
-    if _NUMBER.search(target.name):
-        return _numbered(target, _alike(frames), quality)
-    kept = list(_alike(frames))
-    form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
-    atomic.write(target, form.write(kept, duration, quality))
-    return [target]
+    if not _NUMBER.search(target.name):
+        kept = list(_alike(frames))
+        form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
+        atomic.write(target, form.write(kept, duration, quality))
+        return [target]
+    if not target.parent.is_dir():  # before the first frame is made
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
+    made = []
+    with atomic.together() as put:
+        for number, frame in enumerate(_alike(frames), 1):
+            made.append(target.with_name(target.name % number))
+            put(made[-1], encoded(target, frame, quality))
+    return made
 
 
 def _alike(frames: Iterable[Values]) -> Iterable[Values]:
@@ -575,18 +582,6 @@ def _alike(frames: Iterable[Values]) -> Iterable[Values]:
         yield frame
     if first is None:
         raise ValueError("there must be at least one frame")
-
-
-def _numbered(target: Path, frames: Iterable[Values], quality: int) -> list[Path]:
-    """Write all frames, then move them into place."""
-    if not target.parent.is_dir():  # before the first frame is made
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
-    made = []
-    with atomic.together() as put:
-        for number, frame in enumerate(frames, 1):
-            made.append(target.with_name(target.name % number))
-            put(made[-1], encoded(target, frame, quality))
-    return made
 
 
 def _stack(frames: list[Values], _duration: float, _quality: int) -> bytes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -215,29 +215,20 @@ class PSFStack:
         layouts = {name: self._store.layouts[name] for name in names}
         tails = {name: layout.shape[len(stack) :] for name, layout in layouts.items()}
         out = {name: np.empty((which.size, *tails[name]), layouts[name].dtype) for name in names}
-        for at, (chunk, first) in self._chunks_of(which.ravel()):
-            parts = self._chunk(chunk)
-            for name in names:
-                out[name][at] = parts[name].reshape(-1, *tails[name])[which.flat[at] - first]
-        return which, {name: values.reshape(which.shape + tails[name]) for name, values in out.items()}
-
-    def _chunks_of(self, which: NDArray[np.intp]) -> Iterator[tuple[NDArray[np.intp], tuple[Index, int]]]:
-        """Yield the chunks of members: which of these, the index of the chunk, and its first member."""
-        layout = self._store.layouts["scale"]
-        places = np.unravel_index(which, layout.shape)
-        of = tuple(place // size for place, size in zip(places, layout.chunks, strict=True))
-        flat = np.ravel_multi_index(of, layout.grid)
-        for chunk in np.unique(flat):
-            index = tuple(int(i) for i in np.unravel_index(chunk, layout.grid))
+        members = self._store.layouts["scale"]
+        places = np.unravel_index(which.ravel(), stack)
+        cut = tuple(place // size for place, size in zip(places, members.chunks, strict=True))
+        chunks = np.ravel_multi_index(cut, members.grid)
+        for chunk in np.unique(chunks):
+            where = tuple(int(i) for i in np.unravel_index(chunk, members.grid))
+            last = self._last  # of the calls before, since neighbours are usually read next
+            if last is None or last[0] != where:
+                self._last = last = where, self._store.chunk(where)
             # A chunk is a contiguous run of the flattened stack.
-            yield np.flatnonzero(flat == chunk), (index, layout.first(index))
-
-    def _chunk(self, index: Index) -> Arrays:
-        """Return a chunk; the last one is kept, since neighbours are usually read next."""
-        last = self._last
-        if last is None or last[0] != index:
-            self._last = last = index, self._store.chunk(index)
-        return last[1]
+            at, first = np.flatnonzero(chunks == chunk), members.first(where)
+            for name in names:
+                out[name][at] = last[1][name].reshape(-1, *tails[name])[which.flat[at] - first]
+        return which, {name: values.reshape(which.shape + tails[name]) for name, values in out.items()}
 
 
 class _Values:

@@ -133,7 +133,7 @@ def by_halves(of, model, depth, focus, v):
             ):
                 x, w = gauss_legendre(n, low, high)
                 at = quadrature_bounds.At(piece, x)
-                fixed, by_depth, by_focus = piece.rates(at)
+                fixed, by_depth, by_focus = at.rates
                 wave = np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))) * w
                 rho = np.sqrt(at.square) / of.NA
                 for order, part, sum_ in zip(model.orders, piece.parts(at, model), total, strict=True):
@@ -167,7 +167,7 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
             half = 0.5 * (piece.high - piece.low)
             x = piece.low + half * (1 + np.cos(theta + 1j * quadrature_bounds.ETA[row]))
             at = quadrature_bounds.At(piece, x)
-            fixed, by_depth, by_focus = piece.rates(at)
+            fixed, by_depth, by_focus = at.rates
             rho = np.sqrt(at.square) / of.NA
             wave = np.exp(1j * (fixed + depth * by_depth + focus * by_focus))
             pairs = zip(model.orders, piece.parts(at, model), strict=True)
@@ -181,7 +181,7 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
 )
 def test_the_discs_cover_each_ellipse(of, model):
     for piece in quadrature_bounds.pieces(of, model):
-        discs = piece.covered.at.x
+        discs = piece.covered.x
         half = 0.5 * (piece.high - piece.low)
         # The ends and the middles of the arcs, and near them.
         arc = 2 * np.pi * (np.arange(1024) + 0.5) / 1024

@@ -105,8 +105,8 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
 @lru_cache(maxsize=16)
 def growth(piece: Piece, terms: Sizes) -> Array:
     """Return the log of a bound on ``abs(exp(i W))`` at any azimuth, on each disc around a section."""
-    at, height = piece.covered.at, piece.covered.height
-    square = at.square * piece.layers.NA**-2
+    height = piece.covered.height
+    square = piece.covered.square * piece.layers.NA**-2
     root = np.sqrt(square.largest)
     total = np.zeros(height.shape)
     for (n, m), w in terms:

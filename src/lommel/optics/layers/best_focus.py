@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.optics.layers import debye, quadrature_bounds
+from lommel.optics.layers import debye
+from lommel.optics.layers.quadrature_bounds import Model
 from lommel.optics.layers.stratified import Layers, cosines
 
 _TOL = 1e-11
@@ -32,7 +33,7 @@ class _Axis:
     def __init__(self, layers: Layers, depth: float, low: float, high: float) -> None:
         self.depth = np.array([depth])
         ends = np.array([low, high])
-        self.rule = debye.rule(layers, quadrature_bounds.Model(), np.full(2, depth), ends, 0.0, _TOL)
+        self.rule = debye.rule(layers, Model(), np.full(2, depth), ends, 0.0, _TOL)
 
     def derivatives(self, focus: Array) -> tuple[Array, Array, Array]:
         """Return the intensity and its first two derivatives by the focus."""
@@ -73,6 +74,8 @@ def brightest(layers: Layers, depth: float) -> Axial:
 
     The search spans the ray foci and two depths of focus beyond, or more until half of the maximum is reached.
     """
+    from scipy.optimize import brentq
+
     rays = ray_foci(layers, depth)
     scale = depth_of_focus(layers)
     margin = 2.0 * scale + 4.0 * sum(thickness for _, thickness in layers.films)
@@ -90,8 +93,11 @@ def brightest(layers: Layers, depth: float) -> Axial:
         raise ValueError(f"depth must leave a maximum on the axis that falls to its half, got {depth:g}")
     top = _maximum(axis, focus[best], focus[1] - focus[0])
     peak = axis.at(top)
-    ends = [_crossing(axis, 0.5 * peak, focus[k], focus[j]) for k, j in ((before[-1], best), (after[0], best))]
-    return Axial(top, peak, ends[1] - ends[0])
+    low, high = (
+        brentq(lambda f: axis.at(f) - 0.5 * peak, focus[k], focus[best], xtol=1e-16, rtol=1e-12)
+        for k in (before[-1], after[0])
+    )
+    return Axial(top, peak, float(high) - float(low))
 
 
 def _maximum(axis: _Axis, start: float, step: float) -> float:
@@ -106,18 +112,11 @@ def _maximum(axis: _Axis, start: float, step: float) -> float:
     return at
 
 
-def _crossing(axis: _Axis, level: float, dark: float, bright: float) -> float:
-    """Return where the intensity is `level`, between a plane that is darker and one that is not."""
-    from scipy.optimize import brentq
-
-    return float(brentq(lambda f: axis.at(f) - level, dark, bright, xtol=1e-16, rtol=1e-12))
-
-
 def lateral_width(layers: Layers, depth: float, focus: float) -> float:
     """Return the lateral full width at half maximum of a freely rotating dipole, metres: the first crossing."""
     from scipy.optimize import brentq
 
-    model, one = quadrature_bounds.Model(), np.ones(1)
+    model, one = Model(), np.ones(1)
     unit = 2.0 * math.pi / _STEPS  # v of a step: k NA r
     for reach in (32, 256, 2048):
         v = np.asarray(np.arange(reach + 1) * unit)

@@ -8,14 +8,13 @@ B. Richards and E. Wolf, Proc. R. Soc. Lond. A 253, 358 (1959), doi:10.1098/rspa
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.optics.layers.quadrature_bounds import ETA, At, Complex, Covered, Model, Piece, enclosed, extremes, pieces
+from lommel.optics.layers.quadrature_bounds import ETA, At, Complex, Factor, Model, Piece, enclosed, extremes, pieces
 from lommel.optics.layers.stratified import Layers
 from lommel.special.legendre import gauss_legendre
 
@@ -43,13 +42,7 @@ class Rule(NamedTuple):
 
 
 def rule(
-    layers: Layers,
-    model: Model,
-    depth: Array,
-    focus: Array,
-    v: float,
-    tol: float,
-    factor: Callable[[Piece], Array] | None = None,
+    layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float, factor: Factor | None = None
 ) -> Rule:
     """Return a rule within `tol` for every part, plane and radius up to `v` = k NA r.
 
@@ -58,16 +51,13 @@ def rule(
     rhos, parts, rates, counts = [], [], [], []
     cut = pieces(layers, model)
     for piece in cut:
-        if factor is None:
-            n = piece.enough(model, depth, focus, v, tol / len(cut))
-        else:
-            n = piece.nodes(piece.growth(model, depth, focus, v, factor=factor(piece)), tol / len(cut))
+        n = piece.enough(model, depth, focus, v, tol / len(cut), factor)
         counts.append(n)
         x, w = gauss_legendre(n, piece.low, piece.high)
         at = At(piece, x)
         rhos.append(np.sqrt(at.square) / layers.NA)
         parts.append([w * part for part in piece.parts(at, model)])
-        rates.append(piece.rates(at))
+        rates.append(at.rates)
     rho = np.concatenate(rhos)
     joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
     fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
@@ -99,16 +89,15 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
     model = model or Model()
     before = np.full((1, 1), -1.0)
     for n in (32 * 2**k for k in range(9)):
-        found = _collected(layers, model, n)
-        left = np.exp(np.outer(depth, found.fading))
-        all_light = left @ found.faint + found.steady
-        near, far = all_light, found.steady
+        steady, fading, faint, steady_change, faint_change = _collected(layers, model, n)
+        left = np.exp(np.outer(depth, fading))
+        all_light = left @ faint + steady
+        near, far = all_light, steady
         if by is not None:
-            faded = left @ (found.faint * found.fading[:, None])
-            near, far = faded, 0.0 * far
-            if by == "wavenumber":
-                near = depth[:, None] * faded + left @ found.faint_change + found.steady_change
-                far = found.steady_change
+            near, far = left @ (faint * fading[:, None]), 0.0 * far
+        if by == "wavenumber":
+            near = depth[:, None] * near + left @ faint_change + steady_change
+            far = steady_change
         # A derivative need not be more exact than what it is one of.
         size = all_light if by is None else all_light + np.abs(near)
         if (np.abs(near - before) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
@@ -117,19 +106,12 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
     return near, far
 
 
-class _Collected(NamedTuple):
-    """Light of each part that reaches any depth; evanescent light with its decay rate per angle; changes by ln k."""
-
-    steady: Array
-    fading: Array
-    faint: Array
-    steady_change: Array
-    faint_change: Array
-
-
 @lru_cache(maxsize=64)
-def _collected(layers: Layers, model: Model, n: int) -> _Collected:
-    """Return the light collected by a rule of n angles, with its derivatives by ln k."""
+def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, Array, Array]:
+    """Return the light of each part by n angles: what reaches any depth, decay rates and the light that decays.
+
+    Derivatives of both lights by ln k are last.
+    """
     parts = len(model.orders)
     steady, steady_change = np.zeros(parts), np.zeros(parts)
     fading, faint, faint_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
@@ -143,11 +125,11 @@ def _collected(layers: Layers, model: Model, n: int) -> _Collected:
         if films(layers, model):
             change = measure * 2.0 * (of.conj() * np.stack(piece.changes(at, model), axis=1)).real
         if piece.above:
-            fading, faint, faint_change = -2.0 * piece.rates(at)[1].imag, light, change
+            fading, faint, faint_change = -2.0 * at.rates[1].imag, light, change
         else:
             steady += light.sum(axis=0)
             steady_change += change.sum(axis=0)
-    return _Collected(steady, fading, faint, steady_change, faint_change)
+    return steady, fading, faint, steady_change, faint_change
 
 
 def films(layers: Layers, model: Model) -> bool:
@@ -207,9 +189,7 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
         row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].fit[0])
         covered, _ = enclosed(piece, model, (row,))
         rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
-        found = np.maximum(
-            found, [*(each.max() for each in rates), _phases(piece, model, covered, depth, focus).max()]
-        )
+        found = np.maximum(found, [*(each.max() for each in rates), _phases(covered, model, depth, focus).max()])
     return float(found[0]), float(found[1]), float(found[2])
 
 
@@ -222,22 +202,22 @@ def _of_piece(
     covered, _ = enclosed(piece, model, rows)
     _, by_depth, by_focus = covered.rates
     # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
-    rho = np.sqrt(covered.at.square.largest) / piece.layers.NA
-    factors = by_depth.largest, by_focus.largest, rho, _phases(piece, model, covered, depth, focus)
+    rho = np.sqrt(covered.square.largest) / piece.layers.NA
+    factors = by_depth.largest, by_focus.largest, rho, _phases(covered, model, depth, focus)
     proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
     return tuple(float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
 
 
-def _phases(piece: Piece, model: Model, covered: Covered, depth: Array, focus: Array) -> Array:
+def _phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:
     """Bound the derivatives by ln k over the integrands on each disc."""
-    psi, middle = np.zeros(covered.at.square.radius.shape), piece.layers.middle_rates()
+    layers, psi = covered.piece.layers, np.zeros(covered.square.radius.shape)
     for d, f in extremes(depth, focus):
         centre, radius = np.zeros(psi.shape, np.complex128), np.zeros(psi.shape)
-        for by, rate, least in zip((1.0, d, f), covered.rates, middle, strict=True):
+        for by, rate, least in zip((1.0, d, f), covered.rates, layers.middle_rates(), strict=True):
             centre = centre + by * (rate.centre - least)
             radius = radius + abs(by) * rate.radius
         psi = np.maximum(psi, (np.abs(centre) + radius) * (1.0 + 1e-12))
-    if films(piece.layers, model):
-        of_s, of_p = piece.layers.log_slopes(covered.at, covered.at.square)
+    if films(layers, model):
+        of_s, of_p = layers.log_slopes(covered, covered.square)
         psi = psi + np.maximum(of_s.largest, of_p.largest)
     return psi

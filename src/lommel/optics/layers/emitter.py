@@ -189,8 +189,7 @@ class Beam:
         """Integrals and forms of the intensity."""
         waves = self._waves(np.eye(3))
         if self._around is not None:
-            model = Model(self._around)
-            return Light(model, _harmonics(waves, len(model.orders)), waves)
+            return _light(self._around, waves)
         a, b = self._jones
         power = abs(a) ** 2 + abs(b) ** 2
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
@@ -239,24 +238,22 @@ class Absorbed(Beam):
     @property
     def light(self) -> Light:
         """Integrals and forms of the intensity."""
-        waves = self._waves(self.dipole.moments)
-        model = Model(self._around or "vectorial")
-        return Light(model, _harmonics(waves, len(model.orders)), waves)
+        return _light(self._around or "vectorial", self._waves(self.dipole.moments))
 
 
-def _harmonics(waves: Waves, parts: int) -> tuple[Harmonic, ...]:
-    """Return the azimuthal orders without aberrations: ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
-    orders = np.array(waves.orders)
+def _light(kind: str, waves: Waves) -> Light:
+    """Return all azimuthal orders of waves, whose ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
+    model, orders = Model(kind), np.array(waves.orders)
     turns = (-1j) ** np.abs(orders)
     form = waves.form * np.multiply.outer(turns, turns.conj())
     found = []
     for m in range(2 * int(orders.max()) + 1):
-        F = np.zeros((parts, parts), np.complex128)
+        F = np.zeros((len(model.orders), len(model.orders)), np.complex128)
         for a, b in np.argwhere(np.subtract.outer(orders, orders) == m):
             F[waves.parts[a], waves.parts[b]] += form[a, b]
         each = ((F + F.conj().T, 1.0, 0.0), (1j * (F - F.conj().T), 0.0, 1.0)) if m else ((F, 1.0, 0.0),)
         found += [Harmonic(m, *one) for one in each if not m or np.abs(one[0]).max() > 1e-15]
-    return tuple(found)
+    return Light(model, tuple(found), waves)
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.optics.layers import azimuthal_orders, best_focus, debye, quadrature_bounds
+from lommel.optics.layers import azimuthal_orders, best_focus, debye
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.quadrature_bounds import Model
 from lommel.optics.layers.stratified import (
     DEPTH_MOST,
     Amplitudes,
@@ -240,13 +241,13 @@ class Objective:
             raise ValueError("sample must be given with a coverslip: the refractive index of what the emitter is in")
         if working_distance is None and (coverslip or used != Design(n, coverslip)):
             raise ValueError("working_distance must be given, in metres, with a coverslip or a design")
+        if working_distance is not None:
+            working_distance = length("working_distance", working_distance, _DISTANCE_MOST, positive=True)
         values = {
             "NA": aperture,
             "magnification": validation.real("magnification", magnification, least=1e-3, below=1e6),
             "immersion": n,
-            "working_distance": working_distance
-            if working_distance is None
-            else length("working_distance", working_distance, _DISTANCE_MOST, positive=True),
+            "working_distance": working_distance,
             "coverslip": coverslip,
             "sample": n if sample is None else refractive_index("sample", sample),
             "films": film_stack(films),
@@ -302,16 +303,6 @@ class Objective:
             raise ValueError(f"{name} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
         return d.ravel(), f.ravel(), d.shape
 
-    def _start(self, origin: str, layers: Layers, depth: Array) -> Array:
-        """Return the stage position of z = 0, for each depth."""
-        if origin == "coverslip":
-            return np.zeros(())
-        if origin == "paraxial":
-            return self._paraxial(depth)
-        each, place = np.unique(depth, return_inverse=True)
-        best = np.array([best_focus.brightest(layers, float(one)).brightest for one in each])
-        return np.asarray(best[place].reshape(depth.shape))
-
     def _rates(self, rho: ArrayLike, wavelength: float) -> tuple[Values, Values, Values]:
         layers = self._layers(wavelength)
         return layers.rates(layers.cosine(heights(rho)))
@@ -359,7 +350,14 @@ class Objective:
             measured = measured.broadcast(d.shape)
         if not d.size:
             raise ValueError(f"z must not be empty, got shape {offset.shape}")
-        focus = self._start(validation.choice("origin", origin, _ORIGINS), layers, d) + offset
+        start = np.zeros(())
+        if validation.choice("origin", origin, _ORIGINS) == "paraxial":
+            start = self._paraxial(d)
+        elif origin == "brightest":
+            each, place = np.unique(d, return_inverse=True)
+            best = np.array([best_focus.brightest(layers, float(one)).brightest for one in each])
+            start = best[place].reshape(d.shape)
+        focus = start + offset
         self._planes(d, focus)
         return ObjectivePupil(layers, self.magnification, d, focus, offset, light, measured)
 
@@ -469,7 +467,7 @@ class Objective:
         ----------
         P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
         """
-        (K0, K1, K2), error = self._integrals(quadrature_bounds.Model(), radius, depth, focus, wavelength, tol)
+        (K0, K1, K2), error = self._integrals(Model(), radius, depth, focus, wavelength, tol)
         return FocalField(K0, K1, K2, error)
 
     def scalar(
@@ -557,13 +555,7 @@ class Objective:
         return Nyquist(lateral, 0.5 * best_focus.depth_of_focus(layers), lateral * self.magnification)
 
     def _integrals(
-        self,
-        model: quadrature_bounds.Model,
-        radius: ArrayLike,
-        depth: ArrayLike,
-        focus: ArrayLike,
-        wavelength: float,
-        tol: float,
+        self, model: Model, radius: ArrayLike, depth: ArrayLike, focus: ArrayLike, wavelength: float, tol: float
     ) -> tuple[list[NDArray[np.complex128]], float]:
         layers = self._layers(wavelength)
         r = validation.real_array("radius", radius, least=0.0)

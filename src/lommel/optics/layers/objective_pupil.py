@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -127,14 +127,12 @@ class ObjectivePupil(BasePupil):
 
     def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
-        layers = {item.name: getattr(self.layers, item.name) for item in fields(Layers)}
         planes = {name: getattr(self, name).tolist() for name in PLANES}
-        emitter = {item.name: getattr(self.emitter, item.name) for item in fields(self.emitter)}
+        emitter = asdict(self.emitter) | {"kind": type(self.emitter).__name__}
         if isinstance(jones := emitter.get("polarization"), tuple):
             emitter["polarization"] = [[part.real, part.imag] for part in jones]
-        emitter["kind"] = type(self.emitter).__name__
         return {
-            "layers": layers,
+            "layers": asdict(self.layers),
             "magnification": self.magnification,
             "emitter": emitter,
             "aberrations": self.aberrations and self.aberrations.to_dict(),

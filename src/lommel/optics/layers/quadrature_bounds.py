@@ -15,9 +15,10 @@ L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013),
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +37,8 @@ _ODD = ("radial", "azimuthal", "vortex")
 _CENTRE = 0.3
 _CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
 Complex = NDArray[np.complex128]
+Rows = tuple[int, ...] | None
+"""Some ellipses by number, or all."""
 
 
 @dataclass(frozen=True)
@@ -61,37 +64,66 @@ class Model:
         return self.kind != "scalar"
 
 
-class Covered(NamedTuple):
-    """Ellipses around a section with discs along them: phase rates, amplitudes, a bound on ``abs(Im rho)``.
-
-    `fit` marks ellipses that are proven to hold no singularity.
-    """
-
-    at: At
-    rates: tuple[Disc, Disc, Disc]
-    amplitudes: Amplitudes
-    height: Array
-    fit: NDArray[np.bool_]
-
-
 class At:
-    """Points or discs of a section, with ``(NA rho)^2``, cosines and transmission there, each computed once."""
+    """Points of a section, or discs along ellipses around it, and what the integrands have there, computed once."""
 
     def __init__(self, piece: Piece, x: Values) -> None:
-        self.x, self.square = x, piece.square(x)
-        self._piece = piece
+        self.piece, self.x, self.square = piece, x, piece.square(x)
         self._known: dict[float, Values] = {}
 
     def __call__(self, index: float) -> Values:
         """Return c_m of a layer."""
         if index not in self._known:
-            self._known[index] = self._piece.cosine(self, index)
+            if self.piece.is_root(index):
+                of = 1.0 - self.square * index**-2
+                found = of.sqrt() if isinstance(of, Disc) else np.sqrt(of + 0.0j)
+            else:
+                found = 1j * self.x if self.piece.above else 1.0 + 0.0j - self.x
+            self._known[index] = found
         return self._known[index]
 
     @cached_property
     def amplitudes(self) -> Amplitudes:
         """The transmission."""
-        return self._piece.layers.amplitudes(self, self.square)
+        return self.piece.layers.amplitudes(self, self.square)
+
+    @cached_property
+    def rates(self) -> tuple[Values, Values, Values]:
+        """The phase at depth 0 and focus 0, and its derivatives by these."""
+        return self.piece.layers.rates(self)
+
+    @cached_property
+    def height(self) -> Array:
+        """A bound on ``abs(Im rho)`` of discs."""
+        if isinstance(self.piece, Centre):
+            return np.asarray(np.abs(self.x.centre.imag) + self.x.radius)
+        square = self.square * self.piece.layers.NA**-2
+        root = np.sqrt(square.centre)
+        near = np.abs(root.imag) + square.radius / np.maximum(np.abs(root), 1e-300)
+        return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
+
+    @cached_property
+    def fit(self) -> NDArray[np.bool_]:
+        """Which ellipses are found to hold no singularity: by discs that is proven."""
+        found = self._in_sheet()
+        for around in (*self.amplitudes.denominators, *([self.square] if self.piece.odd else [])):
+            found &= windings(disc(around)) == 0
+        return found
+
+    def _in_sheet(self) -> NDArray[np.bool_]:
+        """Return on which ellipses cosines are known and those with branch points have none inside."""
+        fit, rooted = np.ones(disc(self.x).radius.shape[:-1], np.bool_), self.piece.rooted
+        for index in {*rooted, self.piece.layers.sample}:
+            c = self(index)
+            if isinstance(c, Disc):
+                fit &= np.isfinite(c.radius).all(axis=-1)
+                if index in rooted:
+                    fit &= (c.centre.real > c.radius).all(axis=-1)
+            elif self.piece.is_root(index):
+                fit &= ((c * c).real > 0.0).all(axis=-1)
+            elif index in rooted:
+                fit &= (c.real > 0.0).all(axis=-1)
+        return fit
 
 
 @dataclass(frozen=True)
@@ -113,19 +145,9 @@ class Piece:
         """Return ``(NA rho)^2``."""
         return self.lowest**2 * (x * x + 1.0 if self.above else x * (2.0 - x))
 
-    def cosine(self, at: At, index: float) -> Values:
-        """Return c_m of a layer."""
-        if self._is_root(index):
-            return _root(1.0 - at.square * index**-2)
-        return 1j * at.x if self.above else 1.0 + 0.0j - at.x
-
-    def _is_root(self, index: float) -> bool:
+    def is_root(self, index: float) -> bool:
         """Return whether the cosine of a layer may have branch points."""
         return index != self.lowest
-
-    def rates(self, at: At) -> tuple[Values, Values, Values]:
-        """Return the phase at depth 0 and focus 0, and its derivatives by these."""
-        return self.layers.rates(at)
 
     def jacobian(self, x: Values) -> Values:
         """Return ``rho d rho / dx``."""
@@ -159,60 +181,25 @@ class Piece:
         return np.asarray(self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None])))
 
     @cached_property
-    def covered(self) -> Covered:
-        """All ellipses with their discs."""
+    def covered(self) -> At:
+        """All ellipses as discs."""
         return self._cover(ETA)
 
-    def _cover(self, eta: Array) -> Covered:
+    def _cover(self, eta: Array) -> At:
         step = 2.0 * math.pi / _ARCS
         theta = (np.arange(_ARCS) + 0.5) * step
         # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
         slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
         radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
-        at = At(self, Disc(self._ellipses(eta, theta), radius))
-        rates, amplitudes = self.rates(at), at.amplitudes
-        fit = np.all([windings(each) == 0 for each in amplitudes.denominators], axis=0)
-        fit &= self._in_sheet(at)
-        if self.odd:
-            fit &= windings(at.square) == 0
-        return Covered(at, rates, amplitudes, self._height(at), fit)
-
-    def _in_sheet(self, at: At) -> NDArray[np.bool_]:
-        """Return on which ellipses cosines are known and those with branch points have none inside."""
-        fit = np.ones(disc(at.x).radius.shape[:-1], np.bool_)
-        for index in {*self._rooted, self.layers.sample}:
-            c = at(index)
-            if isinstance(c, Disc):
-                fit &= np.isfinite(c.radius).all(axis=-1)
-                if index in self._rooted:
-                    fit &= (c.centre.real > c.radius).all(axis=-1)
-            elif self._is_root(index):
-                fit &= ((c * c).real > 0.0).all(axis=-1)
-            elif index in self._rooted:
-                fit &= (c.real > 0.0).all(axis=-1)
-        return fit
+        return At(self, Disc(self._ellipses(eta, theta), radius))
 
     @property
-    def _rooted(self) -> tuple[float, ...]:
+    def rooted(self) -> tuple[float, ...]:
         """Indices of layers whose cosines must stay in the right half plane."""
         return self.layers.immersion, self.layers.glass
 
-    def _height(self, at: At) -> Array:
-        """Return what bounds ``abs(Im rho)``."""
-        square = at.square * self.layers.NA**-2
-        root = np.sqrt(square.centre)
-        size = np.maximum(np.abs(root), 1e-300)
-        near = np.abs(root.imag) + square.radius / size
-        return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
-
     def growth(
-        self,
-        model: Model,
-        depth: Array,
-        focus: Array,
-        v: float,
-        rows: tuple[int, ...] | None = None,
-        factor: Array | float = 0.0,
+        self, model: Model, depth: Array, focus: Array, v: float, rows: Rows = None, factor: Array | float = 0.0
     ) -> Array:
         """Return the log of a bound on the integrands on each ellipse (or `rows` of them), infinite where singular.
 
@@ -233,19 +220,20 @@ class Piece:
     def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
         """Estimate :meth:`growth` from some points of each ellipse: no bound, at a tenth of the cost."""
         at = At(self, self._ellipses(ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE)))
-        fixed, by_depth, by_focus = self.rates(at)
-        fit = self._in_sheet(at)
-        for around in (*at.amplitudes.denominators, *([at.square] if self.odd else [])):
-            fit &= windings(disc(around)) == 0
+        fixed, by_depth, by_focus = at.rates
         with np.errstate(all="ignore"):
             light = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
             fading = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
             found = (light - fading + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
-        return np.where(fit & np.isfinite(found), found, np.inf)
+        return np.where(at.fit & np.isfinite(found), found, np.inf)
 
-    def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
-        """Return a number of nodes proven to err by at most `error`."""
-        return self.nodes(self.serving(model, depth, focus, v, error), error)
+    def enough(
+        self, model: Model, depth: Array, focus: Array, v: float, error: float, factor: Factor | None = None
+    ) -> int:
+        """Return a number of nodes proven to err by at most `error`, `factor` being that of :func:`debye.rule`."""
+        if factor is None:
+            return self.nodes(self.serving(model, depth, focus, v, error), error)
+        return self.nodes(self.growth(model, depth, focus, v, factor=factor(self)), error)
 
     def serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
         """Return :meth:`growth` on the few ellipses that an estimate finds best."""
@@ -285,7 +273,8 @@ class Centre(Piece):
         """Return ``(NA rho)^2``."""
         return x * x * self.layers.NA**2
 
-    def _is_root(self, index: float) -> bool:
+    def is_root(self, index: float) -> bool:
+        """Return True: the cosine of no layer is the variable."""
         return True
 
     def jacobian(self, x: Values) -> Values:
@@ -293,39 +282,33 @@ class Centre(Piece):
         return x
 
     @property
-    def _rooted(self) -> tuple[float, ...]:
+    def rooted(self) -> tuple[float, ...]:
+        """All layers."""
         return self.layers.immersion, self.layers.glass, self.layers.sample
 
-    def _height(self, at: At) -> Array:
-        return np.asarray(np.abs(at.x.centre.imag) + at.x.radius)
 
-
-def _root(of: Values) -> Values:
-    return of.sqrt() if isinstance(of, Disc) else np.sqrt(of + 0.0j)
+Factor = Callable[[Piece], Array]
+"""The log of a bound on a further analytic factor of the integrands, on each disc around a section."""
 
 
 @lru_cache(maxsize=32)
-def enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None) -> tuple[Covered, Array]:
-    """Return ellipses with discs, and the log of a bound on every part without exponential and Bessel function."""
-    covered = piece.covered if rows is None else piece._cover(ETA[list(rows)])
-    return covered, _largest(piece, model, covered)
-
-
-def _largest(piece: Piece, model: Model, covered: Covered) -> Array:
-    at, (t_s, t_p, _) = covered.at, covered.amplitudes
+def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
+    """Return ellipses as discs, and the log of a bound on every part without exponential and Bessel function."""
+    at = piece.covered if rows is None else piece._cover(ETA[list(rows)])
+    t_s, t_p, _ = at.amplitudes
     with np.errstate(all="ignore"):
         light = np.log(piece.jacobian(at.x).largest)
         if model.aplanatic:
             light -= 0.5 * np.log(at(piece.layers.immersion).least)
         if model.kind == "scalar":
-            return np.asarray(light + math.log(2.0))
+            return at, np.asarray(light + math.log(2.0))
         c_s = at(piece.layers.sample)
         sine = np.sqrt(at.square.largest) / piece.layers.sample
         if model.kind == "azimuthal":
-            return np.asarray(light + np.log(2.0 * t_s.largest))
+            return at, np.asarray(light + np.log(2.0 * t_s.largest))
         if model.kind == "radial":
-            return np.asarray(light + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
-        return np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
+            return at, np.asarray(light + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
+        return at, np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
 
 
 def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:

@@ -195,6 +195,14 @@ def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf)
     return found
 
 
+def rising(name: str, value: float | ArrayLike, *, count: int = 1) -> Array:
+    """Return at least `count` numbers that rise as a read-only array of one dimension; ValueError otherwise."""
+    found = np.atleast_1d(real_array(name, value))
+    if found.ndim != 1 or found.size < count or not np.all(np.diff(found) > 0.0):
+        raise ValueError(f"{name} must rise, and be {count} or more, got {shown(value)}")
+    return found
+
+
 def broadcast(names: str, *arrays: NDArray[Any]) -> tuple[Array, ...]:
     """Return arrays in the shape that they broadcast to; ValueError with their `names`, as "x and y", otherwise."""
     try:

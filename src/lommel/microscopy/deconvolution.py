@@ -12,7 +12,7 @@ from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import MISFIT, TINY, Course, RichardsonLucy, Tell, slack_of
 from lommel.imaging.restoration import Restoration, shown
-from lommel.microscopy.stack_blur import Part, Piece, TiledBlur
+from lommel.microscopy.stack_blur import Part, Piece, TiledBlur, overlap
 from lommel.psf import PSF
 
 STACK_MISFIT = (
@@ -98,7 +98,7 @@ def deconvolve(
     planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
     counted = _Counted(recorded, noise)
     blur = TiledBlur(psf, (recorded.shape[0], recorded.shape[1], recorded.shape[2]), (planes, pixels))
-    before = counted.discrepancies(blur.forward(counted.scene(planes, pixels)))
+    before = counted.mean(counted.discrepancies(blur.forward(counted.scene(planes, pixels))))
     walk = _Walk(blur, counted)
     with shown(progress) as tell:
         course = walk.solve(method or RichardsonLucy(target=1.0), tell)
@@ -108,16 +108,8 @@ def deconvolve(
         stopped = STACK_MISFIT
     elif course.steps == 0 and counted.electrons >= 1.0 and found < 1.0 - 4.0 * slack_of(counted.known):
         stopped = TOO_QUIET
-    return Restoration(
-        values,
-        values,
-        found,
-        tuple(map(float, walk.discrepancies)),
-        counted.mean(before),
-        course.steps,
-        stopped,
-        unknown=1.0 - float(counted.known.sum()) / recorded.size,
-    )
+    discrepancies, unknown = tuple(map(float, walk.discrepancies)), 1.0 - float(counted.known.sum()) / recorded.size
+    return Restoration(values, values, found, discrepancies, before, course.steps, stopped, unknown=unknown)
 
 
 class _Counted:
@@ -164,17 +156,11 @@ class _Counted:
         def part(plane: int, rows: slice, columns: slice) -> Values:
             out = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
             if 0 <= plane - planes < len(self._recorded):
-                inside = [
-                    slice(max(along.start - pixels, 0), max(min(along.stop - pixels, side), 0))
-                    for along, side in zip((rows, columns), self._recorded.shape[1:], strict=True)
-                ]
-                counts, weight = self.part(plane - planes, inside[0], inside[1])
-                light = np.maximum(counts - self._added[inside[0], inside[1]], 0.0)
-                place = tuple(
-                    slice(found.start + pixels - along.start, found.stop + pixels - along.start)
-                    for found, along in zip(inside, (rows, columns), strict=True)
-                )
-                out[place] = np.where(weight > 0.0, light, self.level)
+                sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
+                (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
+                counts, weight = self.part(plane - planes, y, x)
+                light = np.maximum(counts - self._added[y, x], 0.0)
+                out[down, across] = np.where(weight > 0.0, light, self.level)
             return out
 
         return part

@@ -92,6 +92,8 @@ def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
     return values.astype(np.float64), (origin, values.shape[1] // 2, values.shape[2] // 2)
 
 
+Plane = tuple[slice, slice]
+"""Rows and columns of part of a plane."""
 # Takes the number of a plane, rows and columns, and returns its values there.
 Part = Callable[[int, slice, slice], Values]
 
@@ -112,7 +114,7 @@ class TiledBlur:
     """Convolution of a specimen larger than its recording by a margin, by FFTs of tiles, and its transpose."""
 
     def __init__(self, psf: PSF, shape: tuple[int, int, int], margin: tuple[int, int]) -> None:
-        from scipy.fft import next_fast_len
+        from scipy.fft import fft, next_fast_len, rfft2
 
         self._kernel, middle = kernel_of(psf)
         self.shape, self._margin = shape, (margin[0], margin[1], margin[1])
@@ -127,8 +129,23 @@ class TiledBlur:
             _tile(side, more, int(math.sqrt(most)))
             for side, more in zip(self.whole[1:], self._kernel.shape[1:], strict=True)
         )
-        self._transfer = self._transformed_kernel()
-        self._sums = self._sums_of_kernel()
+        # The transform of the kernel, with the point in the first voxel.
+        self._transfer = np.zeros((self._depth, self._tile[0], self._tile[1] // 2 + 1), dtype=np.complex64)
+        tile = np.zeros(self._tile, dtype=np.float32)
+        for plane, values in enumerate(self._kernel):
+            tile[: values.shape[0], : values.shape[1]] = values
+            moved = np.roll(tile, [-at for at in middle[1:]], axis=(0, 1))
+            self._transfer[plane - middle[0]] = rfft2(moved)
+        for row in range(self._tile[0]):
+            self._transfer[:, row] = fft(self._transfer[:, row], axis=0)
+        # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
+        along = np.cumsum(np.pad(self._kernel, ((1, 0), (0, 0), (0, 0))), axis=0)
+        sums = np.zeros((self.whole[0], *(side + 1 for side in self._kernel.shape[1:])))
+        for at in range(-self._before, self.whole[0] + self._after):
+            first = self._margin[0] + self._lower[0] - at
+            low, high = np.clip((first, first + self.shape[0]), 0, len(self._kernel))
+            sums[min(max(at, 0), self.whole[0] - 1), 1:, 1:] += along[high] - along[low]
+        self._sums = sums.cumsum(axis=1).cumsum(axis=2)
 
     def forward(self, specimen: Part) -> Iterator[Piece]:
         """Yield the recording of a specimen, each part of it once."""
@@ -136,7 +153,7 @@ class TiledBlur:
 
         planes, (margin, across, _) = self.shape[0], self._margin
         for core in self._cores(self.shape):
-            light = self._transformed(specimen, self.whole, range(self.whole[0]), 0, core, self._upper, across)
+            light = self._transformed(specimen, self.whole, 0, core, self._upper, across)
             light[self.whole[0] :][: self._after] = light[self.whole[0] - 1]
             light[self._depth - self._before :] = light[0]
             self._along_planes(light)
@@ -150,7 +167,7 @@ class TiledBlur:
 
         planes, (margin, across, _) = self.whole[0], self._margin
         for core in self._cores(self.whole):
-            seen = self._transformed(recording, self.shape, range(self.shape[0]), margin, core, self._lower, -across)
+            seen = self._transformed(recording, self.shape, margin, core, self._lower, -across)
             self._along_planes(seen, transposed=True)
             if self._after:
                 seen[planes - 1] += seen[planes:][: self._after].sum(axis=0)
@@ -172,41 +189,28 @@ class TiledBlur:
         between = sums[bottom] - sums[top]
         return np.asarray(between[:, right] - between[:, left])
 
-    def _cores(self, shape: tuple[int, ...]) -> Iterator[tuple[slice, slice]]:
+    def _cores(self, shape: tuple[int, ...]) -> Iterator[Plane]:
         """Yield rows and columns of planes of this shape that are computed in one go."""
-        rows, columns = (
-            [slice(at, min(at + step, side)) for at in range(0, side, step)]
-            for side, step in (
-                (side, tile - more + 1)
-                for side, tile, more in zip(shape[1:], self._tile, self._kernel.shape[1:], strict=True)
-            )
-        )
-        for row in rows:
-            for column in columns:
-                yield row, column
+        down, across = (tile - more + 1 for tile, more in zip(self._tile, self._kernel.shape[1:], strict=True))
+        for row in range(0, shape[1], down):
+            for column in range(0, shape[2], across):
+                yield slice(row, min(row + down, shape[1])), slice(column, min(column + across, shape[2]))
 
     def _transformed(
-        self,
-        values: Part,
-        shape: tuple[int, ...],
-        planes: range,
-        first: int,
-        core: tuple[slice, slice],
-        reach: tuple[int, ...],
-        shift: int,
+        self, values: Part, shape: tuple[int, ...], first: int, core: Plane, reach: tuple[int, ...], shift: int
     ) -> Values:
         """Return Fourier transforms of planes, of all that lies within the reach of a core; the others are 0."""
         from scipy.fft import rfft2
 
         out = np.zeros((self._depth, self._tile[0], self._tile[1] // 2 + 1), dtype=np.complex64)
         tile = np.zeros(self._tile, dtype=np.float32)
-        taken, given = [], []
-        for part, side, low, more in zip(core, shape[1:], reach[1:], self._kernel.shape[1:], strict=True):
-            start, stop = part.start + shift - low, part.stop + shift - low + more - 1
-            taken.append(slice(max(start, 0), max(min(stop, side), 0)))
-            given.append(slice(taken[-1].start - start, taken[-1].stop - start))
-        for plane in planes:
-            tile[given[0], given[1]] = values(plane, taken[0], taken[1])
+        ends = zip(core, shape[1:], reach[1:], self._kernel.shape[1:], strict=True)
+        (rows, down), (columns, across) = (
+            overlap(part.start + shift - low, part.stop + shift - low + more - 1, side)
+            for part, side, low, more in ends
+        )
+        for plane in range(shape[0]):
+            tile[down, across] = values(plane, rows, columns)
             out[first + plane] = rfft2(tile)
         return out
 
@@ -219,29 +223,6 @@ class TiledBlur:
             made *= self._transfer[:, row].conj() if transposed else self._transfer[:, row]
             transform[:, row] = ifft(made, axis=0, overwrite_x=True)
 
-    def _transformed_kernel(self) -> Values:
-        """Return the transform of the kernel, with the point in the first voxel."""
-        from scipy.fft import fft, rfft2
-
-        out = np.zeros((self._depth, self._tile[0], self._tile[1] // 2 + 1), dtype=np.complex64)
-        tile = np.zeros(self._tile, dtype=np.float32)
-        for plane, values in enumerate(self._kernel):
-            tile[: values.shape[0], : values.shape[1]] = values
-            out[plane - self._lower[0]] = rfft2(np.roll(tile, [-at for at in self._lower[1:]], axis=(0, 1)))
-        for row in range(out.shape[1]):
-            out[:, row] = fft(out[:, row], axis=0)
-        return out
-
-    def _sums_of_kernel(self) -> Array:
-        """Return cumulative sums of the kernel over the recorded planes, for each plane of the specimen."""
-        along = np.cumsum(np.pad(self._kernel, ((1, 0), (0, 0), (0, 0))), axis=0)
-        out = np.zeros((self.whole[0], *(side + 1 for side in self._kernel.shape[1:])))
-        for plane in range(-self._before, self.whole[0] + self._after):
-            first = self._margin[0] + self._lower[0] - plane
-            low, high = np.clip((first, first + self.shape[0]), 0, len(self._kernel))
-            out[min(max(plane, 0), self.whole[0] - 1), 1:, 1:] += along[high] - along[low]
-        return out.cumsum(axis=1).cumsum(axis=2)
-
 
 def _tile(side: int, kernel: int, most: int) -> int:
     """Return the side of tiles, of which few do for `side` pixels."""
@@ -252,7 +233,13 @@ def _tile(side: int, kernel: int, most: int) -> int:
     return int(next_fast_len(math.ceil(side / pieces) + kernel - 1, real=True))
 
 
-def _inside(core: tuple[slice, slice], reach: tuple[int, ...]) -> tuple[slice, slice]:
+def _inside(core: Plane, reach: tuple[int, ...]) -> Plane:
     """Return where a core is in its tile."""
     rows, columns = (slice(low, low + part.stop - part.start) for part, low in zip(core, reach[1:], strict=True))
     return rows, columns
+
+
+def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
+    """Return which of `side` pixels lie in a window from `start` to `stop`, and where in the window they are."""
+    taken = slice(max(start, 0), max(min(stop, side), 0))
+    return taken, slice(taken.start - start, taken.stop - start)

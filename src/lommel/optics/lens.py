@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import display, validation
 from lommel.base.cached import cached_property, changed
 from lommel.base.units import format_length
-from lommel.optics.aperture.apodization import Apodization, illumination, lens_apodization
+from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.aperture.obstructions import CatEye, Ellipse, Mask, Spider
 from lommel.optics.base_pupil import Geometry, object_distances
 from lommel.optics.colour.dispersion import Colour, PupilColour
@@ -161,6 +161,13 @@ class Lens(display.Shown):
         d = sensor(f, focus_distance, sensor_distance)
         if aberrations is None:
             aberrations = Wavefront()
+        if isinstance(apodization, str) and apodization != "aplanatic":
+            got = validation.shown(apodization)
+            raise ValueError(f"apodization must be a number, an Apodization or 'aplanatic', got {got}")
+        if isinstance(apodization, str) and model != "aplanatic":
+            raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
+        if not isinstance(apodization, str | Apodization):
+            apodization = illumination(apodization).slope
         values: dict[str, Any] = {
             "focal_length": f,
             "aperture_diameter": diameter,
@@ -173,7 +180,7 @@ class Lens(display.Shown):
             "mask": mask,
             "model": validation.choice("model", model, MODELS),
             "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
-            "apodization": lens_apodization(apodization, model),
+            "apodization": apodization,
             "colour": colour,
         }
         validation.optional("colour", colour, Colour)

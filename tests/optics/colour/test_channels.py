@@ -108,7 +108,7 @@ def test_what_no_few_wavelengths_can_do_is_told():
         lm.Channels.from_curves(WAVES, CURVES, paths=5e-3)
     with pytest.raises(ValueError, match="curves must be of shape"):
         lm.Channels.from_curves(WAVES, CURVES[:, 1:])
-    with pytest.raises(ValueError, match="wavelengths must be two or more that rise"):
+    with pytest.raises(ValueError, match="wavelengths must rise, and be 2 or more"):
         lm.Channels.from_curves(WAVES[::-1], CURVES)
 
 

@@ -97,11 +97,16 @@ class Apodization:
         q = s * s / (1.0 + cosine) ** 2  # (1 - cos) / (1 + cos)
         if p == 0.0 or q == 0.0:
             return cls()
+        from numpy.polynomial import Chebyshev, Polynomial
+
         k = np.arange(1, _MOST + 1)
         series = p * q**k / k
         tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
         degree = 1 + next((i for i in range(_MOST) if tails[i] <= _ROUNDING * abs(series[0])), _MOST - 1)
-        powers = np.concatenate(([0.0], series[:degree])) @ _chebyshev_to_powers(degree)
+        # Coefficients of t^j in T_k(2t - 1): integers, exact.
+        rows = [Chebyshev.basis(i, domain=[0.0, 1.0]).convert(kind=Polynomial).coef for i in range(degree + 1)]
+        matrix = np.stack([np.pad(row, (0, degree + 1 - row.size)) for row in rows])
+        powers = np.concatenate(([0.0], series[:degree])) @ matrix
         left = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
         return cls(tuple(powers[1:].tolist()), error=math.expm1(min(left, _LARGEST)))
 
@@ -166,14 +171,6 @@ class Apodization:
         return cls(tuple(description["powers"]), error=description["error"])
 
 
-def _chebyshev_to_powers(degree: int) -> Array:
-    """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: integers, exact."""
-    from numpy.polynomial import Chebyshev, Polynomial
-
-    rows = [Chebyshev.basis(k, domain=[0.0, 1.0]).convert(kind=Polynomial).coef for k in range(degree + 1)]
-    return np.stack([np.pad(row, (0, degree + 1 - row.size)) for row in rows])
-
-
 def _constant(powers: list[float]) -> float:
     """Return the g_0 with which the exponent is nowhere on [0, 1] negative, and hardly more."""
     if all(g >= 0.0 for g in powers):
@@ -209,17 +206,3 @@ def illumination(apodization: float | Apodization) -> Apodization:
     if isinstance(apodization, Apodization):
         return apodization
     return _gaussian(validation.real("apodization", apodization, least=0.0, below=_LARGEST + 1e-9))
-
-
-def lens_apodization(value: float | Apodization | str, model: str) -> float | Apodization | str:
-    """Return the apodization of a lens as it is kept."""
-    if not isinstance(value, str):
-        light = illumination(value)
-        return value if isinstance(value, Apodization) else light.slope
-    if value != "aplanatic":
-        raise ValueError(
-            f"apodization must be a number, an Apodization or 'aplanatic', got {validation.shown(value)}"
-        )
-    if model != "aplanatic":
-        raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
-    return value

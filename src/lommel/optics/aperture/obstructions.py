@@ -262,9 +262,7 @@ class Mask:
 
     def __eq__(self, other: object) -> bool:
         """Two masks are equal if all their values are."""
-        if not isinstance(other, Mask):
-            return NotImplemented
-        return self._digest == other._digest
+        return self._digest == other._digest if isinstance(other, Mask) else NotImplemented
 
     def __hash__(self) -> int:
         return hash(self._digest)

@@ -64,9 +64,7 @@ class Colour:
         lateral: ArrayLike | None = None,
         heights: ArrayLike | None = None,
     ) -> None:
-        waves = _rising("wavelengths", wavelengths)
-        if waves.size < 2:
-            raise ValueError(f"wavelengths must be at least two, got {waves.size}")
+        waves = validation.rising("wavelengths", wavelengths, count=2)
         for wave in waves:
             validation.wavelength(float(wave))
         shift = np.zeros(waves.size) if focus_shift is None else validation.real_array("focus_shift", focus_shift)
@@ -75,7 +73,7 @@ class Colour:
         if (lateral is None) != (heights is None):
             raise ValueError("lateral and heights, at which it is known, must be given together or not at all")
         across = np.zeros((0, waves.size)) if lateral is None else validation.real_array("lateral", lateral)
-        places = np.zeros(0) if heights is None else _rising("heights", heights)
+        places = np.zeros(0) if heights is None else validation.rising("heights", heights)
         if places.size and not places[0] > 0.0:
             raise ValueError(f"heights must be above 0, where there is no lateral colour, got {places[0]:g}")
         across = np.atleast_2d(across)
@@ -226,13 +224,6 @@ class PupilColour:
         parts = dict(description)
         x, y = (tuple(float(p) for p in parts.pop(name)) for name in ("x", "y"))
         return cls(Colour.from_dict(parts.pop("table")), x=x, y=y, **parts)
-
-
-def _rising(name: str, value: ArrayLike) -> Array:
-    array = np.atleast_1d(validation.real_array(name, value))
-    if array.ndim != 1 or not np.all(np.diff(array) > 0.0):
-        raise ValueError(f"{name} must rise, got {validation.shown(value)}")
-    return array
 
 
 def _between(at: float | Array, known: Sequence[float] | Array, values: Sequence[float]) -> Array:

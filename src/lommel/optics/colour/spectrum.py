@@ -371,9 +371,7 @@ class Channels:
         TypeError, ValueError
             If numbers are not as stated, or more than 256 wavelengths are needed.
         """
-        waves = validation.real_array("wavelengths", wavelengths)
-        if waves.ndim != 1 or waves.size < 2 or not np.all(np.diff(waves) > 0.0):
-            raise ValueError(f"wavelengths must be two or more that rise, got {validation.shown(wavelengths)}")
+        waves = validation.rising("wavelengths", wavelengths, count=2)
         for wave in (waves[0], waves[-1]):
             validation.wavelength(float(wave))
         light = validation.real_array("curves", curves, least=0.0)

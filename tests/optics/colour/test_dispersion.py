@@ -118,7 +118,7 @@ def test_only_differences_of_the_focal_shift_count():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (([550e-9], [0.0]), "wavelengths must be at least two"),
+        (([550e-9], [0.0]), "wavelengths must rise, and be 2 or more"),
         (([550e-9, 500e-9], [0.0, 0.0]), "wavelengths must rise"),
         (([550, 650], [0.0, 0.0]), "550e-9"),
         ((WAVES, [0.0, 1e-6]), "focus_shift must be one for each of 3 wavelengths"),

@@ -45,10 +45,30 @@ class Kinks:
         circles += [(eye.shift, eye.radius)] if eye is not None else []
         if spider is not None:
             self._vanes(spider, circles, ellipse is not None)
-        if ellipse is not None and obscuration > 0.0:
-            self._ellipse(ellipse.a, ellipse.b, obscuration)
-        if eye is not None and any(eye.shift):
-            self._eye(eye, obscuration)
+        if ellipse is not None and obscuration > 0.0 and ellipse.a != ellipse.b:
+            # Where the middle is obscured, ``obscuration / |e(theta)|`` is the edge of that in the frame.
+            a, b = ellipse.a, ellipse.b
+            depth, base = math.atanh(min(a, b) / max(a, b)), 0.5 * math.pi if a > b else 0.0
+            self.poles += [base + k * math.pi + sign * 1j * depth for k in (0, 1) for sign in (-1, 1)]
+            square = (obscuration**2 - b**2) / (a**2 - b**2)
+            if 0.0 <= square <= 1.0:
+                angle = math.acos(math.sqrt(square))
+                self.kinks += [angle, math.pi - angle, math.pi + angle, -angle]
+        distance = 0.0 if eye is None else math.hypot(*eye.shift)
+        if eye is not None and distance >= 1e-15:  # less no angle can tell from none
+            toward = math.atan2(eye.shift[1], eye.shift[0])
+            for radius in (1.0, obscuration):
+                cosine = (
+                    (distance**2 + radius**2 - eye.radius**2) / (2.0 * distance * radius) if radius > 0.0 else 2.0
+                )
+                if abs(cosine) <= 1.0:
+                    self.kinks += [toward + math.acos(cosine), toward - math.acos(cosine)]
+            # Branch points of sqrt(radius^2 - distance^2 sin^2): the tangents from the axis, if it is outside.
+            tangent = cmath.asin(eye.radius / distance)
+            turns = [tangent, -tangent, math.pi - tangent, math.pi + tangent]
+            self.poles += [toward + angle for angle in [*turns, *(angle.conjugate() for angle in turns)]]
+            if eye.radius <= distance:
+                self.roots += [toward + tangent.real, toward - tangent.real]
 
     def _point(self, x: float, y: float) -> float:
         u, w = self.back @ (x, y)
@@ -83,33 +103,6 @@ class Kinks:
                 s = (-b + sign * math.sqrt(b * b - a * c)) / a
                 if s > 0.0:
                     self.kinks.append(self._point(*(start + s * (d if along is None else along))))
-
-    def _ellipse(self, a: float, b: float, eps: float) -> None:
-        """Add what obscuring the middle of an ellipse brings: ``eps / |e(theta)|`` is its edge in the frame."""
-        if a == b:
-            return
-        depth = math.atanh(min(a, b) / max(a, b))
-        base = 0.5 * math.pi if a > b else 0.0
-        self.poles += [base + k * math.pi + sign * 1j * depth for k in (0, 1) for sign in (-1, 1)]
-        square = (eps**2 - b**2) / (a**2 - b**2)
-        if 0.0 <= square <= 1.0:
-            angle = math.acos(math.sqrt(square))
-            self.kinks += [angle, math.pi - angle, math.pi + angle, -angle]
-
-    def _eye(self, eye: CatEye, eps: float) -> None:
-        distance, toward = math.hypot(*eye.shift), math.atan2(eye.shift[1], eye.shift[0])
-        if distance < 1e-15:  # which no angle can tell from none
-            return
-        for radius in (1.0, eps):
-            cosine = (distance**2 + radius**2 - eye.radius**2) / (2.0 * distance * radius) if radius > 0.0 else 2.0
-            if abs(cosine) <= 1.0:
-                self.kinks += [toward + math.acos(cosine), toward - math.acos(cosine)]
-        # Branch points of sqrt(radius^2 - distance^2 sin^2): the tangents from the axis, if it is outside.
-        tangent = cmath.asin(eye.radius / distance)
-        turns = [tangent, -tangent, math.pi - tangent, math.pi + tangent]
-        self.poles += [toward + angle for angle in [*turns, *(angle.conjugate() for angle in turns)]]
-        if eye.radius <= distance:
-            self.roots += [toward + tangent.real, toward - tangent.real]
 
 
 def graded(a: float, b: float, poles: list[complex], roots: list[float]) -> list[tuple[float, float, int]]:

@@ -319,12 +319,11 @@ class Channels:
             raise ValueError("centers must not be empty")
         half = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")
         nodes, weights = gauss_legendre(validation.integer("count", count, least=1, most=256), -1.0, 1.0)
-        waves: dict[float, int] = {}
-        found = [[(waves.setdefault(m + half * x, len(waves)), w) for x, w in zip(nodes, weights, strict=True)]
-                 for m in middle]  # fmt: skip
-        rows = np.zeros((len(middle), len(waves)))
-        for row, pairs in zip(rows, found, strict=True):
-            row[[k for k, _ in pairs]] = [w for _, w in pairs]
+        bands = [(center + half * nodes).tolist() for center in middle]
+        waves = list(dict.fromkeys(wave for band in bands for wave in band))
+        rows = np.zeros((len(bands), len(waves)))
+        for row, band in zip(rows, bands, strict=True):
+            row[[waves.index(wave) for wave in band]] = weights
         return cls(tuple(waves), rows, names)
 
     @classmethod

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.optics.layers.quadrature_bounds import ETA, At, Complex, Factor, Model, Piece, enclosed, extremes, pieces
+from lommel.optics.layers.quadrature_bounds import ETA, At, Complex, Factor, Model, enclosed, extremes, pieces
 from lommel.optics.layers.stratified import Layers
 from lommel.special.legendre import gauss_legendre
 
@@ -165,11 +165,17 @@ def slope_errors(
     found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float, float]:
     """Bound the errors of a rule in derivatives by the depth, the focus, v, and ln k at fixed v."""
-    share = tol / len(found.counts)
-    each = [
-        _of_piece(piece, model, depth, focus, v, share, n)
-        for piece, n in zip(pieces(layers, model), found.counts, strict=True)
-    ]
+    each = []
+    for piece, n in zip(pieces(layers, model), found.counts, strict=True):
+        growth = piece.serving(model, depth, focus, v, tol / len(found.counts))
+        rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
+        covered, _ = enclosed(piece, model, rows)
+        _, by_depth, by_focus = covered.rates
+        # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
+        rho = np.sqrt(covered.square.largest) / layers.NA
+        factors = by_depth.largest, by_focus.largest, rho, _phases(covered, model, depth, focus)
+        proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
+        each.append([float(np.exp((proven + np.log(factor.max(axis=-1))).min())) for factor in factors])
     by_k = turning(found, layers, model)
     phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
     if by_k.changes is not None:
@@ -191,21 +197,6 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
         rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
         found = np.maximum(found, [*(each.max() for each in rates), _phases(covered, model, depth, focus).max()])
     return float(found[0]), float(found[1]), float(found[2])
-
-
-def _of_piece(
-    piece: Piece, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
-) -> tuple[float, ...]:
-    """Bound the errors of n nodes of a section, which serve to `error`."""
-    growth = piece.serving(model, depth, focus, v, error)
-    rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
-    covered, _ = enclosed(piece, model, rows)
-    _, by_depth, by_focus = covered.rates
-    # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
-    rho = np.sqrt(covered.square.largest) / piece.layers.NA
-    factors = by_depth.largest, by_focus.largest, rho, _phases(covered, model, depth, focus)
-    proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
-    return tuple(float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
 
 
 def _phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:

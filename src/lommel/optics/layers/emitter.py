@@ -126,12 +126,11 @@ class Dipole:
     wobble: float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("polar", "azimuth"):
-            object.__setattr__(self, name, validation.real(name, getattr(self, name)))
+        polar, azimuth = validation.real("polar", self.polar), validation.real("azimuth", self.azimuth)
         wobble = validation.real("wobble", self.wobble, least=0.0)
         if wobble > 1.0:
             raise ValueError(f"wobble must be from 0 to 1, got {wobble:g}")
-        object.__setattr__(self, "wobble", wobble)
+        vars(self).update(polar=polar, azimuth=azimuth, wobble=wobble)
 
     @property
     def moments(self) -> Array:

@@ -275,12 +275,10 @@ class Objective:
         metres = validation.wavelength(wavelength)
         used, meant = Design(self.immersion, self.coverslip), self.design
         paths = []
-        for side, sign in ((used, 1.0), (meant, -1.0)) if used != meant else ():
-            room = self._clearance if side is used else self.working_distance
-            assert room is not None  # as there is with a design
-            paths.append((side.immersion, sign * room))
-            if side.coverslip:
-                paths.append((side.coverslip.index, sign * side.coverslip.thickness))
+        for side, room, sign in ((used, self._clearance, 1.0), (meant, self.working_distance, -1.0)):
+            if used != meant and room is not None:  # as there is with a design
+                paths.append((side.immersion, sign * room))
+                paths += [(side.coverslip.index, sign * side.coverslip.thickness)] if side.coverslip else []
         glass = self.coverslip.index if self.coverslip else self.immersion
         films = tuple((film.index, film.thickness) for film in self.films)
         return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres)

@@ -105,17 +105,6 @@ class OPDMap:
         return f"<OPDMap {', '.join([size, f'{self.mask.mean():.1%} measured', *known])}>"
 
 
-def plain(opd: ArrayLike | OPDMap, unit: str | None, wavelength: float | None) -> tuple[ArrayLike, str, float | None]:
-    """Return a map as an array, masked where there is no measurement, its unit and its wavelength."""
-    if not isinstance(opd, OPDMap):
-        if unit is None:
-            raise TypeError("unit must be given, 'radians', 'waves' or 'metres', where opd is no OPDMap")
-        return opd, unit, wavelength
-    if unit not in (None, "metres"):
-        raise ValueError(f"unit must be left out for an OPDMap, which is in metres, got {validation.shown(unit)}")
-    return np.ma.masked_invalid(opd.values), "metres", opd.wavelength if wavelength is None else wavelength
-
-
 @dataclass(frozen=True, eq=False)
 class WavefrontFit:
     """A wavefront fitted to measurements, and its residual.
@@ -258,7 +247,13 @@ def fit_opd(
         On maps that are not finite inside the mask (the message says where), masks without a pixel, too few
         samples for the terms, samples that do not determine them, or a residual beyond `tol`.
     """
-    opd, unit, wavelength = plain(opd, unit, wavelength)
+    if isinstance(opd, OPDMap):
+        if unit not in (None, "metres"):
+            raise ValueError(f"unit must be left out for an OPDMap, which is in metres, got {validation.shown(unit)}")
+        unit, wavelength = "metres", opd.wavelength if wavelength is None else wavelength
+        opd = np.ma.masked_invalid(opd.values)
+    elif unit is None:
+        raise TypeError("unit must be given, 'radians', 'waves' or 'metres', where opd is no OPDMap")
     scale = radians_per(unit, wavelength)
     limit = math.inf if tol is None else validation.real("tol", tol, above=0.0)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Json, Values
+from lommel.base.arrays import Array, Json
 from lommel.base.units import format_length
 from lommel.optics.base_pupil import BasePupil
 from lommel.special.legendre import gauss_legendre
@@ -83,18 +83,12 @@ class Spectrum:
 
 def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
     """Return wavelengths in metres; TypeError or ValueError if one is out of range or there are none."""
-    waves = tuple(validation.wavelength(w) for w in _in_a_row(wavelengths))
-    if not waves:
-        raise ValueError("wavelengths must not be empty")
-    return waves
-
-
-def _in_a_row(wavelengths: ArrayLike) -> Values:
-    """Return wavelengths as an array of one dimension; TypeError or ValueError if they are none."""
     given = np.atleast_1d(validation.array("wavelengths", wavelengths))
     if given.ndim > 1:
         raise ValueError(f"wavelengths must be a number or a sequence of them, got shape {given.shape}")
-    return given
+    if not given.size:
+        raise ValueError("wavelengths must not be empty")
+    return tuple(validation.wavelength(w) for w in given)
 
 
 # The intensity at a point of the sensor is a sum over pairs of points of the pupil, whose optical paths to it differ
@@ -329,11 +323,11 @@ class Channels:
     @classmethod
     def of_wavelengths(cls, wavelengths: ArrayLike) -> Channels:
         """Return a channel for each of `wavelengths` (metres), named ``"550 nm"``; TypeError or ValueError."""
-        waves = _in_a_row(wavelengths)
+        waves = checked_wavelengths(wavelengths)
         # The fewest digits that tell the wavelengths apart.
-        spelled = ([format_length(validation.wavelength(w), digits=n) for w in waves] for n in range(4, 18))
-        names = next((each for each in spelled if len({*each}) == len(waves)), [repr(float(w)) for w in waves])
-        return cls(tuple(waves), np.eye(len(waves)), names)
+        spelled = ([format_length(w, digits=n) for w in waves] for n in range(4, 18))
+        names = next((each for each in spelled if len({*each}) == len(waves)), [repr(w) for w in waves])
+        return cls(waves, np.eye(len(waves)), names)
 
     @classmethod
     def from_curves(

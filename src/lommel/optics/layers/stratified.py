@@ -104,7 +104,8 @@ class Layers:
         for polarisation, first, last in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
             of, slope = (last * 0.0 + 1.0, last), (last * 0.0, last * 0.0)
             for matrix, by_k in self._matrices(square, polarisation):
-                slope = _sum(_applied(by_k, of), _applied(matrix, slope))
+                changed, kept = _applied(by_k, of), _applied(matrix, slope)
+                slope = changed[0] + kept[0], changed[1] + kept[1]
                 of = _applied(matrix, of)
             found.append((slope[0] * first + slope[1]) * -1.0 / (of[0] * first + of[1]))
         return found[0], found[1]
@@ -144,10 +145,6 @@ class _Matrix(NamedTuple):
 def _applied(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
     top, bottom = to
     return matrix.same * top + matrix.along * bottom, matrix.back * top + matrix.same * bottom
-
-
-def _sum(one: tuple[Values, Values], other: tuple[Values, Values]) -> tuple[Values, Values]:
-    return one[0] + other[0], one[1] + other[1]
 
 
 def cosine_and_sinc(square: Values) -> tuple[Values, Values]:

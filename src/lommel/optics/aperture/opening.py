@@ -29,80 +29,75 @@ from lommel.special.legendre import gauss_legendre
 _NEAR = 1e-9
 
 
-class Kinks:
-    """Angles where the edges of an opening have kinks, and the singularities that slow convergence."""
+def _kinks(
+    obscuration: float, spider: Spider | None, vignetting: Ellipse | CatEye | None
+) -> tuple[Array, list[float], list[complex], list[float]]:
+    """Return the frame, the angles where edges have kinks, and the poles and roots, which slow convergence."""
+    ellipse = vignetting if isinstance(vignetting, Ellipse) else None
+    eye = vignetting if isinstance(vignetting, CatEye) else None
+    frame = np.eye(2) if ellipse is None else ellipse.frame
+    back = np.linalg.inv(frame)
+    kinks: list[float] = []
+    poles: list[complex] = []
+    roots: list[float] = []
 
-    def __init__(self, obscuration: float, spider: Spider | None, vignetting: Ellipse | CatEye | None) -> None:
-        ellipse = vignetting if isinstance(vignetting, Ellipse) else None
-        eye = vignetting if isinstance(vignetting, CatEye) else None
-        self.frame = np.eye(2) if ellipse is None else ellipse.frame
-        self.back = np.linalg.inv(self.frame)
-        self.kinks: list[float] = []
-        self.poles: list[complex] = []
-        self.roots: list[float] = []
-        circles = [((0.0, 0.0), 1.0)] if ellipse is None else []
-        circles += [((0.0, 0.0), obscuration)] if obscuration > 0.0 else []
-        circles += [(eye.shift, eye.radius)] if eye is not None else []
-        if spider is not None:
-            self._vanes(spider, circles, ellipse is not None)
-        if ellipse is not None and obscuration > 0.0 and ellipse.a != ellipse.b:
-            # Where the middle is obscured, ``obscuration / |e(theta)|`` is the edge of that in the frame.
-            a, b = ellipse.a, ellipse.b
-            depth, base = math.atanh(min(a, b) / max(a, b)), 0.5 * math.pi if a > b else 0.0
-            self.poles += [base + k * math.pi + sign * 1j * depth for k in (0, 1) for sign in (-1, 1)]
-            square = (obscuration**2 - b**2) / (a**2 - b**2)
-            if 0.0 <= square <= 1.0:
-                angle = math.acos(math.sqrt(square))
-                self.kinks += [angle, math.pi - angle, math.pi + angle, -angle]
-        distance = 0.0 if eye is None else math.hypot(*eye.shift)
-        if eye is not None and distance >= 1e-15:  # less no angle can tell from none
-            toward = math.atan2(eye.shift[1], eye.shift[0])
-            for radius in (1.0, obscuration):
-                cosine = (
-                    (distance**2 + radius**2 - eye.radius**2) / (2.0 * distance * radius) if radius > 0.0 else 2.0
-                )
-                if abs(cosine) <= 1.0:
-                    self.kinks += [toward + math.acos(cosine), toward - math.acos(cosine)]
-            # Branch points of sqrt(radius^2 - distance^2 sin^2): the tangents from the axis, if it is outside.
-            tangent = cmath.asin(eye.radius / distance)
-            turns = [tangent, -tangent, math.pi - tangent, math.pi + tangent]
-            self.poles += [toward + angle for angle in [*turns, *(angle.conjugate() for angle in turns)]]
-            if eye.radius <= distance:
-                self.roots += [toward + tangent.real, toward - tangent.real]
-
-    def _point(self, x: float, y: float) -> float:
-        u, w = self.back @ (x, y)
+    def angle_of(place: Array) -> float:
+        u, w = back @ place
         return math.atan2(w, u)
 
-    def _vanes(self, spider: Spider, circles: list[tuple[tuple[float, float], float]], skewed: bool) -> None:
-        half = 0.5 * spider.width
-        edges = []
-        for angle in spider.angles:
-            d = np.array([math.cos(angle), math.sin(angle)])
-            n = np.array([-d[1], d[0]])
-            self.poles.append(self._point(*d))
-            self.kinks += [self._point(*n), self._point(*-n)]
-            edges += [(half * n, d), (-half * n, d)]
-        for start, d in edges:
-            for center, radius in circles:
-                self._crossings(start - center, d, radius, start)
-            if skewed:
-                self._crossings(self.back @ start, self.back @ d, 1.0, start, d)
-        for i, (p, d) in enumerate(edges):
-            for q, e in edges[:i]:
-                turn = d[0] * e[1] - d[1] * e[0]
-                if abs(turn) > 1e-12:
-                    s = ((q - p)[0] * e[1] - (q - p)[1] * e[0]) / turn
-                    self.kinks.append(self._point(*(p + s * d)))
-
-    def _crossings(self, p: Array, d: Array, radius: float, start: Array, along: Array | None = None) -> None:
+    def cross(p: Array, d: Array, radius: float, start: Array, along: Array) -> None:
         """Add where the line ``p + s d`` crosses a circle around the origin; s leads along the vane from `start`."""
         a, b, c = d @ d, p @ d, p @ p - radius**2
         if b * b >= a * c:
             for sign in (-1.0, 1.0):
                 s = (-b + sign * math.sqrt(b * b - a * c)) / a
                 if s > 0.0:
-                    self.kinks.append(self._point(*(start + s * (d if along is None else along))))
+                    kinks.append(angle_of(start + s * along))
+
+    circles = [((0.0, 0.0), 1.0)] if ellipse is None else []
+    circles += [((0.0, 0.0), obscuration)] if obscuration > 0.0 else []
+    circles += [(eye.shift, eye.radius)] if eye is not None else []
+    edges: list[tuple[Array, Array]] = []
+    half, angles = (0.0, ()) if spider is None else (0.5 * spider.width, spider.angles)
+    for angle in angles:
+        d = np.array([math.cos(angle), math.sin(angle)])
+        n = np.array([-d[1], d[0]])
+        poles.append(angle_of(d))
+        kinks += [angle_of(n), angle_of(-n)]
+        edges += [(half * n, d), (-half * n, d)]
+    for start, d in edges:
+        for center, radius in circles:
+            cross(start - center, d, radius, start, d)
+        if ellipse is not None:
+            cross(back @ start, back @ d, 1.0, start, d)
+    for i, (p, d) in enumerate(edges):
+        for q, e in edges[:i]:
+            turn = d[0] * e[1] - d[1] * e[0]
+            if abs(turn) > 1e-12:
+                kinks.append(angle_of(p + ((q - p)[0] * e[1] - (q - p)[1] * e[0]) / turn * d))
+    if ellipse is not None and obscuration > 0.0 and ellipse.a != ellipse.b:
+        # Where the middle is obscured, ``obscuration / |e(theta)|`` is the edge of that in the frame.
+        a, b = ellipse.a, ellipse.b
+        depth, base = math.atanh(min(a, b) / max(a, b)), 0.5 * math.pi if a > b else 0.0
+        poles += [base + k * math.pi + sign * 1j * depth for k in (0, 1) for sign in (-1, 1)]
+        square = (obscuration**2 - b**2) / (a**2 - b**2)
+        if 0.0 <= square <= 1.0:
+            angle = math.acos(math.sqrt(square))
+            kinks += [angle, math.pi - angle, math.pi + angle, -angle]
+    distance = 0.0 if eye is None else math.hypot(*eye.shift)
+    if eye is not None and distance >= 1e-15:  # less no angle can tell from none
+        toward = math.atan2(eye.shift[1], eye.shift[0])
+        for radius in (1.0, obscuration):
+            cosine = (distance**2 + radius**2 - eye.radius**2) / (2.0 * distance * radius) if radius > 0.0 else 2.0
+            if abs(cosine) <= 1.0:
+                kinks += [toward + math.acos(cosine), toward - math.acos(cosine)]
+        # Branch points of sqrt(radius^2 - distance^2 sin^2): the tangents from the axis, if it is outside.
+        tangent = cmath.asin(eye.radius / distance)
+        turns = [tangent, -tangent, math.pi - tangent, math.pi + tangent]
+        poles += [toward + angle for angle in [*turns, *(angle.conjugate() for angle in turns)]]
+        if eye.radius <= distance:
+            roots += [toward + tangent.real, toward - tangent.real]
+    return frame, kinks, poles, roots
 
 
 def graded(a: float, b: float, poles: list[complex], roots: list[float]) -> list[tuple[float, float, int]]:
@@ -324,19 +319,18 @@ class Opening:
 
     def _panels(self) -> tuple[Array, list[tuple[float, float, int]]]:
         """Return the frame, and clear panels ``(from, to, end)``, end being where a square root begins, or 0."""
-        geometry = Kinks(self.obscuration, self.spider, self.vignetting)
-        kinks, poles, roots = geometry.kinks, geometry.poles, geometry.roots
+        frame, kinks, poles, roots = _kinks(self.obscuration, self.spider, self.vignetting)
         full = 2.0 * math.pi
         edges = np.unique(np.mod([*kinks, *roots, 0.0 if not kinks else kinks[0]], full))
         edges = edges[np.append(True, np.diff(edges) > 1e-14)]
         panels = []
         for a, b in zip(edges, np.append(edges[1:], edges[0] + full), strict=True):
             # Between kinks a ray stays clear or blocked, but a sliver may close at one point only.
-            low, high = self._interval(geometry.frame, a + (b - a) * np.array([0.1, 0.3, 0.5, 0.7, 0.9]))
+            low, high = self._interval(frame, a + (b - a) * np.array([0.1, 0.3, 0.5, 0.7, 0.9]))
             if np.any(high > low):
                 arcs = bool(np.all(high == 1.0)) and np.ptp(low) < 1e-13  # around the axis: no singularity is felt
                 panels += [(float(a), float(b), 0)] if arcs else graded(float(a), float(b), poles, roots)
-        return geometry.frame, panels
+        return frame, panels
 
 
 def _count(rate: float) -> int:

@@ -64,9 +64,10 @@ def info(lens: Path, depth: float | None, **given: object) -> Report:
 def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
-    For circular and annular apertures the reference is direct quadrature (Hankel) if the wavefront is radially
-    symmetric, else the series with a proven error bound at a tolerance of 1e-9; for other apertures it is the
-    non-uniform FFT at 1e-11. Methods that do not support the pupil are listed with the reason.
+    For circular and annular apertures the reference is Hankel, direct quadrature, if the wavefront is radially
+    symmetric, else NijboerZernike at a tolerance of 1e-9, with a proven error bound; for other apertures it is
+    NonuniformFFT at a tolerance of 1e-11. Methods have their names of Python; --method takes closed-form for
+    ClosedForm, and so on (`lommel methods`). Those that do not support the pupil are listed with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. For a
     paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other methods

@@ -13,7 +13,7 @@ import pytest
 
 import lommel as lm
 from lommel.paper import figures, numbers, write
-from lommel.paper.setting import VARIANTS, Setting
+from lommel.paper.figures import VARIANTS, Setting
 
 SMALL = Setting(shape=96)
 

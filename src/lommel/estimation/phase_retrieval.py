@@ -464,6 +464,11 @@ def _retrieval(
         message = f"converged, but {doubt}; {work}" if doubt else f"converged: {work}"
     if chi2 < 2.0 - limit:
         message += "; the images are less noisy than white, read and offset of the noise say"
+    if model.sign_ambiguous:
+        message += "; one defocus of all images leaves the common sign of the even terms open: add a second one"
+    if not np.isfinite(errors).all():
+        blind = ", ".join(label(name) for name, error in zip(names, errors, strict=False) if not np.isfinite(error))
+        message += f"; the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
     return Retrieval(
         wavefront=wavefront,
         pupil=replace(model.pupil, wavefront=wavefront, geometry=None, **optics),
@@ -474,7 +479,7 @@ def _retrieval(
         chi2=chi2,
         converged=converged,
         reliable=converged and not doubt,
-        message=message + _ambiguities(model, errors),
+        message=message,
         flux=own[-2].copy(),
         background=own[-1].copy(),
         center=center,
@@ -515,15 +520,3 @@ def _doubt(model: StarImages, x: Array, inverse: Array) -> str:
         f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the answer "
         f"they change by a factor of up to {factors[worst[0]]:.3g}"
     )
-
-
-def _ambiguities(model: StarImages, errors: Array) -> str:
-    """Return the end of the message about what the images leave open."""
-    text, unknown = "", ~np.isfinite(errors)
-    if model.sign_ambiguous:
-        text = "; one defocus of all images leaves the common sign of the even terms open: add a second one"
-    if unknown.any():
-        shared = zip(model.names, unknown[: model.shared], strict=True)
-        names = ", ".join(label(name) for name, blind in shared if blind)
-        text += f"; the images do not determine {names or 'all of their places, fluxes and backgrounds'}"
-    return text

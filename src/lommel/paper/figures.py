@@ -1,23 +1,22 @@
-"""The figures of the paper: Fig. 1 to 7 and Eq. (17), and beyond it where the closed forms hold."""
+"""The figures of the paper and their settings: Fig. 1 to 7, Eq. (17), and where the closed forms hold."""
 
 from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel import methods
-from lommel.measures.errors import peak_error
+from lommel.measures.errors import mse, peak_error
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.paper.setting import REFERENCE, VARIANTS, Arrays, Facts, FigureData, Setting, measures, middle_row
 from lommel.psf import psf
 from lommel.special.bessel import j0_asymptotic, j0_series, tangent_line
 from lommel.special.erf import AbramowitzErf, FresnelErf
@@ -27,6 +26,94 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
+
+Arrays: TypeAlias = dict[str, NDArray[Any]]
+Facts: TypeAlias = dict[str, Any]
+
+VARIANTS = ("printed", "corrected")
+# The reference of every error, with a proven bound; `Hankel` agrees with it.
+REFERENCE = methods.NijboerZernike(tol=1e-9)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One PSF of the paper."""
+
+    shape: int = 512  # side of the image, pixels
+    # v = pi r / (lambda N) at the edge of the image. The paper does not state it; at 145 the rings of Fig. 4 lie
+    # where they do in the paper, and its first MSE comes out.
+    window: float = 145.0
+    defocus: float = 10.0  # C_d, radians
+    tangent: float = 100.0  # tangent-line centre alpha of Eq. (9), "TLC"
+    terms: int | None = 30  # N of Eq. (14); None for the exact error function
+
+    @property
+    def pixel(self) -> float:
+        """Pixel pitch in units of lambda*N."""
+        return self.window / (math.pi * (self.shape // 2))
+
+    @property
+    def v(self) -> NDArray[np.float64]:
+        """Optical coordinate along the slice from the centre to the right."""
+        return np.arange(self.shape - self.shape // 2, dtype=np.float64) * (self.window / (self.shape // 2))
+
+    def closed_form(self, variant: str) -> methods.ClosedForm:
+        """Return the paper's method with these parameters."""
+        erf = FresnelErf() if self.terms is None else AbramowitzErf(self.terms)
+        return methods.ClosedForm(tangent=self.tangent, erf=erf, variant=variant)
+
+    def fft(self) -> methods.Fraunhofer:
+        """Return the FFT that the paper compares with: one transform as large as the image, without more padding."""
+        # The pupil has a radius R of window / pi samples: n samples reach n/2 pixels of 2 pi R / n in v.
+        return methods.Fraunhofer(samples=math.floor(2.0 * self.window / math.pi), padding=1.0)
+
+    def image(self, method: methods.Method) -> NDArray[np.float64]:
+        """Return the intensity on the pixels, 1 being the peak of the unaberrated aperture."""
+        pupil = Pupil(Wavefront(self.defocus))
+        return np.asarray(
+            psf(pupil, self.shape, self.pixel, method=method, normalize="strehl", dtype="float64").values
+        )
+
+    def images(self) -> dict[str, NDArray[np.float64]]:
+        """Return the exact image, the FFT's and those of both variants by their names, over the exact peak."""
+        methods = {"exact": REFERENCE, "fft": self.fft()} | {name: self.closed_form(name) for name in VARIANTS}
+        images = {name: self.image(method) for name, method in methods.items()}
+        peak = images["exact"].max()
+        return {name: image / peak for name, image in images.items()}
+
+    def facts(self) -> Facts:
+        """Return the settings in plain types."""
+        return asdict(self)
+
+
+@dataclass(frozen=True, eq=False)
+class FigureData:
+    """The data of a figure."""
+
+    title: str
+    arrays: Arrays  # all data, images included
+    columns: Arrays  # one-dimensional data of one length, for a spreadsheet
+    facts: Facts = field(default_factory=dict)  # settings and errors, in plain types
+
+
+def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the slice from the centre to the right."""
+    return image[image.shape[0] // 2, image.shape[1] // 2 :]
+
+
+def measures(images: Mapping[str, NDArray[np.float64]]) -> dict[str, Facts]:
+    """Return MSE and peak error of each of :meth:`Setting.images`, and of the variants against the FFT."""
+    truth = images["exact"]
+    found: dict[str, Facts] = {
+        name: {"mse": mse(image, truth), "peak_error": peak_error(image, truth)}
+        for name, image in images.items()
+        if name != "exact"
+    }
+    for name in VARIANTS:
+        found[name]["mse_against_fft"] = mse(images[name], images["fft"])
+        found[name]["peak_error_of_slice"] = float(np.abs(middle_row(images[name]) - middle_row(truth)).max())
+    return found
+
 
 _V_AXIS = "v = πr/(λN)"
 _COLORS = {"exact": "black", "fft": "tab:green", "printed": "tab:red", "corrected": "tab:blue"}
@@ -260,7 +347,7 @@ def draw_bessel_forms(data: FigureData) -> Figure:
     return figure
 
 
-def compare_with_fft(setting: Setting = Setting()) -> FigureData:  # noqa: B008 (frozen)
+def compare_with_fft(setting: Setting = Setting()) -> FigureData:
     """Compute one PSF by the FFT, by both variants of the closed form, and exactly; 1 is the exact peak."""
     images = setting.images()
     facts = setting.facts() | measures(images)
@@ -316,7 +403,7 @@ VARIED = {
 }
 
 
-def vary(parameter: str, setting: Setting = Setting(), values: Sequence[float] = ()) -> FigureData:  # noqa: B008
+def vary(parameter: str, setting: Setting = Setting(), values: Sequence[float] = ()) -> FigureData:
     """Compute the closed form in both variants, the FFT and the exact PSF while one parameter varies."""
     label, usual, fixed = VARIED[parameter]
     values, setting = values or usual, replace(setting, **fixed)  # type: ignore[arg-type]

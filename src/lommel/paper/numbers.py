@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.paper.figures import SPHERICAL, VARIED, fit_quartic
-from lommel.paper.setting import REFERENCE, VARIANTS, Facts, Setting, measures, middle_row
+from lommel.paper import figures
+from lommel.paper.figures import REFERENCE, VARIANTS, Facts, Setting, measures, middle_row
 
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 FIRST = Setting()
 # Where both errors of the tangent-line comparison come closest to the paper's; see :func:`tangent_search`.
-SECOND = replace(FIRST, **VARIED["tangent"].fixed)  # type: ignore[arg-type]
+SECOND = replace(FIRST, **figures.VARIED["tangent"].fixed)  # type: ignore[arg-type]
 
 WINDOWS = np.arange(100.0, 301.0, 1.0)
 DEFOCI = np.arange(11.0, 41.0, 1.0)
@@ -101,14 +101,14 @@ def _tangent_rows(setting: Setting) -> list[Facts]:
 
 def _pieces_row() -> Facts:
     def missed(variant: str, c: float) -> float:
-        return fit_quartic(variant, c).mse((0.0, c))
+        return figures.fit_quartic(variant, c).mse((0.0, c))
 
     return {
         "quantity": "MSE of 5 quadratic exponentials",
         "paper": PAPER_PIECES,
-        **{variant: missed(variant, SPHERICAL) for variant in VARIANTS},
+        **{variant: missed(variant, figures.SPHERICAL) for variant in VARIANTS},
         "against_fft": None,
-        "settings": f"C_s = {SPHERICAL:g} (not in the paper), C_d = 0; printed: linear split, no constant; "
+        "settings": f"C_s = {figures.SPHERICAL:g} (not in the paper), C_d = 0; printed: linear split, no constant; "
         "corrected: optimal split, constants gamma_i",
         "searched": f"C_s from {SPHERICALS[0]:g} to {SPHERICALS[-1]:g}",
         "closest": {

@@ -16,7 +16,7 @@ import numpy as np
 
 from lommel.base import atomic
 from lommel.paper import figures, numbers
-from lommel.paper.setting import Facts, FigureData
+from lommel.paper.figures import Facts, FigureData
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

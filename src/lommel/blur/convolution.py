@@ -96,7 +96,9 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> S
     error = blind = missing = off = 0.0
     gain = norm = 1.0
     if not short.nothing:
-        response, error, blind = _periodic(short, gate, x, y), 3.0 * gate.error, short_of(gate)
+        response, error = _periodic(short, gate, x, y), 3.0 * gate.error
+        # The sum of moduli of a kernel of finite extent beyond its reach and that of the gate, twice.
+        blind = 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
         kernel = scipy.fft.irfft2(response, size)
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
     if seen:
@@ -108,11 +110,6 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> S
         error += gate.error
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
     return Spread(response, size, gain, norm, error, missing, off, blind)
-
-
-def short_of(gate: Gate) -> float:
-    """Bound the sum of moduli of a kernel of finite extent beyond its reach and that of the gate, twice."""
-    return 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
 
 
 def _periodic(short: Short, gate: Gate, x: Array, y: Array) -> Array:

@@ -157,7 +157,7 @@ class CartesianImage:
     fy: Array
     fx: Array
     band: float
-    error: float | None
+    error: float  # NaN where nothing is known of that of the samples
 
     def derivatives(self, x: float, y: float) -> Array:
         """Return light per area at a point, and its derivatives: ``[i, j]`` is of order i along y and j along x."""
@@ -227,7 +227,7 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     for first in range(0, count, step):
         block = np.arange(first, min(first + step, count))
         found = np.zeros((block.size, fy.size, fx.size), dtype=np.complex128)
-        error: Array | None = np.zeros(block.size)
+        error = np.zeros(block.size)
         for share, stretch, part in parts:
             some = part[np.unravel_index(block, part.shape)] if part.shape else part
             try:
@@ -239,13 +239,10 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
             for k, image in enumerate(images.values):
                 turned = fft.rfft2(fft.ifftshift(image))[kept_y][:, kept_x]
                 found[k] += turned * response
-            if error is None or images.error is None:
-                error = None
-            else:
-                tops = images.values.reshape(block.size, -1).max(axis=1) if images.peak is None else images.peak
-                error = error + factor * images.error * tops
+            tops = images.values.reshape(block.size, -1).max(axis=1) if images.peak is None else images.peak
+            error += factor * (math.nan if images.error is None else images.error) * tops
         for k, table in enumerate(found):
-            yield CartesianImage(table, fy, fx, band, None if error is None else float(error[k]))
+            yield CartesianImage(table, fy, fx, band, float(error[k]))
 
 
 def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:

@@ -364,7 +364,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
         method.require(pupil)
     (image,) = cartesian_images(optics(pupil, method), float(reach.max(initial=0.0)))
     area = math.pi * float(reach.max(initial=0.0)) ** 2
-    error = None if image.error is None else OWN_ERROR + SEAM_NORM * area * image.error
+    error = None if math.isnan(image.error) else OWN_ERROR + SEAM_NORM * area * image.error
     return Encircled(image.circles(reach), error)
 
 

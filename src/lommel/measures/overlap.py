@@ -189,6 +189,7 @@ class _Overlap:
         self.shift = math.hypot(*f)
         self.cos, self.sin = f / self.shift
         self.scale = math.pi * pupil.transmission
+        self.top = math.sqrt((1.0 - self.shift) * (1.0 + self.shift))  # where the overlap of the rims ends
 
     def across(self, nodes: int, tol: float) -> NDArray[np.complex128]:
         """Return the sum over panels in the angle theta, y = top sin(theta), halved until they err by less."""
@@ -211,11 +212,6 @@ class _Overlap:
             low, high = np.append(low[bad], middle[bad]), np.append(middle[bad], high[bad])
             whole = np.concatenate([left[:, bad], right[:, bad]], axis=1)
         return np.asarray((total + whole.sum(axis=1)) / self.scale)
-
-    @property
-    def top(self) -> float:
-        """Where the overlap of the rims ends."""
-        return math.sqrt((1.0 - self.shift) * (1.0 + self.shift))
 
     def _corners(self) -> Array:
         """Return y / top of corners and ends of the edges of one aperture, which both have, for vanes along f."""

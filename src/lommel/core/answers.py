@@ -9,16 +9,14 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
 
-DType = np.dtype[Any]
-"""The type of such values."""
+DType = np.dtype[Any]  # the type of such values
 
 
 class Declined(ValueError):  # noqa: N818 (no fault: another method is tried)
     """A pupil or a window is beyond what a method takes; the compiled core raises it too."""
 
 
-Pixels = NDArray[Any]
-"""Values of images as they are stored, float32 or float64."""
+Pixels = NDArray[Any]  # values of images as they are stored, float32 or float64
 
 
 class ToleranceError(ArithmeticError):

@@ -282,8 +282,7 @@ class Ringed(NamedTuple):
     pixel: Array  # (n,), the largest pixel
 
 
-BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)
-"""By what :func:`layered_images` differentiates."""
+BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)  # by what :func:`layered_images` differentiates
 
 
 def layered_images(

@@ -25,23 +25,20 @@ if TYPE_CHECKING:
     from lommel.optics.base_pupil import Geometry
 
 Term = tuple[int, int]
-Name = str | Term
-"""A text, or n and m of a Zernike term."""
+Name = str | Term  # a text, or n and m of a Zernike term
 
+# k of rho^(2k), by name; twice C_d is the coefficient of the first.
 POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
-"""k of rho^(2k), by name; twice C_d is the coefficient of the first."""
 
+# The tilt that moves the axis, by what it moves along; a pixel is its pitch in v.
 SHIFTS: dict[str, Term] = {"row": (1, -1), "column": (1, 1)}
-"""The tilt that moves the axis, by what it moves along; a pixel is its pitch in v."""
 
-LAYERED = ("z", "depth")
-"""Those of the pupils of an Objective: the stage, and the emitter."""
+LAYERED = ("z", "depth")  # those of the pupils of an Objective: the stage, and the emitter
 
 _INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")
 
 
-Factor = float | Array
-"""One for all pupils of a stack, or one for each."""
+Factor = float | Array  # one for all pupils of a stack, or one for each
 
 
 class Parts(NamedTuple):

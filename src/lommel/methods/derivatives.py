@@ -30,13 +30,12 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
-TILTS = SHIFTS["column"], SHIFTS["row"]
-"""Zernike terms that derivatives by the scale are made of."""
+TILTS = SHIFTS["column"], SHIFTS["row"]  # Zernike terms that derivatives by the scale are made of
 
 _FINER = 0.1  # of the tolerance, which samples are asked for: their errors are multiplied by some 4
 
+# From a method, pupils, pixels and how they are wanted to samples with bounds.
 Ask = Callable[[Method, BasePupil, Grid, Wanted], Images]
-"""From a method, pupils, pixels and how they are wanted to samples with bounds."""
 
 # In a pixel around ``v_c`` the position is ``v_c + u``. The average of ``v . grad I`` is ``v_c`` times the average
 # of ``grad I``, given by derivatives by tilts, plus the average of ``u . grad I``, the change of the average as the
@@ -216,8 +215,7 @@ def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down
     return total
 
 
-Key = int | Term
-"""What engines differentiate by: the coefficient of rho^(2k), under k, or that of a Zernike term."""
+Key = int | Term  # what engines differentiate by: the coefficient of rho^(2k), under k, or that of a Zernike term
 
 _MOST_POWERS = 4  # of rho^2, that the radial terms are taken as, whose powers cancel
 _MOST_CANCELLED = 321.0

@@ -231,7 +231,11 @@ class RadialMethod(Method[P]):
         # I is band-limited (of exponential type 2 in v) and within half its largest value of a constant, which bounds
         # what the weighted sums of the profile are off by: docs/certificate.md, section 9.
         allowed, finer = self.tol if tol is None else tol, self
-        level = _level(0.2 * allowed * _likely_value(pupil, grid) / (0.5 * self.unaberrated_peak(pupil)))
+        # The largest value may be the peak of I or, of pixels that hold all light, its average.
+        side = grid.step(pupil) if grid.integrate else 0.0
+        likely = 1.0 / (1.0 / pupil.likely_peak + side**2 / (4.0 * math.pi * pupil.transmission))
+        needed = math.ceil(-math.log10(0.2 * allowed * likely / (0.5 * self.unaberrated_peak(pupil))))
+        level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
         if self.profile(pupil, np.zeros(1)).error is None:
             level = _USUAL  # whatever the stack
         elsewhere, looked = np.zeros(math.prod(pupil.shape)), window
@@ -285,16 +289,6 @@ def _pixel_sums(
         return values, None, added
     peak = size if profile.peak is None else profile.peak
     return values, of_grid * of_nodes * profile.error * peak, added
-
-
-def _likely_value(pupil: BasePupil, grid: Grid) -> float:
-    """Return what the largest value may be: the peak of I or, of pixels that hold all light, its average."""
-    side = grid.step(pupil) if grid.integrate else 0.0
-    return 1.0 / (1.0 / pupil.likely_peak + side**2 / (4.0 * math.pi * pupil.transmission))
-
-
-def _level(error: float) -> int:
-    return min(max(math.ceil(-math.log10(error)), _LEVELS[0]), _LEVELS[-1])
 
 
 def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> Array:

@@ -57,10 +57,7 @@ def j0_series(a: ArrayLike, terms: int = 3) -> Array:
     ndarray
     """
     q = -0.25 * np.asarray(a, dtype=np.float64) ** 2
-    total = np.zeros_like(q)
-    for m in reversed(range(terms)):
-        total = total * q + 1.0 / math.factorial(m) ** 2
-    return total
+    return np.asarray(np.polynomial.polynomial.polyval(q, [1.0 / math.factorial(m) ** 2 for m in range(terms)]))
 
 
 def j0_asymptotic(a: ArrayLike) -> Array:

@@ -271,22 +271,17 @@ def over_disc(terms: Mapping[tuple[int, int], float], obscuration: float) -> dic
     Cholesky factor of the inner products. Exact but for rounding.
     """
     found: dict[tuple[int, int], float] = {}
+    low = obscuration * obscuration
     for m in {m for _, m in terms}:
         orders = range(abs(m), max(n for n, k in terms if k == m) + 1, 2)
-        factor = np.linalg.cholesky(_inner_products(orders, m, obscuration))
+        x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: even polynomials, in rho^2
+        rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))
+        # The mean of the squared cosine over the azimuth is 1/2, which the factors of the disc hold.
+        share = 1.0 if m == 0 else 0.5
+        basis = np.stack([rms_factor(n, m) * radial(n, m, rho) for n in orders])
+        factor = np.linalg.cholesky(share * (basis * (0.5 * w)) @ basis.T)
         given = np.array([terms.get((n, m), 0.0) for n in orders])
         # f = sum_n given_n sum_k (factor^-1)_nk disc_k.
         for n, c in zip(orders, np.linalg.solve(factor.T, given), strict=True):
             found[n, m] = float(c)
     return found
-
-
-def _inner_products(orders: range, m: int, obscuration: float) -> Array:
-    """Return the inner products over the annulus of terms of rms 1 over the disc."""
-    x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: even polynomials, in rho^2
-    low = obscuration * obscuration
-    rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))
-    # The mean of the squared cosine over the azimuth is 1/2, which the factors of the disc hold.
-    share = 1.0 if m == 0 else 0.5
-    basis = np.stack([rms_factor(n, m) * radial(n, m, rho) for n in orders])
-    return np.asarray(share * (basis * (0.5 * w)) @ basis.T)

@@ -114,7 +114,9 @@ class DebyeRings(LayeredMethod):
         twice = 2.0 if wanted.scale is None else 1.0
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         while True:
-            accuracy = Accuracy(*(_power_of_two(x) for x in (aim * math.sqrt(peak) / 8.0, aim * peak, aim / 100.0)))
+            # Powers of two, so that taps and angles serve others too.
+            exact = (2.0 ** math.floor(math.log2(x)) for x in (aim * math.sqrt(peak) / 8.0, aim * peak, aim / 100.0))
+            accuracy = Accuracy(*exact)
             made = ringed(pupil, grid, accuracy, wanted)
             assert made.error is not None
             if (worst := float(made.error.max())) <= tol:
@@ -122,11 +124,6 @@ class DebyeRings(LayeredMethod):
             if accuracy.field <= LEAST:
                 raise not_met(self.tol, worst, "the peak")
             peak, aim = peak * 0.25, aim * max(1e-6, min(0.5, 0.5 * tol / worst))
-
-
-def _power_of_two(x: float) -> float:
-    """Return the next lower one, so that taps and angles serve others too."""
-    return float(2.0 ** math.floor(math.log2(x)))
 
 
 class Turn(NamedTuple):

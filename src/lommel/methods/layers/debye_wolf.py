@@ -21,11 +21,9 @@ from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-LEAST = 1e-15
-"""What fields are asked for at the finest."""
+LEAST = 1e-15  # what fields are asked for at the finest
 
-BRIGHT_RING = 1.8412
-"""The maximum of J1 in v: light that is dark on the axis is bright here."""
+BRIGHT_RING = 1.8412  # the maximum of J1 in v: light that is dark on the axis is bright here
 
 
 def likely_peak(pupil: ObjectivePupil) -> float:

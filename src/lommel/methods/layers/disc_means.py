@@ -31,8 +31,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.special.legendre import gauss_legendre
 
-HALF = 6
-"""Half of the points that an interpolation takes."""
+HALF = 6  # half of the points that an interpolation takes
 _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
 _APART = np.array([math.prod(k - j for j in range(2 * HALF) if j != k) for k in range(2 * HALF)], np.float64)
 _STEP_MOST = 0.5
@@ -40,8 +39,7 @@ ETA = np.geomspace(0.02, 12.0, 96)  # of Bernstein's ellipses, through ``cosh(et
 _ROUNDING = 2.0**-46  # of sums of at most some thousand products, whose weights sum to a few
 
 
-Values = NDArray[np.float64] | NDArray[np.complex128]
-"""Orders of the azimuth, real where the order 0 is alone."""
+Values = NDArray[np.float64] | NDArray[np.complex128]  # orders of the azimuth, real where the order 0 is alone
 
 
 class DiscMeans(NamedTuple):

@@ -15,8 +15,7 @@ from lommel.methods.method import RadialMethod
 from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-AIRY = 2.0 * math.pi * 0.61
-"""``0.61 lambda / NA``, half an Airy unit, in v."""
+AIRY = 2.0 * math.pi * 0.61  # ``0.61 lambda / NA``, half an Airy unit, in v
 _PINHOLE_MOST = 100.0
 
 
@@ -120,17 +119,13 @@ class Confocal(ProvenMethod):
         lit = self._lit(pupil)
         return lit.power / replace(lit, emitter=self.excitation.emitter).power
 
-    def _stretched(self, pupil: ObjectivePupil) -> float:
-        """Return v of the excitation over that of the emission."""
-        return pupil.scale / self.excitation.scale
-
     def stretch(self, pupil: ObjectivePupil) -> float:
         """Return the exponential type of a field whose square is the product."""
-        return 1.0 + self._stretched(pupil)
+        return 1.0 + pupil.scale / self.excitation.scale
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return the product at rising v, of the emission."""
-        excited = light(self._lit(pupil), self._stretched(pupil) * v, asked, self.tol)
+        excited = light(self._lit(pupil), pupil.scale / self.excitation.scale * v, asked, self.tol)
         means = disc_means(v, AIRY * self.pinhole, asked / max(1.0, self._share), highest(pupil))
         seen = light(pupil, means.places, asked, self.tol)
         passed = Orders(means.of(seen.values), seen.error * means.gain + means.error)

@@ -36,8 +36,7 @@ if TYPE_CHECKING:
 # G)``, half
 # of s times the derivative of ``abs(E)^2``: no difference quotient, whatever s is.
 
-Rates = Callable[[ObjectivePupil], Sequence[By]]
-"""From planes to the derivatives that are wanted of these."""
+Rates = Callable[[ObjectivePupil], Sequence[By]]  # from planes to the derivatives that are wanted of these
 
 
 def sampled_slopes(method: Method, pupil: ObjectivePupil, grid: Grid, rates: Rates, wanted: Wanted) -> Images:

@@ -91,8 +91,8 @@ _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
 _DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
 
+# From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted.
 Sample = Callable[[P, Grid, float, Wanted], Images]
-"""From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 
 Band = tuple[float, float]
 
@@ -139,10 +139,10 @@ def _averaged(
         )
         try:
             tol_samples = err_samples / taps.gain**2
+            # What sums in single precision along both axes cost averages, of the largest sample.
+            lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
             err_single = _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0
-            total, err_given, peaks = _filtered(
-                sample, pupil, grid, tol_samples, taps, wanted, err_single / _lost(taps)
-            )
+            total, err_given, peaks = _filtered(sample, pupil, grid, tol_samples, taps, wanted, err_single / lost)
         except ToleranceError as fault:
             raise ToleranceError(
                 f"tol={tol:g} cannot be met by averages over pixels of {step / math.pi:.3g} lambda*N, for which "
@@ -284,11 +284,6 @@ def _fitted(response: Function, wave: Function, step: float, error: float, wides
         if (reached <= error and gain <= most) or half > stride + 60:
             return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
         half += 1
-
-
-def _lost(taps: Taps) -> float:
-    """Return what sums in single precision along both axes cost averages, of the largest sample."""
-    return float(2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2)
 
 
 def _filtered(

@@ -93,7 +93,7 @@ IMPLEMENTATION = """\
 | 14 | error function of a complex argument, lookup table, Fresnel integrals | `special/erf.py` |
 | 17 | piecewise quadratic phases | `special/piecewise.py` |
 | 18-20 | integrals 1 to 3 | `special/erf.py` (`disk_moments`, `unit_moments`) |
-| section 5 | "further optimizing parameters" | `methods/paper/tuned_closed_form.py` |
+| section 5 | "further optimizing parameters" | `methods/paper/closed_form.py` |
 """
 
 

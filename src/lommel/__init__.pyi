@@ -65,7 +65,7 @@ from lommel.methods.nijboer_zernike import NijboerZernike as NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT as NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic as Polychromatic
 from lommel.methods.layers.stratified import Stratified as Stratified
-from lommel.methods.paper.tuned_closed_form import TunedClosedForm as TunedClosedForm
+from lommel.methods.paper.closed_form import TunedClosedForm as TunedClosedForm
 from lommel.optics.aperture.obstructions import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
 from lommel.optics.aperture.apodization import Apodization as Apodization
 from lommel.optics.colour.spectrum import Channels as Channels

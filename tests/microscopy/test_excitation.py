@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.special import jv
 
 import lommel as lm
-from lommel.methods.layers.depletion import crest
+from lommel.methods.layers.scanning import crest
 
 OIL = lm.Objective(
     NA=1.4,

@@ -123,7 +123,10 @@ def require_samples(method: Method, samples: int, pupil: Pupil, grid: Grid) -> N
 def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[NDArray[np.complex128]]:
     """Yield the field in square cells of side ``2 half`` centred at ``(x, x)``, for each of the flattened stack."""
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
-    amplitude = illuminated(pupil, x, transmission(pupil, x, half, edge))
+    amplitude = transmission(pupil, x, half, edge)
+    if not pupil.illumination.uniform:
+        square, clear = x * x, amplitude > 0.0
+        amplitude[clear] *= pupil.illumination.at((square[:, None] + square)[clear])
     wavefronts = pupil.wavefront.flattened()
     for i in range(wavefronts.shape[0]):
         yield amplitude * np.exp(1j * wavefronts[i].phase(rho, theta))
@@ -141,16 +144,6 @@ def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Array:
     else:
         part = (pupil.opening.margin(across, down) >= 0.0).astype(np.float64)
     return part if pupil.mask is None else part * pupil.mask.at(across, down)
-
-
-def illuminated(pupil: Pupil, x: Array, part: Array) -> Array:
-    """Return `part` times the apodization at ``(x, x)``."""
-    if pupil.illumination.uniform:
-        return part
-    square, clear = x * x, part > 0.0
-    out = part.copy()
-    out[clear] *= pupil.illumination.at((square[:, None] + square)[clear])
-    return out
 
 
 def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:

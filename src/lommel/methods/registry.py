@@ -11,19 +11,17 @@ from lommel.methods.hankel import Hankel
 from lommel.methods.layers.bead import Bead
 from lommel.methods.layers.debye_rings import DebyeRings
 from lommel.methods.layers.debye_wolf import DebyeWolf
-from lommel.methods.layers.depletion import Sted
-from lommel.methods.layers.scanning import Confocal, TwoPhoton
+from lommel.methods.layers.scanning import Confocal, Sted, TwoPhoton
 from lommel.methods.layers.stratified import Stratified
 from lommel.methods.matrix_fourier import MatrixFourier
 from lommel.methods.method import FieldMethod, Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
-from lommel.methods.paper.closed_form import ClosedForm
+from lommel.methods.paper.closed_form import ClosedForm, TunedClosedForm
 from lommel.methods.paper.fraunhofer import Fraunhofer
 from lommel.methods.paper.geometric import Geometric
 from lommel.methods.paper.huygens import HuygensFresnel
 from lommel.methods.paper.lommel_series import LommelSeries
-from lommel.methods.paper.tuned_closed_form import TunedClosedForm
 from lommel.methods.polychromatic import Polychromatic
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
 

@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.core.answers import ToleranceError
 from lommel.methods.layers.bead import Bead
-from lommel.methods.layers.depletion import Sted, crest
-from lommel.methods.layers.scanning import Confocal, TwoPhoton
+from lommel.methods.layers.scanning import Confocal, Sted, TwoPhoton, crest
 from lommel.methods.method import Method, storing
 from lommel.methods.question import output_type
 from lommel.optics.layers.objective_pupil import ObjectivePupil

@@ -10,7 +10,7 @@ import pytest
 
 import lommel as lm
 from lommel.methods import Confocal, Sted, method_from_dict
-from lommel.methods.layers.depletion import crest
+from lommel.methods.layers.scanning import crest
 from lommel.special.legendre import gauss_legendre
 from plane_waves import intensity
 

@@ -7,10 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
@@ -61,13 +59,6 @@ class LayeredMethod(Method[ObjectivePupil]):
     nonradial = True
 
 
-class Harmonics(NamedTuple):
-    """Orders of the azimuth of the intensity, first axis the flattened stack."""
-
-    values: Array  # (orders, n, radii)
-    error: Array  # (n,), bounds on the error of any intensity of these
-
-
 @dataclass(frozen=True)
 class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     r"""Gauss-Legendre quadrature over the angles of the light of an objective, at every radius.
@@ -99,7 +90,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
         # Light that is dark on the axis is bright here: errors relate to the peak, wherever that is.
-        made = self._proven(pupil, np.append(v, BRIGHT_RING), lambda found: found.values[0], self.tol)
+        made = self._proven(pupil, np.append(v, BRIGHT_RING), lambda values: values[0], self.tol)
         return made._replace(values=made.values[:, :-1])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -135,40 +126,37 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         radius, place = np.unique(np.hypot(x, y), return_inverse=True)
         azimuth = np.arctan2(y, x)
 
-        def turned(found: Harmonics) -> Array:
-            total = np.zeros((found.values.shape[1], *grid.shape))
-            for h, values in zip(pupil.light.harmonics, found.values, strict=True):
+        def turned(orders: Array) -> Array:
+            total = np.zeros((orders.shape[1], *grid.shape))
+            for h, values in zip(pupil.light.harmonics, orders, strict=True):
                 around = h.cosine * np.cos(h.order * azimuth) + h.sine * np.sin(h.order * azimuth)
                 total += values[:, place.reshape(grid.shape)] * around
             return np.maximum(total, 0.0)
 
         return self._proven(pupil, pupil.v(radius), turned, tol)
 
-    def _proven(
-        self, pupil: ObjectivePupil, v: Array, made_of: Callable[[Harmonics], Array], tol: float
-    ) -> Intensities:
+    def _proven(self, pupil: ObjectivePupil, v: Array, made_of: Callable[[Array], Array], tol: float) -> Intensities:
         """Return intensities made of harmonics that are exact enough for the peak that is found."""
 
         def at(fields: float) -> tuple[Array, Array]:
-            found = harmonics(pupil, v, fields)
-            return made_of(found), found.error
+            values, error = harmonics(pupil, v, fields)
+            return made_of(values), error
 
         return refine_until(at, tol, start=0.02 * tol, floor=LEAST, named=self.tol)
 
 
-def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> Harmonics:
-    """Return the orders of the intensity of a flattened stack at rising v, by fields that are exact to `tol`."""
+def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array]:
+    """Return orders of the azimuth of I at rising v, ``(orders, n, radii)``, by fields that are exact to `tol`.
+
+    And bounds on the error of any intensity of these, ``(n,)``.
+    """
     light, depth, focus = pupil.light, pupil.depth.ravel(), pupil.focus.ravel()
     rule = debye.rule(pupil.layers, light.model, depth, focus, float(v.max(initial=0.0)), tol)
     parts = np.stack(debye.fields(rule, light.model, depth, focus, v))
-    values = np.stack([_form(h, parts) for h in light.harmonics]) / pupil.power[:, None]
+    forms = [np.einsum("jl,jnr,lnr->nr", h.form, parts, parts.conj()).real for h in light.harmonics]
     brightest = np.abs(parts).max(axis=2)
     error = sum((_form_error(h, brightest, rule.error) for h in light.harmonics), np.zeros(depth.size))
-    return Harmonics(values, error / pupil.power * (1.0 + 1e-12) + 2.0**-50)
-
-
-def _form(harmonic: Harmonic, parts: NDArray[np.complex128]) -> Array:
-    return np.asarray(np.einsum("jl,jnr,lnr->nr", harmonic.form, parts, parts.conj()).real)
+    return np.stack(forms) / pupil.power[:, None], error / pupil.power * (1.0 + 1e-12) + 2.0**-50
 
 
 def _form_error(harmonic: Harmonic, brightest: Array, error: float) -> Array:

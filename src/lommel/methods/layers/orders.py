@@ -90,8 +90,8 @@ def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
     if pupil.light.model.orders[0] == 0:
         made = _settled(attempt, pupil, max(asked, _FINEST * tol, Stratified.least_tol))
     if made is None:
-        found = harmonics(pupil, v, LEAST)
-        made = np.moveaxis(found.values, 0, 1), found.error
+        values, off = harmonics(pupil, v, LEAST)
+        made = np.moveaxis(values, 0, 1), off
     values, off = made
     if (most := highest(pupil)) == 0:
         return Orders(values, off)

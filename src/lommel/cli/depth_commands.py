@@ -91,7 +91,7 @@ def depth(
     figure: Path | None,
     **options: Any,
 ) -> Report:
-    r"""Estimate a depth map from photos (depth from defocus).
+    """Estimate a depth map from photos (depth from defocus).
 
     PHOTOS are two or more PNG, JPEG or TIFF files of one size, taken from the same place with different focus or
     aperture, neither denoised nor sharpened. LENS is a lens file. Areas without texture have no depth: NaN, with an
@@ -100,8 +100,7 @@ def depth(
     Examples
     --------
       lommel depth 1.tif 2.tif phone.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3 -o d.tif
-      lommel depth 1.tif 2.tif nifty-fifty.toml --f-number 4 --f-number 16 --between 2m inf \
-          --white 5000 --read 3 -o d.tif
+      lommel depth 1.tif 2.tif lens.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3 -o d.tif
     """
     if len(outputs) > 2:
         raise ValueError(f"--output takes the depth map and its standard deviation, got {len(outputs)} files")

@@ -255,7 +255,7 @@ def precision(
     Examples
     --------
       lommel precision phone.toml --focus 1.5m --pair 0.1 --photons 1e4 --plot precision.png
-      lommel precision nifty-fifty.toml --focus 1.5m --best --f-number 4 --photons 5000
+      lommel precision lens.toml --focus 1.5m --best --f-number 4 --photons 5000
       lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
     instrument = instrument_of(lens, pixel=pixel)

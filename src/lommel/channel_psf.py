@@ -57,29 +57,28 @@ class Keywords(PSFKeywords, total=False):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ColourPSF(Recorded):
-    """PSFs of a pupil, or a stack of them, in channels; ``answer["red"]`` is one like any other.
+    """PSFs of a pupil, or of a stack of pupils, in colour channels; ``answer["red"]`` is a :class:`lommel.PSF`.
 
     Attributes
     ----------
     channels : Channels
         Names, wavelengths and weights.
     psfs : tuple of PSF
-        One for each channel, by a :class:`lommel.Polychromatic` of its wavelengths. Its pupil is in the light of the
-        channel where that has one wavelength; of several, it is the one that was given, to which they are related,
-        and measures of the PSF take them all.
+        One for each channel, computed by :class:`lommel.Polychromatic`. The pupil of a channel of one wavelength is
+        at that wavelength; of a channel of several it is the one that was given, and measures use all wavelengths.
     values : ndarray, shape ``pupil.shape + (channels, height, width)``
-        Values of all channels, each normalised on its own.
+        Values of all channels, each normalised separately.
     pupil : Pupil or ObjectivePupil
-        That of the first channel.
+        Pupil of the first channel.
     grid : Grid
         The pixels.
     normalize : str
-        What values are relative to, channel by channel.
+        Normalisation of the values.
 
     Raises
     ------
     TypeError, ValueError
-        If there is not one PSF for each channel, or they differ in more than their light.
+        If there is not one PSF for each channel, or they differ in more than their wavelengths.
     """
 
     channels: Channels
@@ -114,7 +113,7 @@ class ColourPSF(Recorded):
 
     @property
     def error_bound(self) -> float | None:
-        """Bound on the largest error over the peak of a channel, that of the worst; None where one has none."""
+        """Bound on the largest error, relative to the peak of its channel; None if a channel has none."""
         known = [psf.error_bound for psf in self.psfs if psf.error_bound is not None]
         return max(known) if len(known) == len(self) else None
 
@@ -140,7 +139,7 @@ class ColourPSF(Recorded):
         return self.psfs[channel]
 
     def part(self, index: Index) -> Self:
-        """Return part of a stack in all channels, by an `index` as of a NumPy array of the pupils."""
+        """Return part of a stack in all channels; `index` is that of a NumPy array of the pupils."""
         return type(self)(self.channels, tuple(psf[index] for psf in self.psfs))
 
     def __repr__(self) -> str:
@@ -152,11 +151,11 @@ class ColourPSF(Recorded):
         )
 
     def measured(self, measure: Callable[[PSF], Found]) -> Found:
-        """Return a `measure` of each channel, on an axis after those of the stack."""
+        """Return a `measure` of each channel, along an axis after those of the stack."""
         return cast(Found, np.stack([np.asarray(measure(psf)) for psf in self.psfs], axis=len(self.pupil.shape)))
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
-        """Draw the PSF in colour, a stack side by side; other numbers of channels than three each on their own.
+        """Draw the PSF in colour, a stack side by side; unless there are three channels, draw each separately.
 
         See :func:`lommel.show.plot.colour`.
         """
@@ -169,7 +168,7 @@ class ColourPSF(Recorded):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
-        """Read a ``.npz`` or ``.tif`` file, `path`, that :meth:`save` wrote; ValueError if it is another."""
+        """Read a ``.npz`` or ``.tif`` file, `path`, that :meth:`save` wrote; ValueError for any other file."""
         return cls(*psf_files.load_colours(path, PSF))
 
 
@@ -188,12 +187,12 @@ def colour_psf(
     channels: Channels | Sequence[float] | None = None,
     **options: Unpack[Keywords],
 ) -> ColourPSF:
-    """Compute the point spread function of a pupil in each channel of a sensor, or at each of some wavelengths.
+    """Compute the PSF of a pupil in each colour channel of a sensor, or at each of several wavelengths.
 
     Parameters
     ----------
     pupil : Pupil or ObjectivePupil
-        With a wavelength, the reference; each other one is what :meth:`lommel.Lens.in_light` makes of its lens.
+        With a wavelength, the reference; at others the pupil is that of :meth:`lommel.Lens.in_light`.
     shape : int or (int, int)
     pixel : float or (float, float)
         As of :func:`lommel.psf`.
@@ -201,10 +200,9 @@ def colour_psf(
         Spectral weights of each channel, or wavelengths in metres; by default ``Channels.rgb()``.
     **options
         ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``,
-        ``blur``, ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance is that of each channel,
-        over its own peak, and each is normalised on its own. With derivatives, blur, and pixels that are not square
-        or not whole, wavelengths that channels share are computed for each of them. Derivatives are by what `pupil`
-        has, at its own wavelength.
+        ``blur``, ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance is relative to the peak of
+        each channel, and each channel is normalised separately. Derivatives are with respect to the parameters of
+        `pupil`, at its own wavelength.
 
     Returns
     -------
@@ -214,7 +212,7 @@ def colour_psf(
     Raises
     ------
     TypeError, ValueError
-        As :func:`lommel.psf`; also if the pupil has no wavelength, or the channels are none.
+        As :func:`lommel.psf`; also if the pupil has no wavelength, or `channels` is invalid.
     ToleranceError
         If the tolerance cannot be met.
 

@@ -140,10 +140,10 @@ def psf(
 
 
 class Plan:
-    """A prepared computation of PSFs of many pupils, one after the other: the options are checked once.
+    """A prepared computation of PSFs for many pupils, one after the other; the options are checked once.
 
-    Called with a pupil, it returns what :func:`psf` does. After the first call with `out` nothing large is allocated
-    and no table is built: the compiled core keeps tables.
+    Called with a pupil, it returns the same as :func:`psf`. After the first call with `out` no image is allocated and
+    no table is built.
 
     Parameters
     ----------
@@ -260,7 +260,7 @@ class Plan:
         return vars(self) | {"_asked": None}
 
     def grid(self, pupil: BasePupil) -> Grid:
-        """Return the pixels that `pupil` is recorded on, whose unit decides between the two."""
+        """Return the grid of pixels for `pupil`, in metres or in units of lambda*N."""
         averages = self.integrate
         if averages is None:
             metric = pupil.wavelength is not None
@@ -275,7 +275,7 @@ class Plan:
         Parameters
         ----------
         pupil : Pupil
-            A stack whose coefficients span the valid range: the box around those of radially symmetric pupils; of
+            A stack whose coefficients define the valid range: for radially symmetric pupils the box around them; for
             others coefficients no larger than those of a member. Aperture, amplitude and lengths are those of the
             stack.
         xp : module or str, optional
@@ -283,21 +283,22 @@ class Plan:
         device : optional
             Device of the framework for tables and coefficients.
         precision : {"auto", "float64", "float32"}, default "auto"
-            Of the computation: float64 wherever the framework has it. In float32 no error of 1e-6 can be proven.
+            Type of the computation: by default float64 if the framework has it. In float32 no error of 1e-6 can be
+            proven.
 
         Returns
         -------
         TracedPSF
-            ``images = f(c)``, with c of shape (..., k) a column for each of ``f.terms``, radians.
+            A function ``images = f(c)``; c has the shape (..., k), with a column for each of ``f.terms``, radians.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, the aperture is not round, or the framework lacks the precision.
+            If an argument is out of range, the aperture is obstructed, or the framework lacks the precision.
         ImportError
-            If the framework that is named is not installed.
+            If the framework is not installed.
         ToleranceError
-            If the tolerance is not proven for a pupil of the stack.
+            If the tolerance cannot be proven for a pupil of the stack.
 
         Examples
         --------
@@ -328,11 +329,11 @@ Found = TypeVar("Found")
 
 
 class Measured:
-    """Measures of the image that values sample: the light of the optics with blur and pixels.
+    """Image quality measures of a PSF, of the optics with blur and pixels.
 
-    They use the transfer function, so they depend neither on the window nor on the sampling, only on the pixel as
-    part of the image; ``of="optics"`` leaves it out. Arrays have the shape of the stack of pupils, then an axis of
-    channels, if any, then that of the argument. Error bounds stand in the functions that each method links.
+    They are computed from the transfer function, and so do not depend on the window or the sampling, only on the
+    pixel as part of the image, unless ``of="optics"``. Arrays have the shape of the stack of pupils, then an axis of
+    channels, if any, then that of the argument. Errors are stated in the functions that each method links.
     """
 
     def measured(self, measure: Callable[[PSF], Found]) -> Found:
@@ -346,17 +347,17 @@ class Measured:
 
     @property
     def strehl(self) -> Numbers:
-        """Intensity on the axis over that without aberration; :func:`lommel.strehl` is that of a pupil."""
+        """Strehl ratio: intensity on the axis relative to that without aberration; see :func:`lommel.strehl`."""
         return self.measured(measures.spot.axis_strehl)
 
     @property
     def peak_strehl(self) -> Numbers:
-        """Largest value in the window over the peak of the same aperture without aberration, wherever it is."""
+        """Largest value in the window, relative to the peak of the same aperture without aberration."""
         return self.measured(measures.spot.peak_strehl)
 
     @property
     def peak_position(self) -> NDArray[np.float64]:
-        """Place (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
+        """Position (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
         return self.measured(measures.spot.peak_position)
 
     @property
@@ -398,7 +399,7 @@ class Measured:
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> NDArray[np.complex128] | np.complex128:
         """Return the optical transfer function of the image, or `of` the optics, at frequencies `fx`, `fy`.
 
-        Of lenses from the wavefront, beyond the Nyquist frequency of the pixels, too: see :func:`lommel.otf`. The
+        For lenses from the wavefront, also beyond the Nyquist frequency of the pixels: see :func:`lommel.otf`. The
         transform of the values themselves is :func:`lommel.measures.transfer.sampled_otf`.
         """
         return self.measured(lambda one: measures.transfer.image_otf(one, fx, fy, of=of))
@@ -438,7 +439,7 @@ class Recorded(Measured):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PSF(Recorded):
-    """A computed point spread function, or a stack of them, and how it was made.
+    """A computed point spread function (PSF), or a stack of them, with its pupil, grid, method and error bound.
 
     Attributes
     ----------
@@ -451,13 +452,13 @@ class PSF(Recorded):
     normalize : str
         "energy", "emitted", "strehl" or "peak", as of :func:`psf`.
     error_bound : float or None
-        Bound on the largest error over the peak, the largest of the stack; None where the method has none.
+        Bound on the largest error relative to the peak, the largest of the stack; None if the method has none.
     scale : ndarray, shape ``pupil.shape``
-        Factor of the intensity, which is 1 at the peak without obscuration and aberration.
+        Factor by which the intensity was multiplied, which is 1 at the peak without obscuration and aberration.
     derivatives : dict of (str or (int, int)) to ndarray
-        Derivatives of the values by the requested parameters, each of the shape of the values.
+        Derivatives of the values with respect to the requested parameters, each of the shape of the values.
     derivative_bounds : dict of (str or (int, int)) to float
-        Bounds on their errors over the peak of the values, the largest of the stack, in the unit of each.
+        Bounds on their errors relative to the peak of the values, the largest of the stack, in the unit of each.
     blur : tuple of Blur
         Blur besides the diffraction of the pupil.
 
@@ -500,16 +501,16 @@ class PSF(Recorded):
 
     @property
     def undersampled(self) -> bool:
-        """Whether values sample pixels wider than lambda*N/2, so that they do not sum to the light of the window."""
+        """Whether values are point-sampled at more than lambda*N/2 and do not sum to the light in the window."""
         return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
 
     def positions(self) -> tuple[Array, Array]:
-        """Return where columns and rows are, x and y from the axis, of each of the flattened stack."""
+        """Return the positions of columns and rows, x and y from the axis, for each PSF of the flattened stack."""
         return self.grid.positions(self.pupil.shape)
 
     @property
     def radial_method(self) -> RadialMethod | None:
-        """The method where a profile describes the whole PSF (pupil and method are radial, no blur), else None."""
+        """The method if a radial profile describes the whole PSF (radial pupil and method, no blur), else None."""
         return None if self.blur else self.method.along_radius(self.pupil)
 
     def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]:
@@ -518,14 +519,14 @@ class PSF(Recorded):
         Parameters
         ----------
         radius : array_like, optional
-            Any radii, evaluated anew by the method as point samples; by default the pixels from the middle one,
-            ``(height // 2, width // 2)``, to the right; then radii are of the shape of the values where each pupil
-            has its own axis.
+            Radii at which the method is evaluated, as point samples; by default the pixels from the central one,
+            ``(height // 2, width // 2)``, to the right, with radii of the shape of the values if each pupil has its
+            own axis.
 
         Raises
         ------
         ValueError
-            If radii are asked of a method that knows its values on the grid only.
+            If radii are given for a method that computes values on the grid only.
         """
         if radius is None:
             middle = (self.shape[-2] // 2, self.shape[-1] // 2)
@@ -587,21 +588,21 @@ class PSF(Recorded):
 
     @property
     def z(self) -> NDArray[np.float64]:
-        """Where the stage is in each plane of a stack over z, metres; see :func:`lommel.measures.axial.stage`."""
+        """Stage position of each plane of a stack over z, metres; see :func:`lommel.measures.axial.stage`."""
         return measures.axial.stage(self)
 
     def axial_fwhm(self, *, of: str = "image") -> Numbers:
-        """Return the width at half along z, metres of the stage, `of` the image or the optics without the pixel.
+        """Return the full width at half maximum along z, metres of the stage, `of` the image or of the "optics".
 
         See :func:`lommel.measures.axial.axial_fwhm`.
         """
         return measures.axial.axial_fwhm(self, of=of)
 
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
-        """Return the gradient of a number from its derivative `g` by the values; see `derivatives` of :func:`psf`.
+        """Return the gradient of a loss from its derivative `g` with respect to the values (reverse mode).
 
-        Those by the wavefront and the axis cost two images or so, whatever their number; see
-        :func:`lommel.measures.pullback.pullback`.
+        Gradients by the wavefront and the axis cost about two images, for any number of parameters; see `derivatives`
+        of :func:`psf` and :func:`lommel.measures.pullback.pullback`.
         """
         return measures.pullback.pullback(self, g, of)
 
@@ -613,13 +614,13 @@ class PSF(Recorded):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
-        """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or another."""
+        """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or not such a file."""
         from lommel.io import psf_files
 
         return psf_files.load(path, cls)
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
-        """Draw the values on matplotlib axes and return these, an array of them for a stack; sections of a z stack.
+        """Draw the PSF with matplotlib and return the axes, an array of them for a stack; sections for a z stack.
 
         See :func:`lommel.show.plot.plot`.
         """
@@ -634,11 +635,11 @@ class PSF(Recorded):
         return show.curves.mtf(self, ax)
 
     def plot_encircled_energy(self, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
-        """Draw the light within circles up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
+        """Draw the encircled energy up to a `radius`; see :func:`lommel.show.curves.encircled_energy`."""
         return show.curves.encircled_energy(self, ax, radius=radius)
 
     def plot_spots(self, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
-        """Draw where rays meet the sensor over the values; see :func:`lommel.show.rays.spots`."""
+        """Draw the spot diagram over the PSF; see :func:`lommel.show.rays.spots`."""
         return show.rays.spots(self, ax, rings=rings, stretch=stretch)
 
     def _repr_html_(self) -> str:

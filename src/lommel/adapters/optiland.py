@@ -48,7 +48,7 @@ def pupil(
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
-        Largest rms, in radians, that the terms may leave of the traced phase.
+        Largest accepted rms residual of the fit to the traced phase, radians.
 
     Returns
     -------
@@ -82,7 +82,7 @@ def field_map(
     ----------
     optic : optiland.optic.Optic
     heights : int, default 9
-        How many points of the field are traced, from the axis to its edge; the lens must be rotationally symmetric.
+        Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
         Points (Hx, Hy) to trace instead, as fractions of the largest field, for a lens without that symmetry.
     wavelength, degree, tol
@@ -91,8 +91,8 @@ def field_map(
     Returns
     -------
     FieldMap
-        With the f-number on the axis. Away from it a lens is slower, differently so in the two directions: by 3 and
-        10 % at 14 degrees for a Cooke triplet of f/5. :func:`pupil` has the f-number of its own point.
+        With the f-number on the axis. Off the axis the f-number is larger, and different in the two directions (3 and
+        10 % at 14 degrees for an f/5 Cooke triplet); :func:`pupil` has that of its own field point.
 
     Raises
     ------

@@ -45,7 +45,7 @@ def pupil(
     model : rayoptics.optical.opticalmodel.OpticalModel
         Up to date (``update_model()``).
     field : (float, float)
-        Fractions of the largest field along x and y.
+        Fractions of the maximum field along x and y.
     wavelength : float, optional
         Metres; by default the central one of the lens.
     apertures : bool, default True
@@ -54,7 +54,7 @@ def pupil(
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
-        Largest rms, in radians, that the terms may leave of the traced phase.
+        Largest accepted rms residual of the fit to the traced phase, radians.
 
     Returns
     -------
@@ -89,7 +89,7 @@ def field_map(
     model : rayoptics.optical.opticalmodel.OpticalModel
         Up to date (``update_model()``).
     heights : int, default 9
-        How many points of the field are traced, from the axis to its edge; the lens must be rotationally symmetric.
+        Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
         Points to trace instead, as fractions of the largest field, for a lens without that symmetry.
     wavelength, apertures, degree, tol
@@ -98,7 +98,7 @@ def field_map(
     Returns
     -------
     FieldMap
-        With the f-number on the axis; :func:`pupil` has the f-number of its own point.
+        With the f-number on the axis; :func:`pupil` has that of its own field point.
 
     Raises
     ------

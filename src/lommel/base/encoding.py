@@ -14,19 +14,19 @@ _PART = 2**16  # values that are encoded at once, so that what is between stays 
 
 
 def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DTypeLike) -> Values:
-    """Return values in proportion to light, 1 being white, from integers (white is their maximum) or floats.
+    """Return linear light (1 is white) from stored values: integers (white is their maximum) or floats.
 
     "srgb" is the transfer function of IEC 61966-2-1.
 
     Parameters
     ----------
     name : str
-        What messages call the values.
+        Name of the values in error messages.
     values : ndarray
         Unsigned integers or floats.
     encoding : {"srgb", "linear"}
     dtype : float32 or float64
-        Of the light.
+        Type of the result.
 
     Returns
     -------
@@ -60,8 +60,8 @@ def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DType
 def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:
     """Return stored values of `dtype` from light; the inverse of :func:`lommel.base.encoding.to_light`.
 
-    In an integer type what is brighter than white is white, as on a sensor that is full, and what is below 0 is 0;
-    :func:`lommel.base.encoding.clipped_share` tells how much that is.
+    Integer types are clipped at white and at 0, as on a saturated sensor;
+    :func:`lommel.base.encoding.clipped_share` returns the clipped fraction.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def from_light(light: Values, encoding: str, dtype: DTypeLike) -> Values:
 
 
 def clipped_share(light: Values, dtype: DTypeLike) -> float:
-    """Return the share of values that an integer type clips by more than its rounding; 0 for floats.
+    """Return the fraction of values that an integer type clips (by more than rounding); 0 for floats.
 
     Parameters
     ----------

@@ -25,10 +25,9 @@ _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(
 
 
 def parse_length(text: str | float) -> float:
-    """Return metres from ``"3.45 um"`` or ``"50mm"``; all but 0 and infinity needs a unit.
+    """Return metres from a text such as ``"3.45 um"`` or ``"50mm"``; a unit is required except for 0 and infinity.
 
-    Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is the float nearest to what is written, but for
-    inches.
+    Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is correctly rounded, except for inches.
 
     Parameters
     ----------
@@ -42,7 +41,7 @@ def parse_length(text: str | float) -> float:
     Raises
     ------
     ValueError
-        If it is not a text of a number with one of these units.
+        If `text` is not a number with one of these units.
     """
     return _parse(text, LENGTHS, "length", "550 nm")
 
@@ -62,7 +61,7 @@ def parse_angle(text: str | float) -> float:
     Raises
     ------
     ValueError
-        If it is not a number, or a text of one with one of these units.
+        If `text` is neither a number nor a number with one of these units.
     """
     if isinstance(text, int | float) and not isinstance(text, bool):
         return real("an angle", text, infinite=True)
@@ -86,7 +85,7 @@ def parse_radius(text: str | float, focal_length: float) -> float:
     Raises
     ------
     ValueError
-        If it is neither a length nor an angle.
+        If `text` is neither a length nor an angle.
     """
     found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     if found and found[2] in _ANGLES:
@@ -95,15 +94,15 @@ def parse_radius(text: str | float, focal_length: float) -> float:
 
 
 def format_length(metres: float, *, like: float | None = None, digits: int = 4) -> str:
-    """Return a length with a unit that suits it, or that suits another length: ``"3.45 um"``.
+    """Return a length as text with a suitable unit, such as ``"3.45 um"``.
 
     Parameters
     ----------
     metres : float
     like : float, optional
-        The other length, metres.
+        Length that determines the unit, metres; by default `metres`.
     digits : int, default 4
-        Significant ones.
+        Number of significant digits.
 
     Returns
     -------

@@ -36,7 +36,7 @@ def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
 
 
 class Blur:
-    """A factor of the transfer function. Of a pupil with a wavelength lengths are metres, else units of lambda*N."""
+    """Blur described by its transfer function; lengths in metres, or in lambda*N for pupils without wavelength."""
 
     metric: ClassVar[bool | None] = None
 
@@ -72,17 +72,17 @@ class Blur:
 
     @property
     def covariance(self) -> Array:
-        """Of the part that is Gaussian, in (x, y)."""
+        """Covariance matrix of the Gaussian part, in (x, y)."""
         return np.zeros((2, 2))
 
     @property
     def streak(self) -> tuple[float, float]:
-        """Along which (x, y) light is smeared evenly."""
+        """Vector (x, y) of a uniform linear smear."""
         return 0.0, 0.0
 
     @property
     def lengths(self) -> tuple[float, ...]:
-        """What is a length on the sensor."""
+        """Parameters that are lengths on the sensor."""
         return tuple(vars(self)[name] for name in ("sigma", "across", "length") if name in vars(self))
 
     def to_dict(self) -> Json:
@@ -92,7 +92,7 @@ class Blur:
 
 @dataclass(frozen=True)
 class Seeing(Blur):
-    r"""The long exposure through a turbulent atmosphere.
+    r"""Long-exposure seeing of a turbulent atmosphere (Kolmogorov or von Karman).
 
     ``T = exp(-D / 2)``, D the structure function of the phase over the distance ``wavelength * focal_length * f`` in
     the aperture: ``D / 2 = 3.441939 (distance / r0)^(5/3)`` after Kolmogorov and Fried, with an outer scale that of
@@ -101,19 +101,19 @@ class Seeing(Blur):
     Parameters
     ----------
     r0 : float
-        Fried's parameter at `wavelength`, metres in front of the telescope. For pupils in units of lambda*N, which
-        have no wavelength, it is over the diameter of the aperture.
+        Fried parameter at `wavelength`, metres at the entrance pupil. For pupils without a wavelength: divided by the
+        diameter of the aperture.
     focal_length : float, optional
-        Metres: together with `wavelength`, for pupils with a wavelength.
+        Focal length in metres; together with `wavelength`, for pupils with a wavelength.
     wavelength : float, optional
-        That r0 is given at, metres. In other light r0 is ``(other / wavelength)^(6/5)`` times as long.
+        Wavelength of `r0`, metres. At another wavelength r0 is scaled by ``(other / wavelength)^(6/5)``.
     outer_scale : float, optional
-        Metres, or over the diameter as r0 is; by default there is none, after Kolmogorov.
+        Outer scale, in the unit of `r0`; by default infinite (Kolmogorov).
 
     Raises
     ------
     TypeError, ValueError
-        If a number is not above 0, or one of focal length and wavelength is missing.
+        If a number is not above 0, or only one of `focal_length` and `wavelength` is given.
 
     References
     ----------
@@ -151,12 +151,12 @@ class Seeing(Blur):
     def from_fwhm(
         cls, fwhm: float, focal_length: float, wavelength: float = 500e-9, outer_scale: float | None = None
     ) -> Seeing:
-        """Return the seeing whose image of a star has a full width at half, ``0.9758634299 wavelength / r0``.
+        """Return the seeing of a given full width at half maximum, ``0.9758634299 wavelength / r0``.
 
         Parameters
         ----------
         fwhm : float
-            Radians (1 arcsec is 4.848e-6), of a large telescope without outer scale, as monitors state it.
+            Seeing FWHM in radians (1 arcsec is 4.848e-6), for a large telescope and an infinite outer scale.
         focal_length, wavelength, outer_scale : float
             As of :class:`lommel.Seeing`.
 
@@ -174,11 +174,11 @@ class Seeing(Blur):
 
     @property
     def metric(self) -> bool:  # type: ignore[override]
-        """Whether it is for pupils with a wavelength."""
+        """Whether it applies to pupils with a wavelength."""
         return self.wavelength is not None
 
     def coherence(self, wavelength: float | None = None) -> float:
-        """Return the frequency ``r0 / (wavelength focal_length)`` in light of a `wavelength`.
+        """Return the coherence frequency ``r0 / (wavelength focal_length)`` at a `wavelength`.
 
         Cycles per metre, or per lambda*N.
         """
@@ -188,9 +188,9 @@ class Seeing(Blur):
         return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
 
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
-        """Return the transfer function at frequencies `fx`, `fy` in light of a `wavelength`; see :class:`Blur`.
+        """Return the transfer function at frequencies `fx`, `fy` and a `wavelength`; see :class:`Blur`.
 
-        TypeError or ValueError if these are no finite numbers, or do not broadcast.
+        Raises TypeError or ValueError if these are not finite or do not broadcast.
         """
         x, y = frequencies(fx, fy)
         given = None if wavelength is None else validation.wavelength(wavelength)
@@ -224,7 +224,7 @@ def _von_karman(q: Array, scales: float) -> Array:
 
 @dataclass(frozen=True)
 class Jitter(Blur):
-    """Random motion, such as that of a telescope or of a hand, over an exposure longer than it: a Gaussian.
+    """Random image motion during a long exposure (telescope jitter, hand shake), a Gaussian blur.
 
     Parameters
     ----------
@@ -239,7 +239,7 @@ class Jitter(Blur):
     Raises
     ------
     TypeError, ValueError
-        If a number is no finite one, or a deviation negative.
+        If a number is not finite, or a standard deviation is negative.
     """
 
     sigma: float
@@ -254,7 +254,7 @@ class Jitter(Blur):
 
     @property
     def covariance(self) -> Array:
-        """Of the position (x, y)."""
+        """Covariance matrix of the position (x, y)."""
         along, across = self.lengths
         c, s = math.cos(self.angle), math.sin(self.angle)
         turn = np.array([[c, -s], [s, c]])
@@ -263,7 +263,7 @@ class Jitter(Blur):
 
 @dataclass(frozen=True)
 class ChargeDiffusion(Blur):
-    """Charge that moves sideways before a pixel collects it: a Gaussian.
+    """Lateral charge diffusion in the sensor, a Gaussian blur.
 
     Parameters
     ----------
@@ -274,7 +274,7 @@ class ChargeDiffusion(Blur):
     Raises
     ------
     TypeError, ValueError
-        If it is no finite number, or negative.
+        If `sigma` is not a finite number of at least 0.
     """
 
     sigma: float
@@ -284,25 +284,25 @@ class ChargeDiffusion(Blur):
 
     @property
     def covariance(self) -> Array:
-        """Of the position (x, y)."""
+        """Covariance matrix of the position (x, y)."""
         return self.sigma**2 * np.eye(2)
 
 
 @dataclass(frozen=True)
 class Motion(Blur):
-    """A steady motion during the exposure, along a line: every place of it takes as long.
+    """Uniform linear motion during the exposure (motion blur).
 
     Parameters
     ----------
     length : float
-        Of the line on the sensor, its middle where the image would be: metres, or units of lambda*N.
+        Length of the path on the sensor, centred on the unblurred image: metres, or units of lambda*N.
     angle : float, default 0
-        Its direction in radians, from the columns (x) to the rows (y).
+        Direction of the motion in radians, from the columns (x) to the rows (y).
 
     Raises
     ------
     TypeError, ValueError
-        If a number is no finite one, or the length negative.
+        If a number is not finite, or the length is negative.
     """
 
     length: float
@@ -314,7 +314,7 @@ class Motion(Blur):
 
     @property
     def streak(self) -> tuple[float, float]:
-        """From one end to the other, (x, y)."""
+        """Vector (x, y) from one end of the path to the other."""
         return self.length * math.cos(self.angle), self.length * math.sin(self.angle)
 
 

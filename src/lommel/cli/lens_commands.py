@@ -66,14 +66,15 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
 
     For circular and annular apertures the reference is Hankel, direct quadrature, if the wavefront is radially
     symmetric, else NijboerZernike at a tolerance of 1e-9, with a proven error bound; for other apertures it is
-    NonuniformFFT at a tolerance of 1e-11. Methods have their names of Python; --method takes closed-form for
-    ClosedForm, and so on (`lommel methods`). Those that do not support the pupil are listed with the reason.
+    NonuniformFFT at a tolerance of 1e-11. Methods are listed by their names in Python; `lommel psf --method` takes
+    closed-form for ClosedForm, and so on (`lommel methods`). Those that do not support the pupil are listed with the
+    reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. For a
     paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other methods
-    make; HuygensFresnel is computed at pixel centres. ClosedForm uses the values of its options `tangent` and `erf`
-    (see `lommel methods`) that give the least MSE in this window. Times are those of the second call, or of the first
-    if that takes more than 1 s. The last line compares the paraxial and the aplanatic model of the lens.
+    make; it is compared at pixel centres, also with --integrate. ClosedForm uses the values of its options `tangent`
+    and `erf` (see `lommel methods`) that give the least MSE in this window. Times are those of the second call, or of
+    the first if that takes more than 1 s. The last line compares the paraxial and the aplanatic model of the lens.
 
     Example:
       lommel compare phone.toml --figure methods.png

@@ -20,7 +20,7 @@ Pixels = NDArray[Any]  # values of images as they are stored, float32 or float64
 
 
 class ToleranceError(ArithmeticError):
-    """A method cannot meet the tolerance it was given."""
+    """A method cannot meet the requested tolerance."""
 
 
 def not_met(tol: float, bound: float, what: str) -> ToleranceError:

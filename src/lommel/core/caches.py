@@ -11,11 +11,11 @@ _Kept = type(functools.lru_cache(maxsize=1)(len))
 
 
 def clear_caches() -> None:
-    """Free the memory that is kept between calls: tables of the compiled core, plans of :func:`lommel.psf`, the rest.
+    """Free the memory kept between calls: tables of the compiled core, plans of :func:`lommel.psf` and others.
 
-    The next call makes anew what it needs: it takes as long, and returns the same bits, as the first of a process.
-    Calls that run meanwhile in other threads keep what they use until they return, and may leave it behind. Plans,
-    PSFs and operators that you hold stay. How much is kept at most: :doc:`the guide </running>`.
+    The next call recomputes what it needs: it takes as long as the first call of a process, with identical results.
+    Calls that are running in other threads keep what they use until they return. Plans, PSFs and operators that you
+    hold stay valid. For the limits of the caches see :doc:`the guide </running>`.
 
     Examples
     --------

@@ -49,14 +49,14 @@ def depth_precision(
     window: float = 4.0,
     known_texture: bool = False,
 ) -> Numbers:
-    """Return the least standard deviation of the distance of a textured surface from photographs of it.
+    """Return the Cramér-Rao bound on the depth of a textured surface, as a standard deviation.
 
     Parameters
     ----------
     lenses : sequence of Lens
-        The focused lens of each photograph; circular apertures, radially symmetric aberrations.
+        Lens of each photograph, focused; circular apertures and radially symmetric aberrations only.
     distance : array_like
-        Of the surface, metres.
+        Distance of the surface, metres.
     pixel : float
         Pixel pitch, metres.
     noise : Noise
@@ -64,8 +64,8 @@ def depth_precision(
     photons : array_like, optional
         Mean electrons of a pixel: a number, or one for each photograph. By default ``noise.white``.
     contrast : float, default 0.35
-        Of the texture, whose power falls as the squared frequency, as in most scenes: rms over mean of its structures
-        of 2 to 128 pixels, in the image in focus.
+        Texture contrast: rms over mean of the structures of 2 to 128 pixels in the focused image. The power spectrum
+        falls as the inverse square of the frequency, as in natural scenes.
     window : float, default 4.0
         Rms width of the Gaussian window of constant depth, pixels, at least 1.
     known_texture : bool, default False
@@ -76,18 +76,18 @@ def depth_precision(
     -------
     float or ndarray
         Standard deviation of the best unbiased estimate, metres, of the shape of `distance`; inf where depth cannot
-        be determined: at infinity, without texture or light, and for photographs that change alike with depth.
+        be determined: at infinity, without texture or light, and where all photographs change equally with depth.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another type, if a lens has no round, radially symmetric pupil, or if the
-        blur takes windows of more than 1025 x 1025 pixels.
+        If an argument is out of range or of another type, if the pupil of a lens is not circular and radially
+        symmetric, or if the blur needs windows of more than 1025 x 1025 pixels.
 
     Notes
     -----
-    The Cramér-Rao bound for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998), by differences over 0.08 rad
-    of defocus, in error by less than 1e-5. It is a mean over textures: strong edges hold more information.
+    The Cramér-Rao bound for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998), by finite differences over
+    0.08 rad of defocus, with a relative error below 1e-5. Strong edges hold more information than such textures.
 
     Examples
     --------
@@ -114,7 +114,7 @@ class Foci(NamedTuple):
     deviation : float
         Standard deviation of the distance, metres, as of :func:`depth_precision`.
     lenses : tuple of Lens
-        Focused so.
+        The lens focused at each of them.
     """
 
     near: float
@@ -134,22 +134,22 @@ def best_foci(
     window: float = 4.0,
     known_texture: bool = False,
 ) -> Foci:
-    """Return the two distances to focus on that determine the distance of a surface best.
+    """Return the two focus distances that give the best depth precision for a surface.
 
     Parameters
     ----------
     lens : Lens
         Its own focus distance is ignored.
     distance : float
-        Of the surface, metres.
+        Distance of the surface, metres.
     pixel, noise, photons, contrast, window, known_texture
         As of :func:`depth_precision`.
 
     Returns
     -------
     Foci
-        The best pair with one focus before the surface and one behind it, to about 1 % of their distance from it. For
-        a range of depths choose foci at or beyond its ends, and compare :func:`depth_precision` between.
+        The best pair with one focus in front of the surface and one behind it, to about 1 % of their distance from
+        it. For a range of depths choose foci at or beyond its ends, and compare :func:`depth_precision` in between.
 
     Raises
     ------

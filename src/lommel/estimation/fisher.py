@@ -32,14 +32,14 @@ class Information:
     Attributes
     ----------
     names : tuple
-        Of the parameters, as in `of`; parameters of single images are numbered: ``"photons[0]"``.
+        Names of the parameters, as in `of`; parameters of single images are numbered: ``"photons[0]"``.
     units : dict of name to str
         "rad", "m", "pixels", "electrons", "electrons/pixel", or "" for numbers.
     matrix : ndarray, shape ``stack + (k, k)``
         Fisher information of k parameters, for each of a stack of scenes.
     covariance : ndarray, shape ``stack + (k, k)``
-        Its inverse, the bound on the covariance of estimates. Infinite on the diagonal for unidentifiable parameters,
-        and off it for two of which only a combination is identifiable.
+        Inverse of `matrix`, the bound on the covariance of estimates. Infinite on the diagonal for unidentifiable
+        parameters, and off it for two of which only a combination is identifiable.
     correlation : ndarray, shape ``stack + (k, k)``
         The covariance over both standard deviations; its limit for unidentifiable parameters.
     """
@@ -52,16 +52,16 @@ class Information:
 
     @classmethod
     def of_root(cls, names: tuple[Name, ...], units: dict[Name, str], root: Array, error: Array) -> Self:
-        """Return the information in derivatives of independent data over their standard deviations.
+        """Return the information of independent data from their derivatives divided by their standard deviations.
 
         Parameters
         ----------
         names, units
-            As the attributes.
+            As the attributes of the same names.
         root : ndarray, shape ``stack + (rows, k)``, rows >= k
             The derivatives, or any other array R with ``R^T R`` the information matrix.
         error : ndarray, shape ``stack + (k,)``
-            Bound on the error of each column, as the root of the sum of its squares.
+            Bound on the Euclidean norm of the error of each column.
 
         Returns
         -------
@@ -106,13 +106,13 @@ class Information:
 
     @property
     def deviation(self) -> dict[Name, Numbers]:
-        """Least standard deviation of each parameter, in the shape of the stack: inf if it is unidentifiable."""
+        """Cramér-Rao bound on each parameter as a standard deviation, shape of the stack; inf if unidentifiable."""
         variance = np.diagonal(self.covariance, axis1=-2, axis2=-1)
         return {name: numbers(np.sqrt(variance[..., k]), variance.shape[:-1]) for k, name in enumerate(self.names)}
 
     @property
     def unidentifiable(self) -> tuple[Name, ...]:
-        """Names of the parameters that the images do not determine in any one of the scenes."""
+        """Names of the parameters that at least one of the scenes does not determine."""
         return tuple(name for name, deviation in self.deviation.items() if np.isinf(deviation).any())
 
     def to_dict(self) -> dict[str, Any]:
@@ -193,14 +193,14 @@ def fisher(
     integrate: bool | None = None,
     threads: int | None = None,
 ) -> Information:
-    """Return the Fisher information and the Cramér-Rao bound of parameters estimated from images of a point source.
+    """Return the Fisher information and Cramér-Rao bounds of parameters, from images of a point source.
 
     Parameters
     ----------
     pupil : Pupil, ObjectivePupil or a sequence of these
-        Of the image. A stack is as many scenes with an image each, and makes arrays of standard deviations. A
-        sequence of pupils is several images of one scene, such as at several foci, whose information adds; stacks in
-        it broadcast, and are scenes again.
+        Pupil of the image. A stack stands for as many scenes with one image each, and gives arrays of standard
+        deviations. A sequence of pupils stands for several images of one scene, such as at several foci, whose
+        information adds; stacks in it broadcast and are scenes again.
     shape, pixel, method, center, integrate, threads
         As of :func:`lommel.psf`.
     of : sequence
@@ -209,13 +209,13 @@ def fisher(
         and "background". Several images of one scene share all but the last two, which each image has of its own.
     photons : array_like
         Flux of the point source: electrons in an infinite window. Arrays broadcast with the images, whose shape is
-        that of the stack, behind the number of pupils of a sequence.
+        that of the stack, preceded by the number of pupils of a sequence.
     background : array_like, default 0
-        Sky, haze and dark current, electrons a pixel. Arrays as of `photons`.
+        Sky, haze and dark current, electrons per pixel. Arrays as of `photons`.
     noise : Noise, optional
-        Read noise; by default none. Its `white` and `offset` do not matter here, where light is in electrons.
+        Read noise; by default none. Its `white` and `offset` are ignored, since light is in electrons here.
     together : bool, default False
-        Whether the images of a stack are of one scene, so that their information adds.
+        Whether the images of a stack show one scene, so that their information adds.
     tol : float, optional
         As of :func:`lommel.psf`; by default 1e-8, or 1e-7 or 1e-6 where that cannot be met.
 
@@ -227,20 +227,20 @@ def fisher(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another shape, or if `of` is empty or has a name that is no parameter of
-        the pupil.
+        If an argument is out of range or of another shape, or if `of` is empty or names a parameter that the pupil
+        does not have.
     ToleranceError
         If the method cannot meet its tolerance.
 
     Notes
     -----
-    Pixels count ``mu = photons h + background`` electrons on average, h being the PSF, and hold the information
+    The mean of a pixel is ``mu = photons h + background`` electrons, h being the PSF, and its information is
     ``F[a, b] = sum(d_a mu d_b mu / (mu + read**2))`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014). With fine
-    pixels in a wide window, without background and read noise, the standard deviation of the place of an Airy pattern
+    pixels in a wide window, without background and read noise, the standard deviation of the centre of an Airy disc
     is ``lambda N / (pi sqrt(photons))`` (Ober et al. 2004, doi:10.1016/S0006-3495(04)74193-4). Unidentifiable
-    parameters, as the defocus of an image in focus, which does not change to first order, have the standard deviation
-    inf: the proven bounds of the derivatives decide, see :meth:`lommel.Information.of_root`. Derivatives do not see
-    ambiguities between distant values, as between a defocus and its negative.
+    parameters, such as the defocus of an image in focus, which does not change to first order, have the standard
+    deviation inf: the proven bounds of the derivatives decide, see :meth:`lommel.Information.of_root`. The bound is
+    local: it ignores ambiguities between distant values, such as a defocus and its negative.
 
     Examples
     --------

@@ -16,8 +16,8 @@ from lommel.base.arrays import Array
 class Noise:
     """Gain, offset, photon noise and read noise of a sensor.
 
-    A pixel with mu electrons on average counts ``Poisson(mu)`` of them, to which reading adds Gaussian noise; the
-    image holds ``offset + electrons / white``.
+    A pixel with a mean of mu electrons records ``Poisson(mu)`` of them plus Gaussian read noise; the image holds
+    ``offset + electrons / white``.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class Noise:
     Raises
     ------
     TypeError, ValueError
-        If one of them is not real and finite, `white` is not above 0, or `read` is negative.
+        If an argument is not real and finite, `white` is not above 0, or `read` is negative.
 
     Notes
     -----

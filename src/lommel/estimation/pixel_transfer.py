@@ -57,22 +57,22 @@ def pixel_transfer(
     Parameters
     ----------
     lens : Lens
-        With a round aperture and radially symmetric aberrations, which make them real and even.
+        With a circular aperture and radially symmetric aberrations, so that the functions are real and even.
     distances : ndarray, shape (count,)
-        Of the objects, metres.
+        Object distances, metres.
     spectrum : sequence of (wavelength, weight)
         Weights sum to 1.
     pixel : float
         Metres.
     shape : (int, int)
-        Of the images that are transformed, each side at least ``2 half + 1``.
+        Shape of the images to transform, each side at least ``2 half + 1``.
     half : int
-        Of the windows, pixels from the middle to the edge.
+        Half width of the windows, pixels.
 
     Returns
     -------
     ndarray, shape (count, height // 2 + 1, width // 2 + 1)
-        At 0, 1, 2, ... cycles an image down and across; 1 at the first.
+        At 0, 1, 2, ... cycles per image height and width; 1 at frequency 0.
     """
     pupil, total = lens.pupil(distances), np.zeros((len(distances), half + 1, half + 1))
     for wavelength, weight in spectrum:

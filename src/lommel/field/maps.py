@@ -58,10 +58,10 @@ class ApertureOptions:
     Parameters
     ----------
     aperture : Pupil, optional
-        With a flat wavefront, such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting, mask,
-        apodization and scale are those of the whole field; its geometry, which is known on the axis only, is not.
+        Pupil without wavefront error, such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting,
+        mask, apodization and scale apply to the whole field; its geometry is used on the axis only.
     wavelength, f_number, obscuration : float, optional
-        As of :class:`lommel.Pupil`, for what `aperture` does not state.
+        As of :class:`lommel.Pupil`, where `aperture` does not state them.
     """
 
     aperture: Pupil | None = None
@@ -94,15 +94,15 @@ class FieldMap:
     Made by :meth:`on_grid`, :meth:`scattered`, :meth:`radial` or :meth:`from_seidel`, which take the aperture by the
     same options and raise TypeError or ValueError where numbers are out of range, positions are repeated or not as
     stated, or there is not one wavefront for each. Positions (x, y) are measured from the optical axis, x along
-    rising columns and y along rising rows (downwards in a picture), in metres if the map has a wavelength, else in
-    units of lambda*N. Zernike coefficients are interpolated, and reproduced at the known positions but for rounding.
+    columns to the right and y along rows downwards, in metres if the map has a wavelength, else in units of lambda*N.
+    Zernike coefficients are interpolated, and exact (but for rounding) at the known positions.
 
-    A map plus a wavefront has that wavefront added everywhere, such as the defocus of an object.
+    Adding a wavefront to a map adds it at every position, such as the defocus of an object.
 
     Attributes
     ----------
     pupil_without_wavefront : Pupil
-        The aperture on the axis; without vignetting that of the whole field.
+        The aperture on the axis, and over the whole field where there is no vignetting.
     vignetting : Vignetting or None
         Vignetting off the axis; see :meth:`seen_through`.
     shading : Shading or None
@@ -136,7 +136,7 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like, shapes (columns,) and (rows,)
-            Rising, at least two each. Along an axis of two or three positions the spline is linear or quadratic.
+            Increasing, at least two each. Along an axis of two or three positions the spline is linear or quadratic.
         wavefront : Wavefront of shape (rows, columns)
         {options}
         """
@@ -156,7 +156,7 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like, shape (n,)
-            3 to 4000 positions, all different, not all on one line.
+            3 to 4000 distinct positions, not all on one line.
         wavefront : Wavefront of shape (n,)
         {options}
         """
@@ -170,14 +170,14 @@ class FieldMap:
     ) -> FieldMap:
         """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
 
-        Along the height, coefficients are cubic splines with the parity that rotation by half a turn demands
-        (even in the height for even m, odd for odd m); for other azimuths the wavefront is rotated exactly.
-        Aberrations of third order are exact from three heights on.
+        Along the field height, coefficients are cubic splines with the parity that symmetry demands (even in the
+        height for even m, odd for odd m); for other azimuths the wavefront is rotated exactly. Third-order
+        aberrations are reproduced exactly from three heights on.
 
         Parameters
         ----------
         height : array_like, shape (n,)
-            Distances from the axis, rising from 0, at least two.
+            Distances from the axis, increasing from 0, at least two.
         wavefront : Wavefront of shape (n,)
             The first, on the axis, must be radially symmetric (to 1e-6 rad).
         azimuth : float, default 0
@@ -225,12 +225,12 @@ class FieldMap:
 
     @property
     def seidel(self) -> dict[str, float]:
-        """Seidel coefficients in waves at :attr:`reach` of a map made of them, else none; without what was added."""
+        """Seidel coefficients (waves) at :attr:`reach` if the map was made from them, else None."""
         return dict(self._wavefronts.waves) if isinstance(self._wavefronts, Seidel) else {}
 
     @property
     def reach(self) -> float:
-        """Distance from the axis of the farthest position in the map."""
+        """Distance from the axis to the farthest position in the map."""
         return self._wavefronts.reach
 
     def __repr__(self) -> str:
@@ -291,7 +291,7 @@ class FieldMap:
         Raises
         ------
         TypeError, ValueError
-            If these are of other types, or the aperture has vignetting already.
+            If an argument is of another type, or the aperture has vignetting already.
         """
         validation.optional("vignetting", vignetting, Vignetting)
         validation.optional("shading", shading, Shading)
@@ -309,7 +309,7 @@ class FieldMap:
         Returns
         -------
         float or ndarray
-            Light transmitted there over that on the axis, times the shading.
+            Transmitted light relative to the axis, times the shading.
 
         Raises
         ------
@@ -345,9 +345,9 @@ class FieldMap:
         ----------
         x, y : array_like
         shape, pixel, options
-            As of :func:`lommel.psf`; the middle of the window is at the position.
+            As of :func:`lommel.psf`; the window is centred on the position.
         method : Method, optional
-            By default what :func:`lommel.psf` takes by default.
+            By default as of :func:`lommel.psf`.
 
         Returns
         -------
@@ -397,13 +397,13 @@ class FieldMap:
         depths : array_like, shape (k,), optional
             Distances of the object from the lens, metres; may be infinite.
         lens : Lens, optional
-            Lens that defocuses these distances, without aberrations: the map has them.
+            Lens that gives the defocus at these distances, without aberrations, which are those of the map.
 
         Raises
         ------
         TypeError, ValueError
-            As :meth:`psf` and :func:`lommel.colour_psf`; also if a centre lies outside of the map, or if one of
-            `depths` and `lens` is missing, or the lens has other light than the map.
+            As :meth:`psf` and :func:`lommel.colour_psf`; also if a centre lies outside the map, if only one of
+            `depths` and `lens` is given, or if the wavelength of the lens is not that of the map.
         """
         if (depths is None) != (lens is None):
             missing = "lens" if lens is None else "depths"

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PSFGrid(Measured):
-    """PSFs over a sensor; ``grid[row, column]`` is one of them.
+    """PSFs on a grid of positions over a sensor; ``grid[row, column]`` is one of them.
 
     Attributes
     ----------
     psf : PSF or ColourPSF
         A stack of shape (rows, columns), or (rows, columns, depths).
     x, y : ndarray, shapes (columns,) and (rows,)
-        Where each is, from the optical axis, in :attr:`unit`.
+        Positions from the optical axis, in :attr:`unit`.
     sensor : (float, float)
         Height and width.
     depths : ndarray, shape (depths,), or None
@@ -39,7 +39,7 @@ class PSFGrid(Measured):
     Raises
     ------
     TypeError, ValueError
-        If these do not fit each other.
+        If the arguments are inconsistent.
     """
 
     psf: PSF | ColourPSF
@@ -96,7 +96,7 @@ class PSFGrid(Measured):
         return self.psf.part(index) if isinstance(self.psf, ColourPSF) else self.psf[index]
 
     def measured(self, measure: Callable[[PSF], Any]) -> Any:
-        """Return a `measure` of the PSF of each place, distance and channel."""
+        """Return a `measure` of the PSF at each position, distance and channel."""
         return self.psf.measured(measure)
 
     def channel(self, channel: str | int) -> PSFGrid:
@@ -113,7 +113,7 @@ class PSFGrid(Measured):
         return replace(self, psf=self[:, :, which], depths=None)
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-        """Draw each PSF, enlarged, in its place on the sensor; three channels in colour.
+        """Draw each PSF, enlarged, at its position on the sensor; three channels in colour.
 
         `ax` and `stretch` as of :func:`lommel.show.plot.field`.
         """

@@ -24,17 +24,17 @@ class Vignetting:
     Parameters
     ----------
     height : array_like, shape (n,)
-        Distances from the axis on the sensor, rising from 0, at least two.
+        Distances from the axis on the sensor, increasing from 0, at least two.
     shift : array_like, shape (n,)
-        Of the centre over the radius of the aperture, 0 on the axis; positive towards the position, so that the
-        opposite side of the pupil is blocked.
+        Shift of the centre of the second circle, in radii of the aperture, 0 on the axis; positive towards the
+        position, so that the opposite side of the pupil is blocked.
     radius : float or array_like, shape (n,)
-        Over the radius of the aperture.
+        Radius of the second circle, in radii of the aperture.
 
     Raises
     ------
     TypeError, ValueError
-        If a number is not finite, heights do not rise from 0, or no light passes at one of them.
+        If a number is not finite, heights do not increase from 0, or no light passes at one of them.
 
     Examples
     --------
@@ -78,15 +78,15 @@ class Shading:
     Parameters
     ----------
     height : array_like, shape (n,)
-        Distances from the axis on the sensor, rising from 0, at least two.
+        Distances from the axis on the sensor, increasing from 0, at least two.
     light : array_like, shape (n,)
-        Over that on the axis, above 0; the first is 1. As measured with the lens stopped down, without vignetting.
-        Linear between heights.
+        Illumination relative to the axis, above 0; the first is 1. As measured with the lens stopped down, without
+        vignetting. Interpolated linearly between heights.
 
     Raises
     ------
     TypeError, ValueError
-        If a number is not finite, heights do not rise from 0, or the first is not 1.
+        If a number is not finite, heights do not increase from 0, or the first `light` is not 1.
     """
 
     height: tuple[float, ...]
@@ -106,13 +106,13 @@ class Shading:
         Parameters
         ----------
         distance : float
-            From the exit pupil to the sensor, in the unit of heights: `sensor_distance` of a thin
+            Distance from the exit pupil to the sensor, in the unit of heights: `sensor_distance` of a thin
             :class:`lommel.Lens`.
 
         Raises
         ------
         TypeError, ValueError
-            If it is no number above 0.
+            If `distance` is not a number above 0.
 
         References
         ----------
@@ -123,7 +123,7 @@ class Shading:
         return made
 
     def at(self, x: Array, y: Array) -> Array:
-        """Return the relative light at (`x`, `y`); ValueError beyond the last height."""
+        """Return the relative illumination at (`x`, `y`); ValueError beyond the last height."""
         r = np.hypot(x, y)
         if self.distance is not None:
             return np.asarray((1.0 + (r / self.distance) ** 2) ** -2.0)

@@ -37,30 +37,30 @@ _GAPS = 12  # between the windows that are tried first, or twice as many and so 
 
 @dataclass(frozen=True, eq=False)
 class Bank:
-    """Windows of one channel, equally spaced in defocus.
+    """PSF windows of one channel, equally spaced in defocus.
 
     Attributes
     ----------
     start, spacing : float
-        Defocus C_d (radians at the wavelength of the lens) of the first window, and from one to the next.
+        Defocus C_d of the first window, and its step between windows (radians at the wavelength of the lens).
     windows : ndarray, shape (count + 1, half + 1, stride)
-        Share of the light of a point that each pixel receives, from the middle row down and the middle column on: the
-        other quadrants mirror this one. Columns beyond the window and the last window are room for the compiled core.
+        Fraction of the light of a point on each pixel, for the quadrant from the central row and column on; the other
+        quadrants mirror it. Columns beyond the window, and the last window, are padding for the compiled core.
     cuts : ndarray, shape (count,)
-        How many pixels from the middle are used of each window, a real number h: of the ring at the Chebyshev
-        distance k the share ``h + 1 - k``, from 0 to 1, averaged over the neighbours (1/6, 2/3, 1/6). So nothing
-        jumps as a point moves.
+        Half width in use of each window, a real number h: the ring at the Chebyshev distance k has the weight
+        ``h + 1 - k``, clipped to 0 to 1 and averaged over the neighbours (1/6, 2/3, 1/6), so that the blur changes
+        continuously as a point moves.
     energies : ndarray, shape (count,)
-        What each window sums to; what is interpolated is divided by its sum. Ones where there is a remainder: then
-        nothing is divided.
+        Sum of each window; interpolated windows are divided by their sums. Ones with a remainder, where nothing is
+        divided.
     lost : float
-        Largest share of light beyond the pixels used, spread over these instead.
+        Largest fraction of the light beyond the pixels in use, which is spread over these instead.
     error : float
-        Largest difference found between interpolated windows and exact ones half-way, over the peak of these.
+        Largest difference found between interpolated and exact windows half-way between nodes, relative to the peak.
     remainder : Remainder, optional
-        What lies beyond the windows, if nothing is to be lost; the windows then hold the PSF less this.
+        Light beyond the windows, for ``energy=1``; the windows then hold the PSF minus this.
     filled : ndarray, optional
-        What the remainder holds where the windows are, as `windows` are stored.
+        The remainder within the windows, stored like `windows`.
     """
 
     start: float
@@ -80,12 +80,12 @@ class Bank:
 
     @property
     def half(self) -> int:
-        """Pixels from the middle of the largest window to its edge."""
+        """Half width of the largest window, pixels."""
         return int(self.windows.shape[1]) - 1
 
     @property
     def halves(self) -> NDArray[np.int64]:
-        """Pixels from the middle of each window to the last one used, shape (count,)."""
+        """Half width in use of each window, pixels, shape (count,)."""
         return of_neighbours(np.ceil(self.cuts)).astype(np.int64)
 
     @property
@@ -100,7 +100,7 @@ class Bank:
         return positions
 
     def used(self, defocus: float) -> Array:
-        """Return the share used of each pixel, about 0 to 1, at one `defocus` C_d (radians), shape (side, side)."""
+        """Return the weight of each pixel, about 0 to 1, at one `defocus` C_d (radians), shape (side, side)."""
         first, weights = self._mixture(defocus)
         return self._spread_out(np.tensordot(weights, shares_used(self.cuts, self.half)[first : first + 4], axes=1))
 

@@ -43,9 +43,9 @@ class DepthBlur(LinearBlur):
     r"""Blur by depth, a linear operator without occlusion: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
     K is the pixel-integrated PSF at the defocus of each source point, truncated to a window that holds `energy` of
-    its light and divided by the light in the window, so that light is conserved; with ``energy=1`` it is not
-    truncated, but a window and a smooth remainder without end. Between the windows of a bank it is interpolated by
-    cubics. For occlusion see :class:`lommel.imaging.Occlusion`.
+    its light and divided by the light in the window, so that light is conserved; with ``energy=1`` it is the sum of a
+    window and an unbounded smooth remainder. Between the windows of a bank it is interpolated by cubics. For
+    occlusion see :class:`lommel.imaging.Occlusion`.
 
     Parameters
     ----------
@@ -62,11 +62,11 @@ class DepthBlur(LinearBlur):
     Attributes
     ----------
     banks : tuple of Bank
-        One a channel.
+        One for each channel.
     spectra : tuple
         Pairs of a wavelength (metres) and a weight for each channel.
     lost : float
-        Largest share of light beyond the windows, of any point and channel; 0 for the whole PSF.
+        Largest fraction of the light beyond the windows, of any point and channel; 0 for the whole PSF.
     error : float
         Largest error of interpolated windows over their peak, checked half-way between windows. For the whole PSF the
         sum over pixels of the largest error of K, at the distances of the scene: no pixel is off by more than this
@@ -137,16 +137,16 @@ class DepthBlur(LinearBlur):
 
     @property
     def lost(self) -> float:
-        """Largest share of light beyond the windows, of any point and channel."""
+        """Largest fraction of the light beyond the windows, of any point and channel."""
         return max(bank.lost for bank in self.banks)
 
     @property
     def error(self) -> float:
-        """Largest error of interpolated windows over their peak; of the whole PSF that of K, summed over pixels."""
+        """Largest error of interpolated windows over their peak; with ``energy=1`` that of K, summed over pixels."""
         return max(bank.error for bank in self.banks) if self.beyond is None else self.beyond.error(self)
 
     def forward(self, image: Values, weight: Values | None = None) -> Values:
-        """Return the image that the lens makes of an `image`, or of its points in the bool map `weight` only."""
+        """Return the blurred image of an `image`, or of only its points in the bool map `weight`."""
         return np.stack(self.act(self.planes(image), weight), axis=-1).reshape(np.shape(image))
 
     def adjoint(self, image: Values, weight: Values | None = None) -> Values:
@@ -202,10 +202,10 @@ class DepthBlur(LinearBlur):
     ) -> Values:
         """Return the blurred light of several `sources` in one `channel`.
 
-        Each source is a plane of light, shape (height, width), and its points. `seen` is the number of layers of
-        points that each pixel sees, a real number, by default all; `bank` another bank than that of the channel, with
-        windows alike; with `slopes` windows are replaced by their derivatives by positions. TypeError or ValueError
-        if there is no such channel, or a plane is not of the type of the sums.
+        Each source is a plane of light, shape (height, width), and its points. `seen` is the number of layers that
+        each pixel sees, a real number, by default all; `bank` replaces the bank of the channel by another of the same
+        layout; `slopes` replaces windows by their derivatives with respect to position. Raises TypeError or
+        ValueError if there is no such channel, or a plane is not of the dtype of the operator.
         """
         rows, columns, around = self._room(channel)
         if not isinstance(sources, Sequence):
@@ -431,23 +431,23 @@ _STEP_OF_DEFOCUS, _STEP_OF_SCALE = 0.03, 1e-3
 # C_d = k (1/d - 1/f + 1/z), k = pi R^2 / (2 lambda), the derivative is -k / z^2 by the distance z of a point, and
 # -k / d^2 by the distance d of the sensor, for all points; but the sensor also scales all windows in proportion to d.
 class BlurSlopes:
-    """The derivatives of ``blur.forward(image)`` by the depth of every point and by the focus, for fits of either.
+    """Derivatives of ``blur.forward(image)`` with respect to the depth of every point and to the focus.
 
-    A linear operator from changes of depth to changes of the photograph, with its exact transpose; both cost what the
-    blur costs. Derivatives are those of the interpolated windows: against those of exact windows they err by about
-    `tol` of the peak per radian of C_d, and more where windows are far apart.
+    A linear operator from changes of depth to changes of the photograph, with its exact transpose; each costs about
+    as much as the blur. Derivatives are those of the interpolated windows: their error is about `tol` of the peak per
+    radian of C_d, and more where windows are far apart.
 
     Parameters
     ----------
     image : ndarray of float
         The scene, linear light, of the shape that :meth:`lommel.imaging.DepthBlur.forward` takes.
     blur : DepthBlur
-        Placed at the depths of the derivatives; is not to be placed elsewhere afterwards.
+        Placed at the depths of the derivatives; must not be placed elsewhere afterwards.
 
     Raises
     ------
     TypeError, ValueError
-        If `blur` is none, or as :meth:`lommel.imaging.DepthBlur.forward`.
+        If `blur` is not a DepthBlur, or as :meth:`lommel.imaging.DepthBlur.forward`.
 
     Examples
     --------
@@ -494,11 +494,10 @@ class BlurSlopes:
         return total
 
     def focus(self) -> Values:
-        """Return the derivative of the photograph by the distance of the sensor from the lens, light per metre.
+        """Return the derivative of the photograph with respect to the sensor distance, light per metre.
 
-        The aperture keeps its diameter. The derivative by the distance in focus is ``-(d / s)**2`` times this, d
-        being ``lens.sensor_distance`` and s ``lens.focus_distance``. ValueError where the blur has the whole PSF,
-        ``energy=1``.
+        The aperture keeps its diameter. The derivative with respect to the focus distance is ``-(d / s)**2`` times
+        this, d being ``lens.sensor_distance`` and s ``lens.focus_distance``. Raises ValueError for ``energy=1``.
         """
         blur = self._blur
         if blur.beyond is not None:

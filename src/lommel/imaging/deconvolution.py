@@ -173,10 +173,10 @@ _FIRST = 20  # steps after which a misfit can be told
 class RichardsonLucy:
     r"""Richardson-Lucy deconvolution: ``x <- x / (A^T w) * A^T[w (y + s) / (A x + s)]``, from a uniform scene.
 
-    Each step raises the likelihood; in the end the steps fit the noise too, and stopping early keeps the result
-    smooth. It stops once the discrepancy (about 1 for the scene itself) is `target`. A discrepancy that stays above 1
-    shows a misfit of depth, lens or noise, which further steps would turn into artefacts. Where the blur is right the
-    discrepancy D falls faster than ``c + d / k`` with the steps k: a misfit is detected from step 20 on where such a
+    Each step raises the likelihood; since late steps fit the noise, stopping early keeps the result smooth. It stops
+    when the discrepancy (about 1 for the true scene) reaches `target`. A discrepancy that stays above 1 shows a
+    misfit of depth, lens or noise, which further steps would turn into artefacts. For a correct blur the discrepancy
+    D falls faster than ``c + d / k`` with the number k of steps: a misfit is detected from step 20 on where such a
     curve would end above the target, ``2 D(k) - D(k/2) > target``.
 
     Parameters
@@ -186,16 +186,16 @@ class RichardsonLucy:
     target : float, default 0.9
         Discrepancy to stop at; below 1, since the result follows some of the noise. 0 takes all `steps`.
     accelerate : bool, default True
-        Whether steps are extrapolated, which saves about two of three.
+        Whether to extrapolate the steps, which saves about two thirds of them.
 
     Raises
     ------
     TypeError, ValueError
-        If one of them is of another type or out of range.
+        If an argument is of another type or out of range.
 
     Notes
     -----
-    Richardson 1972, doi:10.1364/JOSA.62.000055; Lucy 1974, doi:10.1086/111605; s, the variance of reading, after
+    Richardson 1972, doi:10.1364/JOSA.62.000055; Lucy 1974, doi:10.1086/111605; s, the read variance, after
     Snyder et al. 1993, doi:10.1364/JOSAA.10.001014; acceleration after Biggs and Andrews 1997,
     doi:10.1364/AO.36.001766; stopping after Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004.
     """
@@ -210,7 +210,7 @@ class RichardsonLucy:
         validation.truth("accelerate", self.accelerate)
 
     def solve(self, observed: Observed, tell: Tell) -> Solution:
-        """Return the light behind the counts `observed`; `tell` gets step, discrepancy and seconds left."""
+        """Return the restored light from the counts `observed`; `tell` gets step, discrepancy and seconds left."""
         light = before = observed.flat
         # What no known pixel sees stays as it is.
         unseen = observed.seen <= 1e-6
@@ -294,7 +294,7 @@ _SETTLED, _EVERY = 3e-3, 25  # change of the discrepancy over so many steps
 
 @dataclass(frozen=True, kw_only=True)
 class TotalVariation:
-    r"""Deblurring with total variation, which keeps edges.
+    r"""Deblurring with total variation, which preserves edges.
 
     The minimum of ``sum w (m - y ln m) + strength * sum |grad x|`` over ``x >= 0``, with ``m = A x + s``. The
     gradient is that of all channels together, so that they share their edges. The `strength` is found from the noise,
@@ -303,23 +303,22 @@ class TotalVariation:
     Parameters
     ----------
     strength : float, optional
-        Dimensionless weight of the total variation, which depends on the noise: about ``0.15 / sqrt(electrons a
-        pixel)``.
+        Dimensionless weight of the total variation, typically ``0.15 / sqrt(electrons per pixel)``.
     steps : int, default 150
-        Number of steps for a `strength` that is given, 1 to 100000; fewer for each that is tried, where it converges.
+        Number of steps for a given `strength`, 1 to 100000; fewer for each one tried, if it converges.
     target : float, default 0.9
-        Discrepancy to be reached, above 0. Less than 1, since the result follows some of the noise.
+        Discrepancy to reach, above 0. Less than 1, since the result follows some of the noise.
 
     Raises
     ------
     TypeError, ValueError
-        If one of them is of another type or out of range.
+        If an argument is of another type or out of range.
 
     Notes
     -----
     Primal-dual steps of Chambolle and Pock 2011, doi:10.1007/s10851-010-0251-1, with the diagonal step sizes of Pock
-    and Chambolle 2011, doi:10.1109/ICCV.2011.6126441. Each strength begins where the last one ended. Steps by
-    gradients of the likelihood would have to be as small as the darkest pixel wants them.
+    and Chambolle 2011, doi:10.1109/ICCV.2011.6126441. Each strength starts from the result of the last one. Gradient
+    steps on the likelihood would be limited by the darkest pixel.
     """
 
     strength: float | None = None
@@ -333,7 +332,7 @@ class TotalVariation:
         validation.real("target", self.target, above=0.0)
 
     def solve(self, observed: Observed, tell: Tell) -> Solution:
-        """Return the light behind the counts `observed`; `tell` gets step, discrepancy and seconds left."""
+        """Return the restored light from the counts `observed`; `tell` gets step, discrepancy and seconds left."""
         walk = _Walk(observed, tell, self.steps)
         if self.strength is not None:
             found = walk.settle(self.strength, last=True)

@@ -40,7 +40,7 @@ _KNOWN = 0.1  # of the range of vergence: depths of a larger standard error are 
 
 @dataclass(frozen=True, eq=False)
 class DefocusDepth:
-    """What :func:`lommel.imaging.depth_from_defocus` found.
+    """Depth map estimated by :func:`lommel.imaging.depth_from_defocus`.
 
     Attributes
     ----------
@@ -49,12 +49,12 @@ class DefocusDepth:
     deviation : ndarray, shape (height, width)
         Its standard error, metres; inf where depth cannot be determined.
     misfit : ndarray, shape (height, width)
-        Residual difference of the photographs at the depth found, over noise: 1 where registration and noise hold,
-        more at steps of depth, at borders, where something moved. The deviation includes it.
+        Residual difference of the photographs at the estimated depth, relative to the noise: 1 where registration and
+        noise model hold, more at depth edges, at borders and where something moved. The deviation includes it.
     candidates : ndarray, shape (count,)
-        Distances that were tried, metres.
+        Candidate distances, metres.
     exposures : tuple of float
-        Light of each photograph over that of the first, as it was stated or measured.
+        Exposure of each photograph relative to the first, as given or measured.
     encoding : {"srgb", "linear"}
         Of the photographs, and of `sharp`.
     """
@@ -69,12 +69,12 @@ class DefocusDepth:
 
     @property
     def known(self) -> float:
-        """Share of the pixels whose depth is known."""
+        """Fraction of the pixels whose depth is known."""
         return float(np.isfinite(self.deviation).mean())
 
     @cached_property
     def sharp(self) -> Values:
-        """The all-in-focus image, like the first photograph, by Wiener's filter; ValueError if no depth is known."""
+        """The all-in-focus image by Wiener filtering, encoded like the photographs; ValueError without depths."""
         if self.known == 0.0:
             raise ValueError("no depth is known, and so there is no sharp image: the photographs have no texture")
         return self._sharpen(np.asarray(fill_missing(self.depth, "nearest"), dtype=np.float64))
@@ -116,7 +116,7 @@ def depth_from_defocus(
     transfer: Transfer = sensor_transfer,
     progress: Callable[[int, int], object] | None = None,
 ) -> DefocusDepth:
-    """Find the distance of everything in photographs of a scene that differ in focus, or in aperture.
+    """Estimate a depth map from photographs of a scene that differ in focus or aperture (depth from defocus).
 
     Parameters
     ----------
@@ -125,35 +125,36 @@ def depth_from_defocus(
         NaN, and the largest value of integers, mark unknown pixels. Neither denoised nor sharpened, nor a JPEG of low
         quality: depths are weighed by the noise.
     lenses : sequence of Lens
-        That of each photograph, focused and stopped as it was, with radially symmetric aberrations and a round
-        aperture.
+        Lens of each photograph, at its focus distance and f-number; circular apertures and radially symmetric
+        aberrations only.
     pixel : float
         Pixel pitch, metres.
     encoding : {"srgb", "linear"}
         Of the values.
     noise : Noise
-        Of the photographs in light, in which integers end at 1: ``white`` is electrons at white.
+        Noise of the linear photographs, whose white is 1: ``white`` is the number of electrons at white.
     between : (float, float)
-        Nearest and farthest distance that is looked for, metres; the farthest may be infinite.
+        Nearest and farthest candidate distance, metres; the farthest may be infinite.
     window : float, default 4.0
-        Rms width of the Gaussian windows in which depth is taken to be constant, pixels, 1 to 64. Larger ones are
-        more precise on flat surfaces, and resolve less.
+        Rms width of the Gaussian windows in which depth is taken to be constant, pixels, 1 to 64. Larger windows are
+        more precise on flat surfaces, with less spatial resolution.
     candidates : int, optional
         Number of candidate distances, equally spaced in 1 / distance. By default 61, or more where defocus would
-        change by more than a radian from one to the next. Depth is found between them.
+        change by more than a radian from one to the next. Depth is interpolated between them.
     wavelengths : sequence, optional
-        As of :func:`lommel.imaging.depth_of_field`. Channels have textures of their own, and one depth.
+        As of :func:`lommel.imaging.depth_of_field`. Channels have separate textures and one depth.
     exposures : sequence of float, optional
-        Light of each photograph over that of the first: exposure time over squared f-number, for example. By default
-        the ratio of their means, as with a metered exposure.
+        Exposure of each photograph relative to the first, such as exposure time over squared f-number. By default
+        the ratio of their means.
     magnification : {"registered", "lens"}, default "registered"
-        Whether points are at the same pixel in all photographs, or each is as large as its lens, thin and of the
-        sensor distance that it has, makes it: these are resampled to the scale of the first, about the middle.
+        "registered": points are at the same pixels in all photographs. "lens": each photograph is magnified as by a
+        thin lens at its sensor distance, and is resampled to the scale of the first, about the centre.
     saturation : float, optional
-        Stored value from which on pixels are saturated, and left out.
+        Stored value at which pixels saturate; saturated pixels are ignored.
     transfer : callable, optional
-        Function that makes the transfer functions, with the arguments and the result of
-        :func:`lommel.estimation.pixel_transfer.pixel_transfer`: for other PSFs than those of the lenses, the default.
+        Function that computes the transfer functions, with the arguments and the result of
+        :func:`lommel.estimation.pixel_transfer.pixel_transfer`, which is the default; for other PSFs than those of
+        the lenses.
     progress : callable, optional
         Called as ``progress(done, tiles)`` after each tile.
 
@@ -169,15 +170,14 @@ def depth_from_defocus(
 
     Notes
     -----
-    Exact PSFs, averaged over the pixels, of each candidate; noise of the light around each pixel. Nothing is assumed
-    of the scene but that depth, and what of the texture noise hides, are the same in a window; its texture is
-    not taken from the blur of one photograph but from the difference of two, so that the answer has no bias of a
-    wrong guess (Subbarao and Surya 1994, doi:10.1007/BF02028349, and Favaro and Soatto 2005,
-    doi:10.1109/TPAMI.2005.43, compare photographs alike). The deviation is that of the least cost, by its curvature,
-    the noise and the size of the window, and grows with the misfit and with the slope of what is found; compare
-    :func:`lommel.depth_precision`. There is no depth where it exceeds a tenth of the range, in 1 / distance, where
-    other candidates cost hardly more, where the best one is the first or the last, and where half of a window is not
-    known.
+    Each candidate uses the exact, pixel-integrated PSF, and noise is that of the light around each pixel. The scene
+    is assumed to have a constant depth within a window. The estimate compares the differences of two photographs, not
+    the blur of one with an assumed texture, so a wrong assumption about the texture does not bias it (compare
+    Subbarao and Surya 1994, doi:10.1007/BF02028349, and Favaro and Soatto 2005, doi:10.1109/TPAMI.2005.43). The
+    deviation follows from the curvature of the cost at its minimum, the noise and the size of the window, and grows
+    with the misfit and with the slope of the depth map; compare :func:`lommel.depth_precision`. Depth is NaN where
+    its deviation exceeds a tenth of the range in 1 / distance, where another candidate costs hardly more, where the
+    best candidate is the first or the last, and where less than half of a window is known.
 
     Examples
     --------

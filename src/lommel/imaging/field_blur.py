@@ -32,18 +32,18 @@ from lommel.psf import psf
 
 @shares(FieldKeywords, Settings)
 class FieldBlur(LinearBlur):
-    """Blur that varies over the field, and with depth, a linear operator: ``out[q] = sum_p image[p] K_p(q - p)``.
+    """Blur that varies over the field and with depth, a linear operator: ``out[q] = sum_p image[p] K_p(q - p)``.
 
-    K_p is the pixel-integrated PSF of the source point p, at its place in the field, and at its distance where a
-    depth is given. It is truncated to a window that holds `energy` of its light, of one size for all points, and
-    divided by the light in the window. Between nodes over the field (and over defocus) it is interpolated by splines;
-    the nodes are chosen so that K_p errs by less than `tol`. With ``energy=1`` it is not truncated: the light beyond
-    the windows, which then are as large as needed, is a kernel that all points share, scaled for each.
+    K_p is the pixel-integrated PSF of the source point p, at its field position, and at its distance where a depth
+    is given. It is truncated to a window that holds `energy` of its light, of one size for all points, and divided by
+    the light in the window. Between nodes over the field (and over defocus) it is interpolated by splines; the nodes
+    are chosen so that the error of K_p is below `tol`. With ``energy=1`` it is not truncated: the light beyond the
+    windows is a kernel that all points share, scaled for each.
 
     Parameters
     ----------
     field_map : FieldMap
-        Its wavefronts over the field.
+        Wavefronts over the field.
     shape : int or (int, int)
         Height and width of the image, pixels.
     pixel : float
@@ -52,31 +52,30 @@ class FieldBlur(LinearBlur):
         Distance of each point from the lens, metres, positive; may be infinite. The defocus that `lens` has for it is
         added to the wavefront of the map.
     lens : Lens
-        With `depth`, and only with it. Of the wavelength, f-number and aperture of the map, and without aberrations
-        of its own.
+        Required with `depth`, and only with it: the lens that gives the defocus, of the wavelength, f-number and
+        aperture of the map, without aberrations.
     center : (float, float), optional
-        Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of the
-        image. It may lie outside of the image, which then is a crop.
+        Row and column of the optical axis, in pixels from the centre of the first; by default the centre of the
+        image. For a crop it may lie outside the image.
     sensor : (float, float), optional
         Height and width of the part of the field that the image shows, in the unit of the map; by default
-        ``shape * pixel``. With a larger one PSFs are drawn too large for their places, as for pictures of what a lens
-        does over all of its field.
+        ``shape * pixel``. A larger one exaggerates the PSFs, to illustrate a lens over its whole field.
     channels : sequence, default (wavelength of the map,)
         For each channel a wavelength (metres), or its spectrum, pairs of wavelength and weight.
     tol : float, default 1e-3
-        Bound on the sum of absolute differences between K_p and the exact window, which each have the sum 1; 1e-6
-        to 1e-1. Checked half-way between nodes.
+        Bound on the sum of absolute differences between K_p and the exact window, each of sum 1; 1e-6 to 1e-1.
+        Checked half-way between nodes.
     {options}
 
     Attributes
     ----------
     banks : tuple of FieldBank
-        One a channel.
+        One for each channel.
     error : float
         Largest sum of absolute differences found between interpolated windows and exact ones, of any channel.
     lost : float
-        Largest share of light beyond the windows that was found. Against the whole PSF a window differs by no more
-        than ``error + 2 * lost``, by the sum of absolute differences.
+        Largest fraction found of the light beyond the windows. The sum of absolute differences between a window and
+        the whole PSF is at most ``error + 2 * lost``.
 
     Raises
     ------
@@ -86,9 +85,9 @@ class FieldBlur(LinearBlur):
 
     Notes
     -----
-    A source spreads its light by its own PSF (scatter), which is what lenses do; that each pixel of the image be a
-    mean of others by its own PSF (gather) is the transpose. The light of each source is kept, wherever it is: where a
-    lens is darker towards the corners, multiply the image by its relative illumination first.
+    Each source spreads its light by its own PSF (scatter), as in a lens; to average around each pixel by its own PSF
+    (gather) is the transpose. Light is conserved: for a lens that is darker towards the corners, multiply the image
+    by its relative illumination first.
 
     Beyond the edges, a copy of a point ("reflect", "extend") spreads the PSF of the point that it copies.
 
@@ -161,7 +160,7 @@ class FieldBlur(LinearBlur):
 
     @property
     def lost(self) -> float:
-        """Largest share of light beyond the windows that was found."""
+        """Largest fraction found of the light beyond the windows."""
         return max(bank.lost for bank in self.banks)
 
     def window(self, row: int, column: int, channel: int = 0) -> Array:
@@ -492,21 +491,20 @@ _FAR = 0.4  # of the tolerance for the light beyond the windows, where that coun
 
 @dataclass(frozen=True)
 class FieldBank:
-    """Windows of one channel: what a point spreads, at any place in the field, at any defocus.
+    """PSF windows of one channel over field position and defocus.
 
     Attributes
     ----------
     axes : tuple of three Nodes
-        Along y and x in the field, and along defocus (radians at the wavelength of the map).
+        Nodes along y and x in the field, and along defocus (radians at the wavelength of the map).
     coefficients : ndarray, shape (y, x, defocus, side, side)
-        Of splines along these axes. Every window that they make has the sum 1, or what the far light leaves of it.
+        Spline coefficients along these axes. Every interpolated window has the sum 1, less the light of `far`.
     far : FarLight or None
-        What holds the light beyond the windows of the whole PSF.
+        Light beyond the windows, for ``energy=1``.
     lost : float
-        Largest share of light beyond these that was found, spread over them instead.
+        Largest fraction found of the light beyond the windows, which is spread over these instead.
     error : float
-        Largest sum of absolute differences between what points spread and exact PSFs, but for this, from what was
-        found half-way between nodes.
+        Largest sum of absolute differences between interpolated and exact windows, checked half-way between nodes.
     """
 
     axes: tuple[Nodes, ...]
@@ -517,7 +515,7 @@ class FieldBank:
 
     @property
     def half(self) -> int:
-        """Pixels from the middle of a window to its edge."""
+        """Half width of a window, pixels."""
         return int(self.coefficients.shape[-1]) // 2
 
     @property

@@ -23,7 +23,7 @@ class LinearBlur(ABC):
     Attributes
     ----------
     dtype : dtype
-        Of the sums and of the results, float32 or float64.
+        Type of the computation and of the results, float32 or float64.
     """
 
     dtype: np.dtype[np.floating]
@@ -40,7 +40,7 @@ class LinearBlur(ABC):
 
     @abstractmethod
     def forward(self, image: Values) -> Values:
-        """Return the image that the lens makes of linear light.
+        """Return the blurred image of linear light.
 
         Parameters
         ----------
@@ -50,7 +50,7 @@ class LinearBlur(ABC):
         Returns
         -------
         ndarray
-            Of the shape of `image`, and of the type of the sums.
+            Of the shape of `image` and the dtype of the operator.
 
         Raises
         ------
@@ -70,7 +70,7 @@ class LinearBlur(ABC):
         Returns
         -------
         ndarray
-            Of the shape of `image`, and of the type of the sums.
+            Of the shape of `image` and the dtype of the operator.
 
         Raises
         ------
@@ -79,7 +79,7 @@ class LinearBlur(ABC):
         """
 
     def as_linear_operator(self) -> LinearOperator:
-        """Return the operator for SciPy's solvers, and those of packages that take its operators.
+        """Return the operator for the solvers of SciPy and of packages that take its operators.
 
         Images are vectors there: ``image.ravel()`` of those of shape `dims`, which is an attribute: (height, width),
         or (height, width, channels) of several channels. A matrix has an image in each column.

@@ -74,44 +74,46 @@ class Occlusion(LinearBlur):
 
     Points are sorted into layers, within each of which the circle of confusion changes by a pixel (or by a 64th of
     its range over the scene, if that is more). From the nearest layer to the farthest, the light B and the coverage A
-    (the same for a scene that is white) are spread, each point by its own PSF, and as much is taken of them as the
-    layers before have left of the aperture: ``out = sum w B / A``, ``w = min(A, 1 - sum of w before)``.
+    (the same for a white scene) are blurred, each point by its own PSF, and added as far as nearer layers have left
+    the aperture open: ``out = sum w B / A``, ``w = min(A, 1 - sum of w before)``.
 
-    Coverages add up, up to all of the aperture, instead of being multiplied as those of independent screens would be
-    (``T *= 1 - A``): points of one slanted surface lie in many layers and see disjoint parts of the aperture. A
-    product would leave such a surface transparent, and weigh its near points more; with the sum, the result is that
-    of :meth:`lommel.imaging.DepthBlur.forward` wherever nothing is hidden, but for what makes a white scene white
-    where the blur varies. Two separate screens before a third surface cover rather too much of it.
+    Coverages are added, up to the full aperture, rather than multiplied as for independent screens (``T *= 1 - A``):
+    points of one slanted surface lie in many layers and cover disjoint parts of the aperture. A product would leave
+    such a surface transparent and weigh its near points more; with the sum, the result is that of
+    :meth:`lommel.imaging.DepthBlur.forward` wherever nothing is occluded, except for a normalisation that keeps a
+    white scene white where the blur varies. Two separate screens in front of a third surface cover slightly too much
+    of it.
 
-    Where a near surface ends before a far one, the lens sees some points behind it that the image does not show:
-    those closer to the edge than their circles of confusion differ in radius. These are given a second point, behind,
-    with light and defocus of the point of the far surface mirrored at the edge. Dividing by the coverage instead
-    would leave a sharp line in the blurred edge of a near object, at the last pixel where the far surface is known;
-    repeating the last point of it would draw streaks out of highlights. What neither covers, behind surfaces hidden
-    twice or at slopes of depth near the limit, is filled by dividing by the sum of w.
+    Where a near surface ends in front of a far one, the lens sees some points behind it that the image does not show:
+    those closer to the edge than the difference of the radii of their circles of confusion. There a second, hidden
+    point is added, with the light and defocus of the far surface mirrored at the edge. Dividing by the coverage
+    instead would leave a sharp line in the blurred edge of a near object, at the last pixel where the far surface is
+    known; repeating its last point would draw streaks out of highlights. The remaining gaps, behind surfaces that are
+    hidden twice or at steep slopes of depth, are filled by dividing by the sum of w.
 
-    A share w / A is 1 for the layers before the aperture is full, 0 for those after it, and a fraction for the one
-    that fills it: one real number a pixel, the layers that it sees, holds the shares of all of them, and light is
-    spread once, whatever the number of layers. The occlusion depends on the depth alone: it is found at the first
-    call, layer by layer, and again when `blur` is given other depths. Time after that, over
-    :meth:`lommel.imaging.DepthBlur.forward`: 1.4 where few points hide something, 1.7 to 2.7 where most do.
+    The ratio w / A is 1 for the layers before the aperture is full, 0 for those after it, and a fraction for the one
+    that fills it: one real number per pixel, the number of visible layers, holds them all, and light is blurred once,
+    whatever the number of layers. The occlusion depends on the depth alone: it is computed at the first call, layer
+    by layer, and again when `blur` is placed at other depths. After that a call takes 1.4 times as long as
+    :meth:`lommel.imaging.DepthBlur.forward` where few points occlude others, 1.7 to 2.7 times where most do.
 
-    With ``energy=1`` this is done to the windows of all points; the light beyond them, one percent, is not occluded.
-    Points that are hidden somewhere cost twice.
+    With ``energy=1`` this applies to the windows; the light beyond them, one percent, is not occluded. Points that
+    are partly hidden cost twice as much.
 
-    Memory that is kept: 8 bytes a point, 16 a point and channel (16 and 24 in float64) and 16 for each point
-    that has another behind it, never more; with ``energy=1`` 16 more a point and channel.
+    Memory: 8 bytes per point, 16 per point and channel (16 and 24 in float64) and 16 for each point with a hidden one
+    behind it; with ``energy=1`` 16 more per point and channel.
 
     Parameters
     ----------
     blur : DepthBlur
     reach : (float, float), optional
-        Least and largest defocus C_d, radians, of the whole scene where `blur` has a part of it; defines the layers.
+        Smallest and largest defocus C_d (radians) of the whole scene, where `blur` has only part of it; defines the
+        layers.
 
     Raises
     ------
     TypeError
-        If `blur` is none.
+        If `blur` is not a DepthBlur.
 
     Examples
     --------

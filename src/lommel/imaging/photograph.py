@@ -65,7 +65,7 @@ class Photograph:
     window : int
         Side of the largest window, pixels.
     clipped : float
-        Share of values above white, which are white now, as on a sensor; 0 where the type holds them.
+        Fraction of the values that were clipped at white, as on a sensor; 0 for floats.
     """
 
     values: Pixels
@@ -151,10 +151,10 @@ def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> 
 
 @shares(Keywords, Settings)
 class FocusPlan:
-    """A scene and a lens, for live use: focus and f-number change from frame to frame.
+    """Depth-of-field rendering of one scene, for live use: focus and f-number change from frame to frame.
 
-    The options are checked and the image is decoded once. A frame computes the windows of its focus and what is
-    occluded, unless that focus is among the last ones, then blurs and encodes. The values are those of
+    The options are checked and the image is decoded once. A frame computes the windows and the occlusion of its focus
+    setting, unless that is one of the last settings, then blurs and encodes. The values are those of
     :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
 
     Parameters
@@ -162,10 +162,9 @@ class FocusPlan:
     image, depth, lens, pixel, encoding
         As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
     keep : int, default 4
-        Number of settings of the lens whose windows and occlusion are kept, 1 to 1000. A setting takes some MiB,
-        8 bytes for each point and as many for each channel of it, and with `occlusion` what
-        :class:`lommel.imaging.Occlusion` keeps; with ``energy=1`` as many again for each channel and each product of
-        the remainder (16 in float64), of which there are up to five or so.
+        Number of lens settings whose windows and occlusion are kept, 1 to 1000. A setting takes a few MiB, 8 bytes
+        per point and channel, and with `occlusion` the memory of :class:`lommel.imaging.Occlusion`; with ``energy=1``
+        up to five times as much.
     {options}
 
     Raises
@@ -309,21 +308,21 @@ def depth_of_field(
     progress: Callable[[int, int], object] | None = None,
     **options: Unpack[Keywords],
 ) -> Photograph | LazyArray:
-    """Blur a sharp image as a lens would, each point by its own distance, with diffraction, aberration and colour.
+    """Render the depth of field of a lens: blur each point of a sharp image by the PSF at its distance.
 
-    Every point spreads its own pixel-integrated PSF, see :class:`lommel.imaging.DepthBlur`, and near points occlude
-    far ones, see :class:`lommel.imaging.Occlusion`. Arrays are done at once. Memory maps, and arrays with `tile`, are
-    done by tiles that overlap, in little memory; dask arrays lazily, by chunks. Tiles and chunks have the values of
-    the whole but for rounding: they share their windows, and overlap by half a window, with `occlusion` by twice the
-    range of radii of the blur more, which is as far as occluded points are looked for.
+    The PSFs are pixel-integrated, with diffraction, aberrations and colour (:class:`lommel.imaging.DepthBlur`), and
+    near points occlude far ones (:class:`lommel.imaging.Occlusion`). Arrays are rendered at once; memory maps, and
+    arrays with `tile`, in overlapping tiles with little memory; dask arrays lazily, by chunks. Tiles and chunks agree
+    with the whole image but for rounding: they share their windows and overlap by half a window, with `occlusion` by
+    twice the range of blur radii more, the distance over which occluded points are searched.
 
     Parameters
     ----------
     image : array_like, memory map or dask array, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1).
     depth : array_like, memory map or dask array, shape (height, width)
-        Distance of each point from the lens, metres; may be infinite. Is read once more for its range, and at once
-        where `missing` is "nearest", since the nearest depth may lie in any tile.
+        Distance of each point from the lens, metres; may be infinite. It is read twice, first for its range; with
+        ``missing="nearest"`` it is read as a whole, since the nearest depth may lie in any tile.
     lens : Lens
         With radially symmetric aberrations.
     pixel : float
@@ -332,8 +331,8 @@ def depth_of_field(
         Of the values of `image`, and of the result.
     tile : int, optional
         Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
-        some hundred bytes a pixel of a tile, and with `occlusion` several hundred a channel. Of dask arrays the side
-        of the chunks, which by default stay as they are.
+        about a hundred bytes per pixel of a tile, and with `occlusion` several hundred per channel. For dask arrays
+        the side of the chunks, which are kept by default.
     depths : (float, float), optional
         Nearest and farthest distance in the scene, metres, where they are known: `depth` is then not read for them.
     out : ndarray, optional
@@ -345,16 +344,15 @@ def depth_of_field(
     Returns
     -------
     Photograph or dask.array.Array
-        Of dask arrays a dask array of the shape and type of `image`; windows are made at once, all else when it is
-        computed, each chunk by one thread unless `threads` says otherwise.
+        A dask array for dask arrays, of the shape and type of `image`; windows are computed immediately, the rest
+        lazily, each chunk by one thread unless `threads` is given.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
-        the blur exceeds `largest`, if an image has two or four channels and no `wavelengths` are given (it may have
-        alpha), or if `out` does not fit. What tiles have written by then stays. Chunks are checked when they are
-        computed.
+        the blur exceeds `largest`, if an image has two or four channels and no `wavelengths` are given (one may be
+        alpha), or if `out` does not fit. Tiles already written are kept. Chunks are checked when they are computed.
     """
     require_known(depth_of_field, options, Keywords)
     require_lens(lens, "image, depth, lens, pixel")

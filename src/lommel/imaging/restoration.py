@@ -45,33 +45,34 @@ _QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Restoration:
-    """What :func:`lommel.imaging.restore` returns; converts to an array of its values.
+    """Result of :func:`lommel.imaging.restore`; converts to an array of its values.
 
     Attributes
     ----------
     values : ndarray
-        Of the shape, type and encoding of the photograph, without the offset of its noise; of a stack float32.
+        Restored image, of the shape, type and encoding of the photograph, without the offset of its noise; float32
+        for a stack.
     light : ndarray of float, or None
-        The same in proportion to light, with what is brighter than white. None where it was done by tiles.
+        The same in linear light, not clipped at white. None for results of tiles.
     discrepancy : float
         Poisson deviance per pixel between the photograph and the blurred result: about 1 for the scene itself, a
         little less for a good result, which follows some of the noise.
     by_channel : tuple of float
-        That of each channel, or plane of a stack.
+        Discrepancy of each channel, or of each plane of a stack.
     before : float
-        That of the photograph, were it the sharp scene.
+        Discrepancy of the photograph itself, taken as the result.
     steps : int
         Number of steps in all; each applies the blur and its transpose once.
     stopped : str
-        Why it stopped: "noise" where the result agrees with the photograph as well as its noise allows, "steps" where
-        the limit came first, "misfit: ..." where depth, lens or noise of a photograph, or the PSF or noise of a
-        stack, do not fit.
+        Why it stopped: "noise" where the result agrees with the photograph within its noise, "steps" at the maximum
+        number of steps, "misfit: ..." where depth, lens or noise of a photograph (PSF or noise of a stack) do not
+        fit.
     strength : float or None
-        Of the total variation.
+        Weight of the total variation.
     unknown : float
-        Share of the values of the photograph that were NaN or saturated.
+        Fraction of the values of the photograph that were NaN or saturated.
     clipped : float
-        Share of the values brighter than white, which are white now; 0 where the type holds them.
+        Fraction of the values that were clipped at white; 0 for floats.
     """
 
     values: Pixels
@@ -107,12 +108,12 @@ def restore_with(
     saturation: float = math.inf,
     progress: Tell | None = None,
 ) -> Restoration:
-    """Deblur an image that any linear operator has blurred.
+    """Deblur an image with a given linear blur operator.
 
     Parameters
     ----------
     light : array_like of float, shape (height, width) or (height, width, channels)
-        As it was recorded, in proportion to light but for the offset. NaN where a pixel is unknown.
+        Recorded image, linear in light apart from the offset. NaN marks unknown pixels.
     blur : LinearBlur
         :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.DepthBlur`, or one of your own; no entry of its
         matrix may be negative.
@@ -121,7 +122,7 @@ def restore_with(
     method : RichardsonLucy or TotalVariation, optional
         By default ``RichardsonLucy()``.
     saturation : float, default infinity
-        Value from which on pixels are saturated: they received at least so much light.
+        Value at which pixels saturate, which then are lower limits of the light.
     progress : callable, optional
         Called as ``progress(step, discrepancy, seconds_left)`` at each step; an exception that it raises ends the
         restoration. By default a line on standard error after two seconds, where that is a terminal.
@@ -129,12 +130,12 @@ def restore_with(
     Returns
     -------
     Restoration
-        Its `values` are its `light`, of the type of the sums of `blur`.
+        Its `values` are its `light`, of the dtype of `blur`.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is none of these; if `light` has not the shape of `blur`, is infinite, or NaN everywhere.
+        If an argument is of another type, or `light` is not of the shape of `blur`, infinite, or NaN everywhere.
 
     Examples
     --------
@@ -180,14 +181,13 @@ def restore(
     progress: Callable[..., object] | None = None,
     **options: Unpack[Keywords],
 ) -> Restoration:
-    """Deblur a photograph as far as its noise allows: every point by its own PSF, near points before far ones.
+    """Deblur a photograph with a known depth map and lens, as far as its noise allows.
 
-    The inverse of :func:`lommel.imaging.depth_of_field`: the same operator, accurate to its tolerances, and its exact
-    transpose. Arrays are done at once. Memory maps, and arrays with `tile`, are done by tiles in little memory,
-    nearly alike: the tile nearest to the middle finds how many steps, or which strength, the noise asks for, and all
-    others take the same, so that there are no seams. Tiles overlap by twice the reach of the blur and a window more;
-    from the whole image, done with as many steps or the same strength, results differed by 3e-4 of white, rms, and
-    without `occlusion` by up to 1e-2.
+    The inverse of :func:`lommel.imaging.depth_of_field`, with the same operator (occlusion included) and its exact
+    transpose. Arrays are restored at once; memory maps, and arrays with `tile`, in tiles with little memory: the
+    central tile determines the number of steps, or the strength, and all others use the same, so that there are no
+    seams. Tiles overlap by twice the reach of the blur and a window more; in tests they differed from the whole
+    image, with the same steps or strength, by 3e-4 of white rms, and without `occlusion` by up to 1e-2.
 
     Parameters
     ----------
@@ -197,22 +197,22 @@ def restore(
     depth : array_like or memory map, shape (height, width), or None
         Distance of each point from the lens, metres; may be infinite. None for a FieldMap.
     lens : Lens or FieldMap
-        A lens with radially symmetric aberrations; or the wavefront over the field, of all the scene at its distance,
-        the axis being in the middle of the photograph: see :class:`lommel.imaging.FieldBlur`.
+        A lens with radially symmetric aberrations; or a field map for a scene at one distance, with the optical axis
+        at the centre of the photograph: see :class:`lommel.imaging.FieldBlur`.
     pixel : float
         Pixel pitch, metres.
     encoding : {"srgb", "linear"}
         Of the values of `photo`, and of the result.
     noise : Noise
-        Of linear values whose white is 1, whatever `photo` holds: ``white=`` electrons at white.
+        Noise of linear values with white at 1, for any type of `photo`: ``white=`` is in electrons at white.
     method : RichardsonLucy or TotalVariation, optional
         By default ``RichardsonLucy()``.
     saturation : float, optional
-        Light, 1 being white, from which on pixels are saturated: they received at least so much. By default 1; of
-        integers the largest value always is. Infinity for floats that are right beyond.
+        Linear value (1 is white) at which pixels saturate, which then are lower limits of the light. By default 1;
+        the largest integer always counts as saturated. Infinity for floats that are valid beyond white.
     tile : int, optional
         Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
-        some hundred bytes a pixel of a tile and channel. Not for a FieldMap.
+        about a hundred bytes per pixel and channel of a tile. Not for a FieldMap.
     out : ndarray, optional
         Array or memory map of the shape and type of `photo` that the values are written to; shares no memory with it.
     progress : callable, optional
@@ -222,7 +222,7 @@ def restore(
     Returns
     -------
     Restoration
-        By tiles its `light` is None.
+        For tiles its `light` is None.
 
     Raises
     ------

@@ -78,7 +78,7 @@ class Settings:
     Raises
     ------
     TypeError, ValueError
-        If one of them is of another type or out of range.
+        If an argument is of another type or out of range.
     """
 
     occlusion: bool = True

@@ -37,15 +37,15 @@ class TracedBlur:
     """Depth-dependent blur as a differentiable function: ``out = blur(image, distance)``, linear in the image.
 
     ``out[q] = sum_p image[p] K(q - p; C_d(distance[p]))``, without light from beyond the edges and without occlusion.
-    Made by :func:`lommel.imaging.traced_blur`. The derivative by the image is the adjoint; that by the distance
-    exists everywhere in the valid range, beyond which everything is NaN.
+    Made by :func:`lommel.imaging.traced_blur`. The derivative with respect to the image is the adjoint; that with
+    respect to the distance exists everywhere in the valid range. Beyond it all values are NaN.
 
     Parameters
     ----------
     static : Blur
         All but the arrays.
     weights : array, shape (degrees, rank)
-        Of Chebyshev polynomials of the defocus.
+        Weights of Chebyshev polynomials of the defocus.
     windows : array, shape (rank, side, side)
         Convolution kernels.
 
@@ -54,9 +54,9 @@ class TracedBlur:
     rank : int
         Number of convolutions.
     half : int
-        Pixels from the middle of windows to their edge.
+        Half width of the windows, pixels.
     error : float
-        Largest error of a window over its peak, of all tested.
+        Largest error of the tested windows, relative to their peaks.
     """
 
     def __init__(self, static: Blur, weights: Tensor, windows: Tensor) -> None:

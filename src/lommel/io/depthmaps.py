@@ -27,7 +27,7 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
         NPY, PFM, or a grey TIFF or PNG, recognized by its content.
     scale : float, optional
         Metres per level of integers, which need it; floats are metres without it. A PFM file whose header states a
-        scale other than 1 needs it too: programs disagree on what that means.
+        scale other than 1 needs it too, since programs disagree on its meaning.
     zero_is_unknown : bool, default False
         Whether 0 means unknown.
 
@@ -73,7 +73,7 @@ def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
     Raises
     ------
     TypeError, ValueError
-        If `depth` is no such map or holds negative values, or `path` has another suffix.
+        If `depth` is not a map of this shape or holds negative values, or `path` has another suffix.
     OSError
         If the file cannot be written.
     """

@@ -87,7 +87,7 @@ class Exif:
         Raises
         ------
         TypeError
-            If `shape` is no shape of an image.
+            If `shape` is not the shape of an image.
         ValueError
             If either focal length is unknown, or a side is out of range.
         """
@@ -119,7 +119,7 @@ class Picture:
     profile: bytes | None = None
 
     def light(self, dtype: DTypeLike = np.float32) -> Values:
-        """Return values in proportion to light, 1 being white.
+        """Return linear light, 1 being white.
 
         Parameters
         ----------
@@ -133,7 +133,7 @@ class Picture:
         Raises
         ------
         TypeError
-            If `dtype` is another.
+            If `dtype` is another type.
         """
         return to_light("the photograph", self.values, self.encoding, dtype)
 
@@ -532,7 +532,7 @@ def write_frames(
         With a number such as ``%03d``: one photograph per frame, counted from 1. Without: an 8-bit animation, .gif
         (256 colours per frame), .png or .apng (lossless) or .webp; or a TIFF stack.
     frames : iterable of ndarray
-        Stored values, all of one shape and type, taken one after another.
+        Stored values of each frame, all of one shape and type.
     fps : float, default 12
         Frames per second of an animation, which repeats forever.
     quality : int, default 95

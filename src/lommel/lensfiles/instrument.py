@@ -1,4 +1,4 @@
-"""A lens with its object and its sensor, as a lens file describes them."""
+"""A lens with its object and sensor, as described by a lens file."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class PixelOptions(TypedDict):
 
 @dataclass(frozen=True)
 class Instrument:
-    """A lens with its object and its sensor, as a lens file describes them.
+    """A lens with its object and sensor, as described by a lens file.
 
     Attributes
     ----------

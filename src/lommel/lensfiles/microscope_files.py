@@ -44,7 +44,7 @@ def stage_step(value: float) -> float:
 
 @dataclass(frozen=True)
 class Microscope:
-    """An objective, an emitter and planes on a camera, as a file with a section [objective] describes them.
+    """A microscope: objective, emitter, planes and camera, as described by a file with a section [objective].
 
     Attributes
     ----------

@@ -59,8 +59,8 @@ def marechal(pupil: Pupil) -> Numbers:
     """Return the extended Marechal estimate of the Strehl ratio, ``exp(-sigma^2)``.
 
     sigma is the rms phase in radians, weighted by the amplitude (:func:`lommel.rms`). It agrees with
-    :func:`lommel.strehl` to second order in the phase; for primary aberrations Mahajan finds it within 10 % of that
-    where it exceeds 0.3.
+    :func:`lommel.strehl` to second order in the phase, and within 10 % for primary aberrations and Strehl ratios
+    above 0.3 (Mahajan).
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def marechal(pupil: Pupil) -> Numbers:
 
 
 def strehl(pupil: Pupil) -> Numbers:
-    """Return the Strehl ratio: intensity on the axis over that of the same aperture without aberration.
+    """Return the Strehl ratio: intensity on the axis relative to the same aperture without aberration.
 
     ``abs(mean of exp(i phase))^2``, weighted by the amplitude. The brightest point of the image may lie elsewhere:
     a tilt moves it away (:func:`lommel.measures.spot.peak_strehl`). :attr:`lommel.PSF.strehl` is that of an image.
@@ -98,7 +98,7 @@ def strehl(pupil: Pupil) -> Numbers:
     TypeError
         If `pupil` is not a Pupil.
     ToleranceError
-        If the phase takes more than 2^24 nodes.
+        If the phase needs more than 2^24 nodes.
     """
     flat = checked(pupil).wavefront.flattened()
     single = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
@@ -108,8 +108,8 @@ def strehl(pupil: Pupil) -> Numbers:
 def centroid(pupil: Pupil) -> Array:
     """Return the centroid of the light, from the wavefront: the mean gradient of the phase, weighted by intensity.
 
-    The centroid of the rays and that of the light are one. That of a window, :attr:`lommel.PSF.centroid`, approaches
-    it as the window grows.
+    The centroids of the rays and of the light are the same. That of the values in a window,
+    :func:`lommel.measures.energy.window_centroid`, approaches it as the window grows.
 
     Parameters
     ----------
@@ -129,8 +129,8 @@ def centroid(pupil: Pupil) -> Array:
 def spot_radius(pupil: Pupil) -> Numbers:
     """Return the rms radius of the rays on the sensor about their centroid, weighted by intensity.
 
-    Rays meet the sensor at the gradient of the phase. Diffraction is left out: the rms radius of the light itself
-    is infinite behind any hard edge.
+    Rays meet the sensor at the gradient of the phase. Diffraction is ignored: the rms radius of a diffraction PSF is
+    infinite for any hard-edged aperture.
 
     Parameters
     ----------

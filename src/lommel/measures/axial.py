@@ -15,12 +15,12 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 
 def stage(psf: PSFLike) -> Array:
-    """Return z of a stack over it, rising along its last axis, metres of the stage.
+    """Return the stage positions z of a stack of planes, increasing along its last axis, metres.
 
     Parameters
     ----------
     psf : PSF
-        Of an :class:`lommel.Objective`.
+        Of an :class:`lommel.Objective`, a stack over z.
 
     Returns
     -------
@@ -29,7 +29,7 @@ def stage(psf: PSFLike) -> Array:
     Raises
     ------
     ValueError
-        If it is none such: of a lens, a single plane, of several depths along that axis, or in no order.
+        If `psf` is of a lens, a single plane, of several depths along that axis, or not in order of z.
     """
     pupil: Any = checked(psf).pupil
     if not isinstance(pupil, ObjectivePupil):
@@ -44,27 +44,26 @@ def stage(psf: PSFLike) -> Array:
 
 
 def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
-    """Return the full width at half of the largest value along z, between the crossings beside it.
+    """Return the full width at half maximum along z.
 
     Parameters
     ----------
     psf : PSF
-        A stack over z along its last axis, of 4 planes or more.
+        A stack over z along its last axis, of at least 4 planes.
     of : {"image", "optics"}, default "image"
-        The image that the values are samples of, with pixels that average, or without them.
+        "image": with the pixel, if values are pixel-integrated; "optics": without it.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape[:-1]``
-        Metres of the stage. Of the light on the axis, where pupil and method are radial; else where the image is
-        brightest in all of the stack. By cubic splines through the planes: within about 1 % where these are no
-        farther apart than half of ``axial`` of :meth:`lommel.Objective.nyquist`.
+        Metres of the stage: on the axis for radially symmetric PSFs, else at the brightest pixel of the stack. By
+        cubic splines through the planes, to about 1 % for steps of at most half of ``axial`` of
+        :meth:`lommel.Objective.nyquist`.
 
     Raises
     ------
     ValueError
-        If it is no such stack, `of` is neither, or its values do not fall to half of the largest on both sides within
-        it.
+        If `psf` is not such a stack, `of` is unknown, or the values do not fall to half of the maximum on both sides.
     """
     from scipy.interpolate import CubicSpline
 

@@ -24,7 +24,7 @@ from lommel.special.legendre import gauss_panels
 
 
 def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
-    """Return the fraction of all light within `radius` of the axis or of the centroid.
+    """Return the encircled energy: the fraction of all light within `radius` of the axis or of the centroid.
 
     Parameters
     ----------
@@ -34,24 +34,23 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     about : {"axis", "centroid"}, default "axis"
         The centroid is :func:`image_centroid`; of a radially symmetric PSF it is the axis.
     of : {"image", "optics"}, default "image"
-        The image that the values are samples of (optics, blur and, where pixels average, the pixel), or the same
-        without the pixel.
+        "image": optics, blur and, if values are pixel-integrated, the pixel; "optics": the same without the pixel.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
-        From the transfer function, whatever the pixel pitch and the window. Of radially symmetric lenses within 1e-9,
-        or the tolerance of the method where there are neither pixels nor blur. Of others within 2e-8 and
-        ``4 A e``, A being the area of the circle and e the bound on the error of the light per area (`error_bound`
-        times the peak); with :class:`lommel.Seeing` within 1e-5 besides. The actual error is far below such bounds,
-        which hold for errors of one sign everywhere.
+        Computed from the transfer function, independent of pixel pitch and window. The error for radially symmetric
+        lenses is at most 1e-9, or the tolerance of the method without pixels and blur. For others it is at most 2e-8
+        plus ``4 A e``, A being the area of the circle and e the error bound of the light per area (`error_bound`
+        times the peak); plus 1e-5 with :class:`lommel.Seeing`. The actual error is far smaller, since the bound
+        assumes errors of one sign everywhere.
 
     Raises
     ------
     TypeError, ValueError
-        If a radius is no number, negative, not finite, or too large for a pupil that is not radially symmetric: more
-        than some 700 lambda*N, less by how far blur carries light, with vanes and seeing some 500; or `about` or `of`
-        is none of these.
+        If a radius is not a finite number of at least 0, or too large for a pupil that is not radially symmetric
+        (about 700 lambda*N, less the reach of the blur; about 500 with vanes and seeing); or `about` or `of` is
+        unknown.
     """
     model, at = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
     away = energy_centers(psf, about) / psf.pupil.scale
@@ -65,7 +64,7 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
 
 
 def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
-    """Return the fraction of all light within a square of sides ``2 half_width`` along rows and columns.
+    """Return the ensquared energy: the fraction of all light within a square of side ``2 half_width``.
 
     Parameters
     ----------
@@ -74,7 +73,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
         Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
     about : {"axis", "centroid"}, default "axis"
     of : {"image", "optics"}, default "image"
-        As of :func:`lommel.measures.energy.encircled_energy`, whose error it has.
+        As of :func:`lommel.measures.energy.encircled_energy`, with the same error.
 
     Returns
     -------
@@ -83,7 +82,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     Raises
     ------
     TypeError, ValueError
-        If a width is no number, negative or not finite, or `about` or `of` is none of these.
+        If a width is not a finite number of at least 0, or `about` or `of` is unknown.
     """
     model, at = ImageModel.of(psf, of), validation.real_array("half_width", half_width, least=0.0)
     away = energy_centers(psf, about) / psf.pupil.scale
@@ -110,9 +109,8 @@ def _measured(
 def image_centroid(psf: PSFLike) -> Array:
     """Return the centroid of all light, (x, y) from the axis.
 
-    Of lenses that of the wavefront, :func:`lommel.centroid`, in all light of the PSF: it is the first moment of the
-    image, and neither blur nor pixels move it. Of an Objective, which has no one wavefront, that of the values in the
-    window, :func:`window_centroid`.
+    For lenses it is computed from the wavefront (:func:`lommel.centroid`), over all wavelengths of the PSF; neither
+    blur nor pixels move it. For an Objective it is that of the values in the window, :func:`window_centroid`.
 
     Parameters
     ----------
@@ -139,8 +137,8 @@ def image_centroid(psf: PSFLike) -> Array:
 def window_centroid(psf: PSFLike) -> Array:
     """Return the centroid of the values in the window, (x, y) from the axis: a sum over pixels.
 
-    :func:`image_centroid` is that of all light; the two differ by what lies outside the window, which falls with its
-    size only slowly, like the reciprocal.
+    :func:`image_centroid` is that of all light; the difference, due to the light outside the window, falls slowly,
+    like the reciprocal of its size.
 
     Parameters
     ----------
@@ -235,7 +233,7 @@ def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Arr
 
 
 def window_energy(psf: PSFLike) -> Numbers:
-    """Return the fraction of all light inside the window, to the edges of its outer pixels, before pixels average.
+    """Return the fraction of all light inside the window, to the edges of its outer pixels, before pixel integration.
 
     Parameters
     ----------
@@ -244,7 +242,7 @@ def window_energy(psf: PSFLike) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        With the error of :func:`lommel.measures.energy.encircled_energy`. Averages over whole pixels sum to it.
+        With the error of :func:`lommel.measures.energy.encircled_energy`; the sum of pixel-integrated values.
     """
     checked(psf)
     pupil, grid = psf.pupil, psf.grid
@@ -309,14 +307,14 @@ MAX_RADIUS = 250.0
 
 
 class Encircled(NamedTuple):
-    """Fractions of all light within circles about the axis.
+    """Encircled energy about the axis.
 
     Attributes
     ----------
     fraction : ndarray
         One for each radius.
     error : float or None
-        Bound on their error; None where the method of the image has none, or the pupil is radially symmetric.
+        Bound on their error; None if the method of the image has none, or the pupil is radially symmetric.
     """
 
     fraction: NDArray[np.float64]
@@ -324,7 +322,7 @@ class Encircled(NamedTuple):
 
 
 def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) -> Encircled:
-    """Return the fraction of all light within circles about the axis, for any single pupil, of the optics alone.
+    """Return the encircled energy about the axis for a single pupil, without pixel and blur.
 
     Parameters
     ----------
@@ -338,8 +336,8 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     Returns
     -------
     Encircled
-        The error bound is that of the image at every point of the circle, all of one sign, and 2e-8: a few times
-        1e-4 at worst for 10 lambda*N and a tolerance of 1e-6, and mostly far from reached.
+        The error bound is 2e-8 plus that of the image summed over the circle: at most a few times 1e-4 for
+        10 lambda*N and a tolerance of 1e-6. The actual error is mostly far smaller.
 
     Raises
     ------

@@ -13,12 +13,12 @@ from lommel.base.arrays import Array
 
 
 def mse(values: ArrayLike, reference: ArrayLike) -> float:
-    """Return the mean squared error over the squared peak of the reference, as the paper reports it.
+    """Return the mean squared error relative to the squared peak of the reference, as the paper reports it.
 
     Parameters
     ----------
     values, reference : array_like
-        Of one shape; a :class:`lommel.PSF` is one.
+        Arrays of one shape, or :class:`lommel.PSF`.
 
     Returns
     -------
@@ -34,12 +34,12 @@ def mse(values: ArrayLike, reference: ArrayLike) -> float:
 
 
 def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
-    """Return the largest absolute error over the peak of the reference.
+    """Return the largest absolute error relative to the peak of the reference.
 
     Parameters
     ----------
     values, reference : array_like
-        Of one shape; a :class:`lommel.PSF` is one.
+        Arrays of one shape, or :class:`lommel.PSF`.
 
     Returns
     -------

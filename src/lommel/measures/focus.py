@@ -18,7 +18,7 @@ from lommel.special import zernike
 
 
 def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = None) -> float:
-    """Return the defocus C_d (radians) that, added to `pupil`, puts most light within `radius`.
+    """Return the defocus C_d (radians) that, added to `pupil`, maximises the encircled energy within `radius`.
 
     Parameters
     ----------

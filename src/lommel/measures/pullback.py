@@ -21,10 +21,10 @@ from lommel.optics.pupil import checked as lens_pupil
 
 
 def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, Array]:
-    """Return the sums over pixels of `g` times the derivatives of the values; see :meth:`lommel.PSF.pullback`.
+    """Return the gradient ``sum g * derivative`` over pixels (reverse mode); see :meth:`lommel.PSF.pullback`.
 
-    Those by coefficients of the phase, of which a shift is one, are computed backwards, by a transform to the pupil;
-    all others, and where the radial series serves, forwards.
+    Derivatives by phase coefficients and shifts are computed in reverse mode, by a transform to the pupil; all
+    others, and those of radially symmetric pupils, in forward mode.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ _MAX_SAMPLED = 1400.0
 
 
 def peak_position(psf: PSFLike) -> Array:
-    """Return where the largest value is, (x, y) from the axis.
+    """Return the position (x, y) of the largest value, from the axis.
 
     Parameters
     ----------
@@ -41,9 +41,10 @@ def peak_position(psf: PSFLike) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        Metres or units of lambda*N. Each coordinate by the parabola through the brightest pixel and its neighbours,
-        unless it is at the edge of the window: well below a tenth of a pixel where a pixel is at most half a
-        lambda*N. Of several pixels that are equally bright, as on a ring, it is the first in reading order.
+        Metres or units of lambda*N. Each coordinate is that of a parabola through the brightest pixel and its
+        neighbours, unless the pixel is at the edge of the window; the error is well below a tenth of a pixel for
+        pixels of at most half a lambda*N. Of several equally bright pixels, as on a ring, the first in reading order
+        counts.
     """
     checked(psf)
     height, width = psf.grid.pitch
@@ -71,13 +72,11 @@ def _vertex(line: Array, at: int) -> float:
 
 
 def axis_strehl(psf: PSFLike) -> Numbers:
-    """Return the intensity on the axis over that of the same aperture without aberration.
+    """Return the Strehl ratio: intensity on the axis relative to the same aperture without aberration.
 
-    For defocus alone this is ``(sin(C_d) / C_d)^2``. By the method where it and the pupil are radial; from the
-    wavefront (:func:`lommel.strehl`) for others that sample the intensity; with what spreads the light where there is
-    blur; `Geometric`, which has no diffraction,
-    gives that of the pixel on the axis. :func:`lommel.measures.spot.peak_strehl` looks for the brightest point
-    instead.
+    For defocus alone this is ``(sin(C_d) / C_d)^2``. It is computed by the method if that and the pupil are radial,
+    else from the wavefront (:func:`lommel.strehl`), and includes blur; for `Geometric`, without diffraction, it is
+    that of the pixel on the axis. :func:`lommel.measures.spot.peak_strehl` takes the brightest point instead.
 
     Parameters
     ----------
@@ -119,11 +118,11 @@ def axis_strehl(psf: PSFLike) -> Numbers:
 
 
 def peak_strehl(psf: PSFLike) -> Numbers:
-    """Return the largest value in the window over the peak of the same aperture without aberration.
+    """Return the largest value in the window relative to the peak of the same aperture without aberration.
 
-    The Strehl ratio by its other definition: that of the brightest pixel wherever it is, not of the axis
-    (:func:`lommel.measures.spot.axis_strehl`). A pixel that samples beside the peak sees less of it: below
-    ``(pi pixel / (4 lambda N))^2`` of the peak in focus.
+    The Strehl ratio of the brightest pixel, wherever it is, rather than of the axis
+    (:func:`lommel.measures.spot.axis_strehl`). Sampling beside the peak lowers it by less than
+    ``(pi pixel / (4 lambda N))^2`` in focus.
 
     Parameters
     ----------
@@ -139,7 +138,7 @@ def peak_strehl(psf: PSFLike) -> Numbers:
 
 
 def fwhm(psf: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
-    """Return the full width at half of the maximum.
+    """Return the full width at half maximum (FWHM).
 
     Parameters
     ----------
@@ -147,22 +146,21 @@ def fwhm(psf: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
     along : {"mean", "x", "y"}, default "mean"
         Along columns, rows, or the mean of both.
     of : {"image", "optics"}, default "image"
-        The image that the values are samples of (optics, blur and, where pixels average, the pixel), or the same
-        without the pixel.
+        "image": optics, blur and, if values are pixel-integrated, the pixel; "optics": the same without the pixel.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres or units of lambda*N: the extent along x or y of all that is brighter than half of the largest value,
-        which of a radially symmetric image is its diameter there. Dark rings inside do not count: behind a defocused
-        lens it is about the width of the blur, or of the spike on the axis where that is more than twice as bright.
-        Whatever the pixel pitch and the window. Off by the error of the image over its slope at half, at both ends:
-        for a tolerance of 1e-6 mostly less than 1e-5 of the width.
+        Metres or units of lambda*N: the extent along x or y of the region brighter than half of the maximum,
+        including dark rings inside it. For a defocused lens it is about the width of the blur, or of the central
+        spike if that is more than twice as bright. Independent of pixel pitch and window. Its error is that of the
+        image divided by the slope at half maximum, at both ends: for a tolerance of 1e-6 mostly less than 1e-5 of the
+        width.
 
     Raises
     ------
     ValueError
-        If `along` or `of` is none of these, or the image does not fall to half within 500 lambda*N.
+        If `along` or `of` is unknown, or the image does not fall to half of its maximum within 500 lambda*N.
     """
     validation.choice("along", along, ("mean", "x", "y"))
     model = ImageModel.of(psf, of)
@@ -292,7 +290,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres or units of lambda*N. Off by the error of the encircled energy over its slope.
+        Metres or units of lambda*N. Its error is that of the encircled energy divided by its slope.
 
     Raises
     ------

@@ -41,27 +41,27 @@ def otf(
     spectrum: Polychromatic | None = None,
     tol: float = 1e-10,
 ) -> Complexes:
-    """Return the optical transfer function of a pupil, from its wavefront, or of the image that a PSF samples.
+    """Return the optical transfer function (OTF) of a pupil, or of the image of a PSF.
 
     Parameters
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
-        A PSF brings its pixels, if they average, its blur and its spectrum.
+        A PSF includes its pixels (if pixel-integrated), blur and spectrum.
     fx, fy : array_like
         Spatial frequencies along columns and rows: cycles per metre if the pupil has a wavelength, else cycles per
         lambda*N. They broadcast: ``fx[None, :], fy[:, None]`` is a grid.
     pixel : float or (float, float), optional
         Pixel pitch, or height and width: multiplies by ``sinc(fx width) sinc(fy height)``, the transfer function of
-        pixels that average.
+        pixel integration.
     fill : float or (float, float), default 1
-        The part of its area that a pixel averages over, or those of height and width; see :func:`lommel.psf`.
+        Fill factor of the pixel, of its area or of height and width; see :func:`lommel.psf`.
     blur : Blur or sequence of Blur, default ()
-        What spreads the light further, each a factor; see :func:`lommel.psf`.
+        Further blur, each a factor of the transfer function; see :func:`lommel.psf`.
     spectrum : Polychromatic, optional
-        The sum over a spectrum, phases being path differences, as in the images of that method.
+        Sum over a spectrum with constant optical path differences, as in the images of that method.
     tol : float, default 1e-10
-        Absolute tolerance, 1e-13 to 0.1: nodes are added until two quadratures differ by no more. With a spider or
-        vignetting a frequency takes 0.1 to 1 s, half of that at 1e-6.
+        Absolute tolerance, 1e-13 to 0.1: nodes are added until two quadratures agree within it. With a spider or
+        vignetting each frequency takes 0.1 to 1 s, half of that at 1e-6.
 
     Returns
     -------
@@ -74,10 +74,10 @@ def otf(
     Raises
     ------
     TypeError, ValueError
-        If an argument is no finite real number or out of range, the frequencies do not broadcast, the pupil has a
-        mask, or a PSF, which has its own, is given with pixel, fill, blur or spectrum.
+        If an argument is not real and finite or out of range, the frequencies do not broadcast, the pupil has a mask,
+        or pixel, fill, blur or spectrum are given with a PSF, which has its own.
     ToleranceError
-        If `tol` takes more than 4096 nodes along a line.
+        If `tol` needs more than 4096 nodes along a line.
 
     Examples
     --------
@@ -109,15 +109,15 @@ def otf(
 def image_otf(
     psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image", tol: float = 1e-10
 ) -> Complexes:
-    """Return the optical transfer function of the image that the values of a PSF are samples of.
+    """Return the optical transfer function of the image of a PSF, of which its values are samples.
 
     Parameters
     ----------
     psf : PSF
     fx, fy : array_like
-        As of :func:`lommel.otf`, beyond the Nyquist frequency of the pixels, too.
+        As of :func:`lommel.otf`, also beyond the Nyquist frequency of the pixels.
     of : {"image", "optics"}, default "image"
-        With pixels that average as a factor, or without.
+        With the factor of pixel integration, or without.
     tol : float, default 1e-10
         As of :func:`lommel.otf`.
 
@@ -182,7 +182,7 @@ def mtf(
     Returns
     -------
     float or ndarray, shape ``pupil.shape + s``
-        With s what `fx` and `fy` broadcast to.
+        s is the shape that `fx` and `fy` broadcast to.
 
     Examples
     --------
@@ -204,7 +204,7 @@ def ptf(
 ) -> Numbers:
     """Return the phase transfer function, the argument of the OTF in radians, above -pi and up to pi.
 
-    The error is `tol` over the MTF. Where the MTF is `tol` or less there is no phase to speak of, and 0 is returned.
+    Its error is `tol` divided by the MTF; where the MTF is at most `tol` the phase is undefined and 0 is returned.
     See :func:`lommel.otf`.
 
     Parameters
@@ -218,7 +218,7 @@ def ptf(
     Returns
     -------
     float or ndarray, shape ``pupil.shape + s``
-        Radians; with s what `fx` and `fy` broadcast to.
+        Radians; s is the shape that `fx` and `fy` broadcast to.
     """
     value = otf(pupil, fx, fy, spectrum=spectrum, tol=tol)
     return numbers(np.where(np.abs(value) > tol, np.angle(value), 0.0), value.shape)
@@ -233,12 +233,12 @@ def mtf_frequency(
     fill: float | tuple[float, float] = 1.0,
     blur: Blur | Sequence[Blur] = (),
 ) -> Numbers:
-    """Return the lowest frequency at which the MTF has fallen to `level`: MTF50 and its like.
+    """Return the lowest frequency at which the MTF falls to `level`, such as MTF50.
 
     Parameters
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
-        A PSF of a lens, which brings its pixels, if they average, its blur and its spectrum.
+        A PSF of a lens includes its pixels (if pixel-integrated), blur and spectrum.
     level : float, default 0.5
         Above 0 and below 1.
     angle : float, default 0
@@ -327,8 +327,8 @@ def _unmasked(pupil: Pupil) -> None:
 def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     """Return the discrete Fourier transform of the values in the window, by direct summation.
 
-    :func:`lommel.otf` is the transfer function of the image. That of its samples repeats with the sampling frequency
-    1 / pixel: at the Nyquist frequency it is twice the real part of the image's.
+    :func:`lommel.otf` is the transfer function of the image; that of its samples is aliased, periodic in the sampling
+    frequency 1 / pixel: at the Nyquist frequency it is twice the real part of the image's.
 
     Parameters
     ----------
@@ -346,7 +346,7 @@ def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     Raises
     ------
     TypeError, ValueError
-        If the frequencies are not finite, do not broadcast, or exceed that of Nyquist.
+        If the frequencies are not finite, do not broadcast, or exceed the Nyquist frequency.
     """
     checked_answer(psf)
     across, down = frequencies(fx, fy)
@@ -378,7 +378,7 @@ def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]
     Returns
     -------
     fx, fy : ndarray, shapes (width,) and (height,)
-        Rising, in steps of 1 / (width pixel) and 1 / (height pixel); 0 at ``width // 2`` and ``height // 2``.
+        Increasing, in steps of 1 / (width pixel) and 1 / (height pixel); 0 at ``width // 2`` and ``height // 2``.
     values : complex ndarray, shape ``psf.values.shape``
     """
     checked_answer(psf)

@@ -17,25 +17,25 @@ from lommel.optics.pupil import Pupil
 
 @dataclass(frozen=True)
 class ChordalGauss(Method[Pupil]):
-    r"""Quadrature over the whole disk by a matrix product along y and one along x: any wavefront, to a tolerance.
+    r"""Quadrature over chords of the pupil by two matrix products, for any wavefront, with a proven error bound.
 
-    Supports every pupil, obscured and apodized too. Meant for stacks of small windows: pupils are computed side by
-    side, and the tables of a window are kept from call to call. The work grows with the number N of chords times that
-    of nodes on each, both of which grow with the phase and with the window; more than 1024 are refused. Images in
-    float32 are summed in single precision where the tolerance allows for its rounding, which is counted.
+    Supports circular and annular apertures, apodized too. Intended for stacks of small windows: several pupils are
+    computed together, and the tables of a window are kept between calls. The cost grows with the number N of chords
+    times that of nodes on each, both of which grow with the phase and with the window; N is at most 1024. Images in
+    float32 are summed in single precision where the tolerance allows it; its rounding is included in the bound.
 
     Parameters
     ----------
     tol : float, default 1e-6
         Bound on ``max|I - I_exact| / max I`` over the window, max I being the largest value in the window, 1e-12 to
-        1e-1. It is a contract: quadrature and rounding are bounded, the bound is checked against the largest value
-        that was found, and :class:`ToleranceError` is raised where it cannot be brought below `tol`, as in a window
-        that hardly any light reaches.
+        1e-1. It is a contract: quadrature and rounding are bounded, the bound is checked against the largest computed
+        value, and :class:`ToleranceError` is raised if it cannot be brought below `tol`, as in a window far from the
+        light.
 
     Raises
     ------
     ValueError
-        If phases and window take more than 1024 chords or tables of more than 256 MiB.
+        If phase and window need more than 1024 chords or tables of more than 256 MiB.
 
     Notes
     -----
@@ -68,7 +68,7 @@ class ChordalGauss(Method[Pupil]):
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
-        """Return a shorter way to samples of further pupils around one axis; see :meth:`Method.plan`."""
+        """Return a prepared computation for further pupils around one axis; see :meth:`Method.plan`."""
         if grid.stack or grid.integrate or pupil.illumination.error:
             return None
         shape, dtype = pupil.shape + grid.shape, np.dtype(wanted.dtype)
@@ -97,8 +97,7 @@ class ChordalGauss(Method[Pupil]):
     ) -> Array:
         """Return derivatives of weighted sums of the values by the coefficients of Zernike terms, shape ``(n, k)``.
 
-        The transpose of the derivatives that :meth:`images` gives of the intensity itself: it costs about two images,
-        whatever the number of terms.
+        The transpose of the derivatives of :meth:`images`: it costs about two images, for any number of terms.
 
         Parameters
         ----------
@@ -109,7 +108,7 @@ class ChordalGauss(Method[Pupil]):
         terms : tuple of (int, int)
             n and m of each term, its coefficient in radians at the edge.
         threads : int, default 0
-            At most so many, 0 for as many as there are processors.
+            Maximum number of threads; 0 for the number of processors.
 
         Raises
         ------

@@ -21,7 +21,7 @@ _MAX_NODES = 16_000
 class Hankel(FieldMethod[Pupil]):
     r"""Gauss-Legendre quadrature of ``U(v) = int exp(i Phi) J0(v sqrt t) dt`` in t = rho^2, at every radius.
 
-    Supports every pupil. Each distinct radius of the image is integrated on its own, without interpolation.
+    Supports radially symmetric pupils. Each distinct radius is integrated separately, without interpolation.
 
     Parameters
     ----------

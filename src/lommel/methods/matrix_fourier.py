@@ -25,12 +25,12 @@ _MAX_FIELD = 2**27  # complex values held at once: 2 GiB
 
 @dataclass(frozen=True)
 class MatrixFourier(Method[Pupil]):
-    r"""Fourier sum of the pupil on a Cartesian lattice, straight onto the pixels by two matrix products.
+    r"""Discrete Fourier transform of the sampled pupil onto the pixels, by two matrix products.
 
-    Supports every pupil, as long as no light wraps around into the window. The transform is exact; what errs is the
-    lattice: the staircase at the rim (first order in the spacing if binary, second if grey), the more so the larger
-    the aberration. No bound is claimed: at a few radians typically 1e-3 of the peak with 256 binary samples, 2e-4
-    with grey ones.
+    Supports every pupil, as long as no light is aliased into the window. The transform is exact; the error comes from
+    sampling the edge of the aperture (first order in the spacing if binary, second if grey), and grows with the
+    aberration. No bound is claimed: at a few radians the error is typically 1e-3 of the peak with 256 binary samples,
+    2e-4 with grey ones.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ class MatrixFourier(Method[Pupil]):
         Number of samples across the diameter of the aperture, 8 to 8192; their cells fill it exactly. With the side
         of the mask of a pupil it takes the samples of the mask as they are.
     edge : {"grey", "binary"}, default "grey"
-        "grey": a sample counts by the part of its cell that is clear, exact for discs and annuli, counted on 16 x 16
-        points of the cell for others. "binary": it counts if its centre is clear.
+        "grey": a sample is weighted by the clear fraction of its cell, exact for discs and annuli, from 16 x 16
+        points of the cell for others. "binary": it is 1 if its centre is clear, else 0.
 
     Raises
     ------
@@ -73,7 +73,7 @@ class MatrixFourier(Method[Pupil]):
         Raises
         ------
         ValueError
-            If light would wrap around into the window, or if the field takes more than 2^27 values.
+            If light would be aliased into the window, or if the field needs more than 2^27 values.
         """
         require_samples(self, self.samples, pupil, grid)
         step = grid.step(pupil)

@@ -41,7 +41,7 @@ _SCAN = 512
 
 
 class Method(ABC, Generic[P]):
-    """A way to evaluate the diffraction integral of pupils of the type `P`.
+    """A method of evaluating the diffraction integral for pupils of the type `P`.
 
     The field is normalised so that the unaberrated, unobscured aperture gives U(0) = 1, and I = abs(U)^2.
     Subclasses are frozen dataclasses: their fields are their options.
@@ -82,26 +82,26 @@ class Method(ABC, Generic[P]):
         object.__setattr__(self, "tol", tol)
 
     def unsupported(self, pupil: P) -> str | None:
-        """Return why `pupil` is not supported, or None if it is: here, that every one is."""
+        """Return the reason why `pupil` is not supported, or None; here None for every pupil."""
         return None
 
     @abstractmethod
     def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I on `grid` for the flattened stack of `pupil`, by at most so many `threads`.
+        """Return I on `grid` for the flattened stack of `pupil`, with at most `threads` threads.
 
         Shape ``(n, len(grid.radii))``, at the distinct radii, or ``(n, height, width)``.
         """
 
     def unaberrated_peak(self, pupil: P) -> float:
-        """Return the peak of the aperture of `pupil` without aberration, to which "strehl" relates."""
+        """Return the peak of the aperture of `pupil` without aberration, the reference of "strehl"."""
         return float(pupil.amplitude**2)
 
     def stretch(self, pupil: P) -> float:
-        """Return the exponential type of U in v: how much faster than at the wavelength of `pupil` it varies."""
+        """Return the exponential type (bandwidth) of U in v, relative to that at the wavelength of `pupil`."""
         return 1.0
 
     def with_tol(self, tol: float) -> Self:
-        """Return the same method with another `tol`; TypeError or ValueError if it has or takes none such."""
+        """Return the same method with another `tol`; TypeError or ValueError if it cannot have that."""
         if not self._has_tol:
             raise ValueError(
                 f"tol={validation.shown(tol)} must be left out for {type(self).__name__}, which has no tolerance; "
@@ -111,7 +111,7 @@ class Method(ABC, Generic[P]):
         return changed
 
     def tightened(self, tol: float | None = None) -> Self:
-        """Return it with half the tolerance, or `tol`, but no less than the least; itself where it keeps none."""
+        """Return the method with half its tolerance or with `tol`, within its range; itself if it has none."""
         if not (self._has_tol and self.keeps_tol):
             return self
         return self.with_tol(max(0.5 * self.tol if tol is None else tol, self.least_tol))
@@ -121,19 +121,19 @@ class Method(ABC, Generic[P]):
         return "tol" in getattr(self, "__dataclass_fields__", ())
 
     def components(self, pupil: P) -> list[Component]:
-        """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several."""
+        """Return the components whose intensities add up to that of `pupil`: one, unless the method is a sum."""
         from lommel.optics.colour.spectrum import Component
 
         return [Component(1.0, 1.0, pupil)]
 
     def along_radius(self, pupil: P) -> RadialMethod[P] | None:
-        """Return the method where a profile along the radius describes the whole PSF of `pupil`, else None."""
+        """Return the method if a radial profile describes the whole PSF of `pupil`, else None."""
         return None
 
     def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack of `pupil` on `grid`, as they are `wanted`.
+        """Return the images of the flattened stack of `pupil` on `grid`, as specified by `wanted`.
 
-        ValueError if derivatives are wanted that there are none of; ToleranceError if the tolerance cannot be met.
+        Raises ValueError for unavailable derivatives, ToleranceError if the tolerance cannot be met.
         """
         if wanted.powers or wanted.terms:
             raise ValueError(
@@ -151,11 +151,11 @@ class Method(ABC, Generic[P]):
         return painted(made, grid, wanted)
 
     def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
-        """Return a shorter way to the images on `grid` of pupils that differ from `pupil` in their wavefronts alone.
+        """Return a prepared computation on `grid` for pupils that differ from `pupil` in their wavefronts only.
 
-        `wanted` is without `out` and derivatives. The way takes such a pupil and an array for the values, and returns
-        what these were multiplied by, of the shape of the pupil, and the largest bound on errors; or None where
-        :meth:`images` has to be asked. Raises as that does. Here, there is none.
+        `wanted` is without `out` and derivatives. The returned function takes such a pupil and an array for the
+        values, and returns their scale, of the shape of the pupil, and the largest error bound; or None if
+        :meth:`images` must be called instead. It raises as :meth:`images`. By default there is none.
         """
         return None
 
@@ -193,13 +193,13 @@ def described(thing: Any) -> dict[str, Any]:
 
 
 class RadialMethod(Method[P]):
-    """A method whose answer depends on the distance from the axis only, and is known at any distance."""
+    """A method for radially symmetric PSFs, which can be evaluated at any distance from the axis."""
 
     @abstractmethod
     def profile(self, pupil: P, v: Array) -> Intensities:
         """Return I at rising `v` for the flattened stack of `pupil`, shape ``(n, len(v))``.
 
-        ValueError or ToleranceError where the method cannot answer as it promises.
+        Raises ValueError or ToleranceError if the method cannot meet its contract.
         """
 
     def along_radius(self, pupil: P) -> RadialMethod[P] | None:
@@ -223,10 +223,11 @@ class RadialMethod(Method[P]):
     def on_pixels(
         self, pupil: P, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
     ) -> Intensities:
-        """Return I at, or averaged over, each pixel of `grid` from the profile of `pupil`, by `threads` at most.
+        """Return I at, or averaged over, the pixels of `grid` from the profile of `pupil`, with at most `threads`.
 
-        `tol` bounds the error over the peak, or over the largest value in the `window`; by default the method's own.
-        ToleranceError if it cannot be met; a method that keeps no tolerance is carried on without loss instead.
+        `tol` bounds the error relative to the peak, or to the largest value in the `window`; by default it is that of
+        the method. Raises ToleranceError if it cannot be met; methods without a tolerance are interpolated to
+        rounding.
         """
         # I is band-limited (of exponential type 2 in v) and within half its largest value of a constant, which bounds
         # what the weighted sums of the profile are off by: docs/certificate.md, section 9.
@@ -303,19 +304,19 @@ def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, th
 
 
 class FieldMethod(RadialMethod[P]):
-    """A radial method that knows the complex field."""
+    """A radial method that computes the complex field."""
 
     @abstractmethod
     def evaluate(self, pupil: P, v: Array) -> FieldValues:
         """Return U at rising `v` for the flattened `pupil`, shape ``(n, len(v))``, with a bound on its error.
 
-        ValueError or ToleranceError where the method cannot answer as it promises.
+        Raises ValueError or ToleranceError if the method cannot meet its contract.
         """
 
     def field(self, pupil: P, v: ArrayLike) -> NDArray[np.complex128]:
         """Return the complex field U of a `pupil` at optical coordinates `v`, shape ``pupil.shape + v.shape``.
 
-        TypeError or ValueError unless these are numbers, finite and >= 0.
+        Raises TypeError or ValueError unless these are finite numbers >= 0.
         """
         self.require(pupil)
         at = validation.real_array("v", v, least=0.0) + 0.0  # no -0

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 class NijboerZernike(FieldMethod["Pupil"]):
     r"""Legendre-Bessel series, accurate to a tolerance: the default.
 
-    Supports every circular aperture, obscured or not, and every wavefront, up to about 5000 radians of phase if it is
-    radially symmetric and some hundred if not.
+    Supports circular and annular apertures with any wavefront, up to about 5000 radians of phase if it is radially
+    symmetric and a few hundred if not.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
     def means(self, pupil: Pupil, v: Array, matrix: Array, threads: int = 0) -> Array:
         """Return ``I(v) @ matrix`` for the flattened stack of a `pupil`, shape ``(n, sums)``.
 
-        `v` rises, `matrix` has the shape ``(len(v), sums)``; by at most so many `threads`.
+        `v` is increasing, `matrix` has the shape ``(len(v), sums)``; with at most `threads` threads.
         """
         profiles = radial_profiles(radial_stack(pupil), v, self.tol, threads)
         return product(profiles.values, matrix, threads)
@@ -94,7 +94,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
-        """Return a shorter way to the images of further radial pupils around one axis; see :meth:`Method.plan`."""
+        """Return a prepared computation for further radial pupils around one axis; see :meth:`Method.plan`."""
         if not pupil.radial or grid.stack or pupil.illumination.error:
             return None
         window = window_of(pupil, grid)

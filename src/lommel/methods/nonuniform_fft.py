@@ -33,8 +33,8 @@ class NonuniformFFT(Method[Pupil]):
     Parameters
     ----------
     tol : float, default 1e-6
-        What the error of the intensity is to be below, relative to the peak of the PSF, 1e-11 to below 0.1. A
-        target that tests sweep, not a bound: see the notes. `PSF.error_bound` is None.
+        Target for the error of the intensity relative to the peak of the PSF, 1e-11 to below 0.1. It is tested, not
+        proven: see the notes. `PSF.error_bound` is None.
 
     Raises
     ------
@@ -49,9 +49,8 @@ class NonuniformFFT(Method[Pupil]):
     The precision asked of FINUFFT is another quarter; it is a requested relative accuracy of its kernel, measured by
     its authors, not proven. A mask is not integrated: its samples are the pupil, and are summed.
 
-    Both parts relate to the peak that was found, in the window or on a coarse lattice over the whole blur; where that
-    is dimmer than was guessed the sum is repeated.
-    `integrate` filters finer samples, as derived on the page about the certificate.
+    Both parts are relative to the computed peak, in the window or on a coarse lattice over the whole blur; if that is
+    lower than estimated, the sum is repeated. `integrate` filters finer samples, as derived in docs/certificate.md.
 
     References
     ----------

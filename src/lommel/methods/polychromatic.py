@@ -101,22 +101,21 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
     weights : sequence of float, optional
         Share of the light at each wavelength, >= 0; made to sum to 1. By default all are equal.
     method : Method, optional
-        By default what :func:`lommel.psf` would take for the pupil at each wavelength, so that every pupil is
-        supported.
+        By default chosen for the pupil at each wavelength as by :func:`lommel.psf`, so that every pupil is supported.
     tol : float, optional
-        Tolerance of the sum, over its peak: where all parts have a bound it is a contract, as theirs are. By default
-        that of the method, or 1e-6.
+        Tolerance of the sum relative to its peak: a contract if all parts have a bound. By default that of the
+        method, or 1e-6.
 
     Raises
     ------
     TypeError, ValueError
-        On what is no wavelength or none at all, if the weights are not one for each, negative or all 0, or if
-        `method` is none of one wavelength, or has no such tolerance.
+        If a wavelength is invalid or none is given, if weights are negative, all 0 or not one for each wavelength, or
+        if `method` is not for one wavelength, or has no such tolerance.
 
     Notes
     -----
-    Each wavelength is sampled or averaged over the pixels on its own, and asked for a smaller error where the errors
-    together would exceed the tolerance. ``normalize="strehl"`` is relative to the same spectrum without aberration.
+    Each wavelength is computed separately, with a smaller tolerance if the errors together would exceed that of the
+    sum. ``normalize="strehl"`` is relative to the same spectrum without aberration.
     """
 
     pupils = "any"

@@ -37,44 +37,43 @@ def deconvolve(
     margin: tuple[int, int] | None = None,
     progress: Tell | None = None,
 ) -> Restoration:
-    """Deconvolution: restore a stack of planes that a microscope recorded, by its PSF and its noise.
+    """Deconvolve a stack of planes recorded by a microscope, with its PSF and noise (3-D deconvolution).
 
     Parameters
     ----------
     stack : array_like, shape (planes, height, width)
-        As it was recorded, in the unit of `noise`: integers or floats; NaN where a value is unknown.
+        Recorded stack, in the unit of `noise`: integers or floats; NaN marks unknown values.
     psf : PSF
-        As :class:`lommel.microscopy.StackBlur` takes it, in the steps, pixels and direction of z of the recording.
-        Its planes and its window have to hold the cone of light: what is beyond them is taken to be dark. Values are
-        divided by their sum, so that a point is restored with all of its light in these planes together.
+        As of :class:`lommel.microscopy.StackBlur`, with the step, pixels and direction of z of the recording. Its
+        planes and window must hold the cone of light: beyond them it is taken to be dark. Values are divided by their
+        sum, so that light is conserved.
     noise : Noise
-        Of the values of `stack`; maps of pixels hold for each plane.
+        Noise of the values of `stack`; maps per pixel apply to each plane.
     method : RichardsonLucy, optional
-        By default ``lm.imaging.RichardsonLucy(target=1.0)``, which the noise stops: a lower discrepancy, as for
-        photographs, would add light that is noise where the PSF is much wider than a voxel.
+        By default ``lm.imaging.RichardsonLucy(target=1.0)``: a lower target, as for photographs, would amplify noise
+        where the PSF is much wider than a voxel.
     margin : (int, int), optional
-        How many planes and pixels are restored beyond each face of the recording, of which nothing is known but the
-        light that comes in; by default half of those of the PSF, and at most half as many planes as the stack has,
-        or 8. Planes still farther away are taken to be like the outermost one, and pixels to be dark.
+        Number of planes and pixels restored beyond each face of the recording, to account for light from outside; by
+        default half of those of the PSF, and at most half as many planes as the stack has, or 8. Planes farther away
+        are taken to be like the outermost one, pixels to be dark.
     progress : callable, optional
         As of :func:`lommel.imaging.restore_with`.
 
     Returns
     -------
     Restoration
-        Its `values` are float32, of the shape of the stack, in its unit without the offset of its noise, and its
-        `light` the same; `by_channel` has the discrepancy of each plane. `stopped` by a misfit says what does not fit
-        a stack.
+        Its `values` are float32, of the shape and unit of the stack, without the offset of its noise, like its
+        `light`; `by_channel` is the discrepancy of each plane. `stopped` states a misfit.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is none of these; if `stack` is infinite, or NaN everywhere.
+        If an argument is of another type or out of range; if `stack` is infinite, or NaN everywhere.
 
     Notes
     -----
-    The steps of :class:`lommel.imaging.RichardsonLucy`. Beside the stack it takes memory for about twice its size in
-    float32, and 1.6 times that of the stack with its margin.
+    The steps of :class:`lommel.imaging.RichardsonLucy`. Memory besides the stack: about twice its size in float32,
+    and 1.6 times that of the stack with its margin.
     """
     validation.optional("method", method, RichardsonLucy)
     recorded = validation.array("stack", stack)

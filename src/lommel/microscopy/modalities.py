@@ -37,10 +37,10 @@ def confocal(
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        Excitation light, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes, both without
-        aberrations. A :class:`lommel.Dipole` absorbs the part of the field along it; where it wobbles, as if it had
-        turned in the meantime. Foci differ by colour: with ``z=emission.focus, origin="coverslip"`` the excitation is
-        in the planes of the emission, whatever the origin of these.
+        Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes, both without
+        aberrations. A :class:`lommel.Dipole` absorbs the component of the field along it; a wobbling one reorients
+        between absorption and emission. The foci of two wavelengths differ: ``z=emission.focus, origin="coverslip"``
+        puts the excitation in the planes of the emission.
     shape : int or (int, int)
     pixel : float
         As of :func:`lommel.psf`: metres on the camera, the magnification times those in the sample.
@@ -50,22 +50,23 @@ def confocal(
         Whether values are pixel-integrated; a scanned beam is point-sampled.
     normalize : {"strehl", "peak"}, default "strehl"
         "strehl": the intensity of the excitation, relative to the focus of a uniform scalar aperture that sends as
-        much light through the same plane of the sample, times the share of the collected light that passes the
-        pinhole. Planes of one depth compare; of several depths multiply by ``excitation.collected`` for one power of
-        the laser. See :class:`lommel.methods.Confocal` for the formula. "peak": the largest value of each plane is 1.
+        much light through the same plane of the sample, times the fraction of the collected light that passes the
+        pinhole. Planes of one depth are on one scale; to compare depths at constant laser power, multiply by
+        ``excitation.collected``. See :class:`lommel.methods.Confocal` for the formula. "peak": the largest value of
+        each plane is 1.
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Returns
     -------
     PSF
-        Its pupil is the emission. Its `energy` and `encircled_energy` are those of a thin, even layer in each plane,
-        which show how much planes out of focus are suppressed.
+        Its pupil is the emission. Its `energy` and `encircled_energy` are those of a thin uniform layer in each
+        plane, and show the optical sectioning.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the planes differ, or if either light has aberrations.
+        If an argument is out of range, if the planes differ, or if either pupil has aberrations.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -106,21 +107,21 @@ def two_photon(
     Parameters
     ----------
     excitation : ObjectivePupil
-        Whose emitter is a :class:`lommel.Beam`.
+        Excitation, whose emitter is a :class:`lommel.Beam`.
     shape, pixel, integrate, normalize, tol
-        As of :func:`lommel.microscopy.confocal`; 1 is the square of the intensity in the focus of a uniform scalar
-        aperture that sends as much light through the same plane of the sample. Of several depths multiply by
-        ``excitation.collected**2`` for one power of the laser.
+        As of :func:`lommel.microscopy.confocal`; 1 is the squared intensity in the focus of a uniform scalar aperture
+        that sends as much light through the same plane of the sample. To compare depths at constant laser power,
+        multiply by ``excitation.collected**2``.
 
     Returns
     -------
     PSF
-        Its pupil is the excitation; its `energy` is that of a thin, even layer in each plane.
+        Its pupil is the excitation; its `energy` is that of a thin uniform layer in each plane.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the light has aberrations.
+        If an argument is out of range, or if the pupil has aberrations.
     ToleranceError
         If the tolerance cannot be met.
     """
@@ -144,13 +145,13 @@ def bead(
     Parameters
     ----------
     pupil : ObjectivePupil
-        The depth is that of the middle of the bead.
+        Pupil of an emitter at the centre of the bead.
     diameter : float
         Metres, in the sample.
     shape, pixel, integrate, normalize
         As of :func:`lommel.psf`.
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Returns
     -------
@@ -159,7 +160,7 @@ def bead(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the bead reaches into the glass, or if the light has aberrations.
+        If an argument is out of range, if the bead reaches into the glass, or if the pupil has aberrations.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -181,29 +182,29 @@ def light_sheet(
     normalize: str = "energy",
     tol: float = 1e-6,
 ) -> PSF:
-    """Return the PSF of a light-sheet microscope: that of the emission times the intensity of the sheet.
+    """Return the PSF of a light-sheet microscope: emission PSF times sheet intensity.
 
     Parameters
     ----------
     emission : ObjectivePupil
-        Of any emitter.
+        Emission, of any emitter.
     thickness : float
         Full width at half maximum of the sheet, Gaussian across; metres in the sample.
     shape, pixel
         As of :func:`lommel.psf`; pixel-integrated.
     offset : array_like, optional
-        How far the emitter is from the middle of the sheet in each plane, metres in the sample; broadcasts with the
-        stack. By default z of the pupil, as where the sheet stays in the plane that the objective looks at and the
-        indices of sample and immersion are one.
+        Distance of the emitter from the centre of the sheet in each plane, metres in the sample; broadcasts with the
+        stack. By default z of the pupil: the sheet stays in the focal plane, and sample and immersion have the same
+        index.
     normalize : {"energy", "emitted", "strehl"}, default "energy"
-        As of :func:`lommel.psf`, of an emitter in the middle of the sheet.
+        As of :func:`lommel.psf`, for an emitter at the centre of the sheet.
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Returns
     -------
     PSF
-        Its `energy` counts the light of each emitter as if it were lit fully.
+        Its `energy` is relative to an emitter at the centre of the sheet.
 
     Raises
     ------
@@ -269,23 +270,22 @@ def sted(
     shape, pixel
         As of :func:`lommel.microscopy.confocal`, point-sampled.
     saturation : float
-        The intensity on the crest of the doughnut over that which leaves half of the light, 0 to some hundreds. The
-        crest is that of a doughnut without aberrations behind the same interfaces: plane waves keep what these
-        transmit, and the phase that they gain in the layers is left out. So depletion fades, as it does, where layers
-        blur it.
+        Maximum intensity of the doughnut relative to the intensity that depletes half of the fluorescence, 0 to a few
+        hundreds. The maximum is that of a doughnut without aberrations behind the same interfaces, so that depletion
+        decreases where the layers blur it.
     pinhole, tol : float
         As of :func:`lommel.microscopy.confocal`.
 
     Returns
     -------
     PSF
-        As of :func:`lommel.microscopy.confocal`: planes of one depth compare, and so do saturations.
+        As of :func:`lommel.microscopy.confocal`; planes of one depth, and saturations, are on one scale.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the planes differ, if there are aberrations, if the depletion depends on
-        the direction, or emitters are fixed dipoles.
+        If an argument is out of range, if the planes differ, if a pupil has aberrations, if the depletion is not
+        rotationally symmetric, or emitters are fixed dipoles.
     ToleranceError
         If the tolerance cannot be met.
 

@@ -17,23 +17,23 @@ from lommel.psf import PSF
 
 
 class StackBlur(LinearBlur):
-    """What a microscope makes of a specimen: each point spread by one PSF, along z too; its planes are channels.
+    """Three-dimensional blur of a microscope with one PSF, a linear operator; planes are channels.
 
     Parameters
     ----------
     psf : PSF
-        A stack over z in even steps, those of the recording, one plane of which is at z = 0; its pixels are those of
-        the recording. It holds at all depths. Values are divided by their sum, so that light is kept but for what
-        leaves through the faces of the recording, outside of which there is nothing.
+        A stack over z in equal steps, with one plane at z = 0, of the step and pixels of the recording; used at all
+        depths. Values are divided by their sum, so that light is conserved except for what leaves the recording,
+        outside of which it is dark.
     shape : (int, int, int)
-        Planes, height and width of the recording.
+        Number of planes, height and width of the recording.
     dtype : float32 or float64, default float32
-        Of the sums, done by FFTs that are padded, so that nothing wraps around.
+        Type of the computation, by zero-padded FFTs.
 
     Raises
     ------
     TypeError, ValueError
-        If one of them is none of these.
+        If an argument is of another type or out of range.
     """
 
     def __init__(self, psf: PSF, shape: tuple[int, int, int], dtype: DTypeLike = np.float32) -> None:

@@ -21,22 +21,22 @@ _Number = TypeVar("_Number", bound=np.generic)
 
 @dataclass(frozen=True, init=False, eq=False)
 class Grid:
-    """Pixels around the optical axis, square or rectangular.
+    """Grid of pixels around the optical axis, square or rectangular.
 
     Parameters
     ----------
     shape : int or (int, int)
         Side of a square, or height and width, each 1 to 16384.
     pixel : float or (float, float)
-        Pixel pitch, or those of rows and columns: metres where the pupil has a wavelength, else units of lambda*N.
+        Pixel pitch, or the pitches of rows and columns: metres if the pupil has a wavelength, else units of lambda*N.
     center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
         pixel ``(height // 2, width // 2)``. Arrays, which broadcast, have an axis for each pupil of a stack.
     integrate : bool, default False
-        Whether pixels average the intensity over their area (pixel-integrated) or sample it at their centre.
+        Whether values are pixel-integrated or point-sampled at the pixel centres.
     fill : float or (float, float), default 1
-        Fill factor: the part of its area, around its centre, that a pixel averages over; or the parts of height and
-        width. Above 0 and at most 1.
+        Fill factor: the active fraction of the area of a pixel, around its centre; or those of height and width.
+        Above 0 and at most 1.
 
     Raises
     ------
@@ -48,7 +48,7 @@ class Grid:
     center : (float, float) or (ndarray, ndarray)
         Read-only arrays of one shape where there are several.
     stack : tuple of int
-        Their shape; ``()`` where one axis serves all pupils.
+        Shape of these arrays; ``()`` for one axis for all pupils.
     """
 
     height: int
@@ -109,7 +109,7 @@ class Grid:
 
     @property
     def axis(self) -> tuple[float, float]:
-        """The one axis that serves all pupils, as ``center``; ValueError where there are several."""
+        """The axis of all pupils, as ``center``; ValueError if there are several."""
         self.require_one_axis()
         row, column = self.center
         return float(row), float(column)
@@ -134,12 +134,12 @@ class Grid:
 
     @property
     def pitch(self) -> tuple[float, float]:
-        """From row to row and from column to column."""
+        """Pitches of rows and columns."""
         return (self.pixel, self.pixel) if isinstance(self.pixel, float) else self.pixel
 
     @property
     def named(self) -> str:
-        """The pitch in messages."""
+        """Text of the pitch for messages."""
         return f"{self.pixel:g}" if isinstance(self.pixel, float) else "({:g}, {:g})".format(*self.pixel)
 
     @property
@@ -190,7 +190,7 @@ class Grid:
 
     @property
     def multiplicity(self) -> NDArray[np.int64]:
-        """How many pixels there are at each of the distinct :attr:`radii`."""
+        """Number of pixels at each of the distinct :attr:`radii`."""
         ranks = self.unfold(_quadrant(*self.shape)[1])
         return np.bincount(ranks.ravel())
 

@@ -105,7 +105,7 @@ class Lens(display.Shown):
     Raises
     ------
     TypeError, ValueError
-        On anything missing, contradictory, non-finite or out of range.
+        If an argument is missing, contradictory, not finite or out of range.
 
     Warns
     -----

@@ -27,7 +27,7 @@ if TYPE_CHECKING:  # most pupils are round, and need none of these
 
 @dataclass(frozen=True)
 class Pupil(BasePupil):
-    """An aperture with a wavefront across it: circular or annular, unless obstructions narrow it.
+    """Pupil of a lens: an aperture, circular or annular unless obstructed further, with a wavefront and an amplitude.
 
     Parameters
     ----------
@@ -40,17 +40,17 @@ class Pupil(BasePupil):
     f_number : float, optional
         Working f-number N: sensor distance over aperture diameter.
     apodization : float or Apodization, default 0
-        Amplitude across the aperture, for all pupils of a stack. A number is g, 0 to 100, of a Gaussian
-        ``exp(-g rho^2)``: a laser beam with 1/e amplitude radius w, clipped at the radius a, has ``g = (a / w)^2``.
+        Amplitude across the aperture, for all pupils of a stack. A number g, 0 to 100, is a Gaussian
+        ``exp(-g rho^2)``: a laser beam of 1/e amplitude radius w, truncated at the radius a, has ``g = (a / w)^2``.
         See :attr:`lommel.Method.apodized` for the methods that take it.
     geometry : Geometry, optional
         Distances, set by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
     spider : Spider, optional
         Vanes across the aperture.
     vignetting : Ellipse or CatEye, optional
-        A second edge of the aperture.
+        Vignetting by a second edge.
     mask : Mask, optional
-        Amplitude transmission sampled over the aperture; the pupil function is then that of the samples.
+        Amplitude transmission sampled over the aperture; the pupil function is then defined by the samples.
     colour : PupilColour, optional
         Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
 
@@ -128,7 +128,7 @@ class Pupil(BasePupil):
 
     @cached_property
     def area(self) -> float:
-        """Clear area over that of the unobscured aperture, a mask weighted by its amplitude."""
+        """Clear area relative to the unobscured aperture, a mask weighted by its amplitude."""
         return self._integral(0.0)
 
     @cached_property
@@ -148,7 +148,7 @@ class Pupil(BasePupil):
 
     @property
     def opening(self) -> Opening:
-        """The clear region, a mask left out."""
+        """The clear region, without a mask."""
         from lommel.optics.aperture.opening import Opening
 
         return Opening(self.obscuration, self.spider, self.vignetting)
@@ -206,7 +206,8 @@ class Pupil(BasePupil):
         Parameters
         ----------
         x, y : array_like
-            Over the radius of the aperture; x rises with the columns of the image, y with the rows.
+            Pupil coordinates divided by the radius of the aperture; x increases with the columns of the image, y with
+            the rows.
 
         Returns
         -------

@@ -16,23 +16,23 @@ from lommel.psf import PSF
 
 
 def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> Any:
-    """Return the live page as a widget of a notebook: Jupyter, VS Code, marimo and what else takes anywidget.
+    """Return the live page as a notebook widget, for Jupyter, VS Code, marimo and other hosts of anywidget.
 
-    Every control is a trait of the widget, both ways: ``w.coma = 0.5`` moves the slider, and a drag of it is seen by
-    ``w.observe(..., "coma")``. ``w.state`` is all of them as a dict, which may be set to some of them; ``w.psf()``
-    is the :class:`lommel.PSF` that the page shows, by this Python, with further arguments as those of
+    Every control is a synchronised trait of the widget: ``w.coma = 0.5`` moves the slider, and ``w.observe(...,
+    "coma")`` is notified when it is dragged. ``w.state`` is a dict of all controls, and can be set to a dict of some;
+    ``w.psf()`` returns the :class:`lommel.PSF` that the page shows, computed in Python, with further arguments as of
     :func:`lommel.psf`.
 
     Parameters
     ----------
     lens : Instrument, str or path, optional
-        What to start with: a lens file or what :func:`lommel.load_instrument` made of it.
+        Initial lens: a lens file, or the result of :func:`lommel.load_instrument`.
     **state
-        Controls that start elsewhere: `defocus`, `spherical` (waves at the edge, W020 and W040), `coma`,
+        Initial values of controls: `defocus`, `spherical` (waves at the edge, W020 and W040), `coma`,
         `astigmatism`, `trefoil` (waves at the edge) and `coma_angle` and so on (degrees), `f_number`, `obscuration`,
         `wavelength` (nm), `light` ("mono", "white"), `pixel` (um), `view` ("fine", "sampled", "averaged"), `side`
         (pixels), `focal_length` (mm), `stretch`, `map`, `waves_unit`, `length_unit`, `picture`; and `controls`, a
-        list of those to show, and `theme`, "light" or "dark" where the notebook's is not to be followed.
+        list of those to show, and `theme`, "light" or "dark", by default that of the notebook.
 
     Returns
     -------
@@ -41,11 +41,11 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
     Raises
     ------
     ImportError
-        If anywidget is not installed: the extra "live" of this package brings it.
+        If anywidget is not installed; the extra "live" of this package installs it.
     FileNotFoundError
-        If the page's module was not made.
+        If the page's module was not built.
     TypeError, ValueError
-        If a control is none of these or its value not of its kind, or the lens is out of their range.
+        If a control is unknown or its value invalid, or the lens is out of their range.
 
     Examples
     --------

@@ -29,20 +29,19 @@ _TOL = 1e-6
 
 
 def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Axes:
-    """Draw the modulation transfer function along x and along y, beside that without aberration, and the pixel's.
+    """Draw the MTF along x and along y, with that of the unaberrated aperture and of the pixel.
 
     Parameters
     ----------
     thing : Pupil or PSF
-        Of a stack eight are drawn at most, evenly chosen. The curves are those of all light up to the cutoff, of a
-        PSF with its blur and its pixels: :meth:`lommel.PSF.mtf`. Of apertures that are neither a disc nor an annulus
-        they are drawn from samples, to about 1e-3.
+        Of a stack at most eight are drawn, evenly spaced. The curves of a PSF include its blur and pixels:
+        :meth:`lommel.PSF.mtf`. For apertures other than a disc or an annulus they are computed from samples, to about
+        1e-3.
     ax : matplotlib Axes, optional
         By default those of a new figure, which has a title.
     pixel : float, optional
-        Pitch of pixels that average, metres or units of lambda*N; by default those of a PSF that averages. All
-        curves are then of a lens and its pixels, a dotted one is of the pixels alone, and a line is at their Nyquist
-        frequency.
+        Pixel pitch, metres or units of lambda*N; by default that of a pixel-integrated PSF. The curves then include
+        the pixel; a dotted one is of the pixel alone, and a line marks the Nyquist frequency.
 
     Returns
     -------
@@ -51,7 +50,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     Raises
     ------
     TypeError, ValueError
-        If it is neither, if a pupil is not round, or a pixel is given for a PSF, which has its own.
+        If `thing` is neither, if a pupil is obstructed, or a pixel is given for a PSF, which has its own.
     ImportError
         If matplotlib is not installed.
     """
@@ -138,17 +137,16 @@ _SHARES = (0.5, 0.8)
 
 
 def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
-    """Draw the fraction of all light within circles about the axis, beside that of the aperture without aberration.
+    """Draw the encircled energy about the axis, with that of the unaberrated aperture.
 
     Parameters
     ----------
     psf : PSF
-        Of a stack eight are drawn at most, evenly chosen.
+        Of a stack at most eight are drawn, evenly spaced.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title: of a single PSF with the radii where the curve reaches
-        50 and 80 %.
+        By default those of a new figure, which has a title, for a single PSF with the radii of 50 and 80 %.
     radius : float, optional
-        Of the largest circle, metres or units of lambda*N; by default that which fits into the window.
+        Largest radius, metres or units of lambda*N; by default that of the circle that fits into the window.
 
     Returns
     -------
@@ -163,8 +161,8 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
 
     Notes
     -----
-    The curve is :func:`lommel.measures.energy.encircled_energy`, of the image with its blur and its pixels. Dashed is
-    the same aperture in focus and without aberration, of a single PSF of a lens.
+    The curve is :func:`lommel.measures.energy.encircled_energy`, with blur and pixels. For a single PSF of a lens the
+    dashed curve is that of the same aperture in focus and without aberration.
     """
     pupil = checked(psf, "psf").pupil
     validation.axes("ax", ax)

@@ -33,17 +33,16 @@ _NEAREST = 0.05  # of the distance of the sensor: no nearer to the lens
 
 
 class Moved(NamedTuple):
-    """A pupil in several places of the sensor.
+    """Pupils for several sensor positions.
 
     Attributes
     ----------
     at : ndarray, shape (n,)
-        How far the sensor has been moved away from the lens, metres; of a pupil in units of lambda*N the defocus C_d
-        that was added, radians.
+        Shift of the sensor away from the lens, metres; for pupils in units of lambda*N the added C_d, radians.
     metric : bool
-        Whether these are metres.
+        Whether `at` is in metres.
     pupils : tuple of Pupil
-        Of a lens one for each place, with the working f-number that it has there; of a pupil one stack of all.
+        For a lens one for each position, with its working f-number there; for a pupil one stack.
     """
 
     at: Array
@@ -54,20 +53,20 @@ class Moved(NamedTuple):
 def moved(
     thing: Lens | Pupil, object_distance: float | None = None, *, reach: float | None = None, count: int = 161
 ) -> Moved:
-    """Return the pupils of a lens, or of a pupil, while the sensor moves through the focus.
+    """Return the pupils of a lens, or of a pupil, for sensor positions through focus.
 
     Parameters
     ----------
     thing : Lens or Pupil
-        A single one. The places of a lens are exact. A pupil with a wavelength keeps its f-number: a shift by z adds
-        ``C_d = -pi z / (8 lambda N^2)``, which takes z to be small against the distance of the sensor.
+        A single one. For a lens the shifts are exact. A pupil with a wavelength keeps its f-number: a shift by z adds
+        ``C_d = -pi z / (8 lambda N^2)``, for z small compared with the sensor distance.
     object_distance : float, optional
-        Metres, of a lens; by default what is in focus.
+        Object distance of a lens, metres; by default that in focus.
     reach : float, optional
-        Farthest place on both sides of the sensor: metres, or radians of a pupil in units of lambda*N. By default as
-        far as it takes for each zone of the aperture to have its focus in between, and the sensor, with some room.
+        Largest shift in both directions: metres, or radians for a pupil in units of lambda*N. By default it includes
+        the focus of each zone of the aperture and the sensor, with a margin.
     count : int, default 161
-        Of places, 3 to 4096.
+        Number of positions, 3 to 4096.
 
     Returns
     -------
@@ -76,7 +75,7 @@ def moved(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or there is a stack.
+        If an argument is out of range, or `thing` is a stack.
     """
     n = validation.integer("count", count, least=3, most=4096)
     lens = thing if isinstance(thing, Lens) else None
@@ -100,19 +99,19 @@ def moved(
 
 
 def section(through: Moved, x: Array) -> Array:
-    """Return the light along x, through the axis, in each place of the sensor.
+    """Return the intensity along x, through the axis, for each sensor position.
 
     Parameters
     ----------
     through : Moved
     x : ndarray, shape (m,)
-        Evenly spaced, odd in number, the middle one 0; metres or units of lambda*N.
+        Equally spaced, odd in number, the central one 0; metres or units of lambda*N.
 
     Returns
     -------
     ndarray, shape (n, m)
-        Intensity over that of the same aperture without aberration, in focus where the sensor is before it moves.
-        Within the tolerance of the default method, 1e-6 of the peak of each place.
+        Intensity relative to the same aperture without aberration, in focus at the initial sensor position; within
+        1e-6 of the peak of each position, the tolerance of the default method.
     """
     middle = through.pupils[len(through.pupils) // 2]
     step = float(x[-1] - x[0]) / max(x.size - 1, 1)
@@ -174,27 +173,26 @@ def through_focus(
     planes: int = 161,
     stretch: str = "sqrt",
 ) -> Axes:
-    """Draw the light behind a lens: x across, and to the right how far the sensor is moved away from the lens.
+    """Draw a section along the axis through focus: x against the shift of the sensor away from the lens.
 
     Parameters
     ----------
     thing : Lens or Pupil
-        A single one. Of a pupil in units of lambda*N the horizontal axis is the defocus C_d that is added, radians,
-        which falls as the sensor moves away.
+        A single one. For a pupil in units of lambda*N the horizontal axis is the added defocus C_d, radians, which
+        decreases as the sensor moves away.
     ax : matplotlib Axes, optional
         By default those of a new figure, which has a title and a bar.
     object_distance : float, optional
-        Metres, of a lens; by default what is in focus.
+        Object distance of a lens, metres; by default that in focus.
     reach : float, optional
-        Farthest place of the sensor on both sides: metres, or radians; see
-        :func:`lommel.show.focus.moved`.
+        Largest shift of the sensor in both directions: metres, or radians; see :func:`lommel.show.focus.moved`.
     half_width : float, optional
-        Of what is shown of x, metres or units of lambda*N; by default all that rays reach. Far from the focus that is
-        much, and a sharp focus falls between the 241 points; name it, and `reach`.
+        Half width in x, metres or units of lambda*N; by default the extent of the rays. For a long range around a
+        sharp focus, which may fall between the 241 points, give `half_width` and `reach`.
     planes : int, default 161
-        Places of the sensor.
+        Number of sensor positions.
     stretch : {"sqrt", "linear", "log"}
-        Of the levels; "log" goes down to 1e-5 of the largest.
+        Scale of the values; "log" reaches down to 1e-5 of the largest value.
 
     Returns
     -------
@@ -247,19 +245,19 @@ def focus_curves(
     frequency: float | Sequence[float] | None = None,
     planes: int = 61,
 ) -> Axes:
-    """Draw the Strehl ratio and the MTF at some frequencies while the sensor moves.
+    """Draw the Strehl ratio and the MTF at several frequencies against the shift of the sensor.
 
     Parameters
     ----------
     thing : Lens or Pupil
-        A single one; of an aperture that is not round the Strehl ratio alone is drawn.
+        A single one; for an aperture that is not circular or annular only the Strehl ratio is drawn.
     ax : matplotlib Axes, optional
         By default those of a new figure, which has a title.
     object_distance, reach
         As of :func:`lommel.show.focus.through_focus`.
     frequency : float or sequence of float, optional
-        Cycles per metre, or per lambda*N; by default a tenth, a quarter and half of the cutoff. Dashed curves are
-        along y, where these differ from those along x.
+        Cycles per metre, or per lambda*N; by default a tenth, a quarter and half of the cutoff. Curves along y are
+        dashed where they differ from those along x.
     planes : int, default 61
 
     Returns

@@ -73,18 +73,18 @@ def voxels(psf: PSFLike) -> Voxels:
 
 
 def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
-    """Draw the planes through the brightest voxel of a z stack: xy, and beside and below it yz and xz.
+    """Draw the sections through the brightest voxel of a z stack: xy, with yz beside and xz below it.
 
     Parameters
     ----------
     psf : PSF
-        A stack of a microscope along one axis whose z rises or falls.
+        A stack of a microscope along one axis with increasing or decreasing z.
     stretch : {"sqrt", "linear", "log"}
 
     Returns
     -------
     ndarray of three matplotlib Axes
-        xy, xz, yz, all on one scale of brightness and, unless one side is three times as long as another, of lengths.
+        xy, xz, yz, on one scale of brightness and, unless one side is three times as long as another, of length.
 
     Raises
     ------
@@ -146,18 +146,18 @@ def _edges(at: Array) -> Array:
 
 
 def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
-    """Draw a single PSF, or a stack of them side by side, all on one scale; of a z stack, three sections.
+    """Draw a PSF, a stack of PSFs side by side on one scale, or three sections of a z stack.
 
     Parameters
     ----------
     psf : PSF
-        Of a stack at most 64 are drawn: one of shape (rows, columns) so, others in rows of eight at most. One of a
-        microscope whose z rises or falls has sections xy, xz and yz through its brightest voxel instead, in the
-        sample: :func:`lommel.show.plot.sections`.
+        A stack of at most 64 is drawn: one of shape (rows, columns) in that order, others in rows of at most eight. A
+        z stack of a microscope is drawn as sections xy, xz and yz through its brightest voxel, in the sample:
+        :func:`lommel.show.plot.sections`.
     ax : matplotlib Axes, optional
-        Of a single PSF. By default those of a new figure, which has a title and a bar that says what a value is.
+        For a single PSF. By default those of a new figure, which has a title and a colour bar.
     stretch : {"sqrt", "linear", "log"}
-        Of the grey levels; "log" goes down to 1e-5 of the peak.
+        Scale of the values; "log" reaches down to 1e-5 of the peak.
 
     Returns
     -------
@@ -166,7 +166,7 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     Raises
     ------
     ValueError
-        For a stack of more than 64, or `ax` for a stack.
+        For a stack of more than 64, or if `ax` is given for a stack.
     ImportError
         If matplotlib is not installed.
     """
@@ -219,26 +219,26 @@ def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
 
 
 def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
-    """Draw PSFs of three channels in colour, each over its largest value, or those of other channels side by side.
+    """Draw PSFs of three channels in colour, each scaled to its maximum, or those of other channels side by side.
 
     Parameters
     ----------
     psf : ColourPSF
-        Of a stack at most 64 are drawn, in rows of eight.
+        A stack of at most 64 is drawn in rows of eight.
     ax : matplotlib Axes, optional
         Of a single PSF in three channels. By default those of a new figure.
     stretch : {"sqrt", "linear", "log"}
-        Of the levels; "log" goes down to 1e-5 of the largest value.
+        Scale of the values; "log" reaches down to 1e-5 of the largest value.
 
     Returns
     -------
     matplotlib Axes, or ndarray of them
-        One for each of the stack; where there are not three channels, one for each channel.
+        One for each PSF of the stack; unless there are three channels, one for each channel.
 
     Raises
     ------
     ValueError
-        If there is no such `stretch`, for a stack of more than 64, or for `ax` where several are drawn.
+        If `stretch` is unknown, for a stack of more than 64, or if `ax` is given for several drawings.
     ImportError
         If matplotlib is not installed.
     """
@@ -282,7 +282,7 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     answers : mapping of str to PSF
         Each with the same grid; drawn in their order.
     reference : str
-        The one that the errors are taken from.
+        Name of the PSF that errors are relative to.
 
     Returns
     -------
@@ -291,7 +291,7 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     Raises
     ------
     ValueError
-        If there is no such reference.
+        If `reference` is not among them.
     ImportError
         If matplotlib is not installed.
     """
@@ -332,18 +332,18 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
 
 
 def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-    """Draw a grid of PSFs over the sensor, each enlarged in its place and scaled to its own largest value.
+    """Draw a grid of PSFs over the sensor, each enlarged at its position and scaled to its own maximum.
 
-    The axes are positions on the sensor, with a tick at each row and column of the grid; the bar above is a length
-    within the enlarged PSFs. Rows rise downwards, as in an image.
+    The axes are positions on the sensor, with a tick at each row and column of the grid; the scale bar above applies
+    to the enlarged PSFs. Rows increase downwards, as in an image.
 
     Parameters
     ----------
     grid : PSFGrid
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title and a bar of the levels.
+        By default those of a new figure, which has a title and a colour bar.
     stretch : {"sqrt", "linear", "log"}
-        Of the levels; "log" goes down to 1e-5 of the largest value.
+        Scale of the values; "log" reaches down to 1e-5 of the largest value.
 
     Returns
     -------
@@ -352,7 +352,7 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     Raises
     ------
     ValueError
-        If there is no such `stretch`, if the grid has several distances, or channels that are neither one nor three.
+        If `stretch` is unknown, if the grid has several distances, or channels that are neither one nor three.
     ImportError
         If matplotlib is not installed.
     """
@@ -417,17 +417,17 @@ def _field_axes(grid: PSFGridLike) -> Axes:
 
 
 def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Axes:
-    """Draw ``a - b`` over the peak of `b`, red where `a` is larger and blue where it is smaller.
+    """Draw ``a - b`` relative to the peak of `b`, red where `a` is larger and blue where it is smaller.
 
     Parameters
     ----------
     a : PSF or array_like
-        Of the shape of `b`; a PSF of the same pixel and normalisation. An array may come from anywhere.
+        Array of the shape of `b`, from any source, or a PSF of the same pixel and normalisation.
     b : PSF
         A single one.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a bar and a title with :func:`lommel.peak_error` and the root of
-        :func:`lommel.mse`.
+        By default those of a new figure, which has a colour bar and a title with :func:`lommel.peak_error` and the
+        square root of :func:`lommel.mse`.
 
     Returns
     -------
@@ -436,7 +436,7 @@ def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Ax
     Raises
     ------
     TypeError, ValueError
-        If these do not go together.
+        If `a` and `b` differ in shape, pixel or normalisation.
     ImportError
         If matplotlib is not installed.
 

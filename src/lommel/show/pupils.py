@@ -35,16 +35,16 @@ class Across(NamedTuple):
 
 @display.plot.register(Wavefront)
 def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> Any:
-    """Draw the phase of a wavefront over the full disc, less its mean; a stack side by side on one scale.
+    """Draw the phase of a wavefront over the full disc, without its mean; a stack side by side on one scale.
 
     Parameters
     ----------
     thing : Wavefront
-        Of a stack at most 64 are drawn.
+        A stack of at most 64 is drawn.
     ax : matplotlib Axes, optional
-        Of a single one. By default those of a new figure, which has a title and a bar.
+        For a single one. By default those of a new figure, which has a title and a colour bar.
     unit : {"waves", "radians"}
-        Of the phase.
+        Unit of the phase.
 
     Returns
     -------
@@ -64,20 +64,21 @@ def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") 
 
 @display.plot.register(BasePupil)
 def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
-    """Draw the phase across a pupil, less its mean, or its amplitude; a stack side by side on one scale.
+    """Draw the phase across a pupil, without its mean, or its amplitude; a stack side by side on one scale.
 
     Parameters
     ----------
     thing : Pupil or ObjectivePupil
-        Of a stack at most 64 are drawn. Of an objective the phase is that of its layers in this plane, with the
-        measured wavefront; beyond the dashed circle, the critical angle of the sample, light fades with the depth.
+        A stack of at most 64 is drawn. For an objective the phase is that of its layers in this plane, with its
+        aberrations; the dashed circle is the critical angle of the sample, beyond which light decays with depth.
     ax : matplotlib Axes, optional
-        Of a single one. By default those of a new figure, which has a title and a bar.
+        For a single one. By default those of a new figure, which has a title and a colour bar.
     what : {"phase", "amplitude"}
-        The amplitude is 1 in the clear, unless it is apodized; that of an objective is the root mean square over both
-        polarisations of what the layers let pass, over the largest. Where no light passes it is grey.
+        The amplitude is 1 where the aperture is clear, unless it is apodized; for an objective it is the rms over
+        both polarisations of the amplitude transmitted by the layers, relative to its maximum. Blocked regions are
+        grey.
     unit : {"waves", "radians", "nm"}
-        Of the phase; nm of optical path, of a pupil with a wavelength.
+        Unit of the phase; nm of optical path for a pupil with a wavelength.
 
     Returns
     -------

@@ -21,22 +21,22 @@ if TYPE_CHECKING:
 
 
 def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
-    """Return where the rays through evenly spread points of the clear aperture meet the sensor.
+    """Return the positions at which rays from evenly distributed points of the clear aperture meet the sensor.
 
     Parameters
     ----------
     pupil : Pupil
         A single one.
     rings : int, default 12
-        Of points about the axis, six more on each than on the one within: ``3 rings (rings + 1) + 1`` of a full disc,
-        each for about the same area. 1 to 100.
+        Number of rings of points about the axis, 1 to 100, with six more points on each: ``3 rings (rings + 1) + 1``
+        for a full disc, each for about the same area.
 
     Returns
     -------
     ndarray, shape (rays, 2)
         x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
-        Exact but for rounding; their rms about their centroid approaches :func:`lommel.spot_radius` of even light as
-        `rings` grow.
+        Exact but for rounding; their rms about their centroid approaches :func:`lommel.spot_radius` of a uniform
+        amplitude as `rings` grows.
 
     Raises
     ------
@@ -59,19 +59,19 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
 
 
 def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
-    """Draw where rays meet the sensor over a PSF, and the Airy circle of the aperture about the axis.
+    """Draw a spot diagram over a PSF, with the Airy circle of the aperture about the axis.
 
     Parameters
     ----------
     psf : PSF
         A single one, of a lens.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a bar and a title with the rms radius of the rays,
+        By default those of a new figure, which has a colour bar and a title with the rms radius of the rays,
         :func:`lommel.spot_radius`.
     rings : int, default 12
-        Of rays; see :func:`lommel.show.rays.ray_positions`.
+        Number of rings of rays; see :func:`lommel.show.rays.ray_positions`.
     stretch : {"sqrt", "linear", "log"}
-        Of the PSF.
+        Scale of the PSF.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     Raises
     ------
     TypeError, ValueError
-        If it is a stack or of an objective, or an argument is out of range.
+        If `psf` is a stack or of an objective, or an argument is out of range.
     ImportError
         If matplotlib is not installed.
     """

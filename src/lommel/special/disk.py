@@ -16,14 +16,14 @@ def disk_overlap(radius: ArrayLike, left: ArrayLike, right: ArrayLike, low: Arra
     Parameters
     ----------
     radius : array_like
-        Of the disk, >= 0.
+        Radius of the disk, >= 0.
     left, right, low, high : array_like
-        The rectangle, ``left <= right`` and ``low <= high``.
+        Sides of the rectangle, ``left <= right`` and ``low <= high``.
 
     Returns
     -------
     ndarray
-        Of the shape that all broadcast to.
+        Area, of the shape that all broadcast to.
     """
     r = np.asarray(radius, dtype=np.float64)
     x0, x1, y0, y1 = (np.asarray(e, dtype=np.float64) for e in (left, right, low, high))

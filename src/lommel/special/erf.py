@@ -68,7 +68,7 @@ def _arguments(s: ArrayLike) -> Array:
 
 @dataclass(frozen=True)
 class FresnelErf(Erf):
-    """Exact to about 1e-13, through the real Fresnel integrals (Faddeeva's function)."""
+    """Error function to about 1e-13, by the Faddeeva function."""
 
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0``."""
@@ -77,10 +77,10 @@ class FresnelErf(Erf):
 
 @dataclass(frozen=True)
 class TableErf(Erf):
-    """A lookup table with linear interpolation, as the paper proposes.
+    """Error function by a lookup table with linear interpolation, as the paper proposes.
 
-    What is tabulated is ``(s + 2) G(s)`` against ``s / (s + 2)``, which is smooth up to infinite s, where erf
-    itself oscillates ever faster. The error is at most about ``0.6 / samples**2``.
+    It tabulates ``(s + 2) G(s)`` against ``s / (s + 2)``, which is smooth up to infinite s, unlike erf itself. The
+    error is at most about ``0.6 / samples**2``.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def _table(samples: int) -> tuple[Array, NDArray[np.complex128]]:
 
 @dataclass(frozen=True)
 class AbramowitzErf(Erf):
-    """The truncated series of the paper's Eq. (14), Abramowitz and Stegun 7.1.29.
+    """Error function by the truncated series of the paper's Eq. (14), Abramowitz and Stegun 7.1.29.
 
     Its terms peak at ``n = 2 |Im z|``, so with N terms it holds only while ``|Im z|`` stays below about
     ``N/2 - 3``; beyond, it goes over to the real error function and the paper's outer rings appear.

@@ -235,34 +235,34 @@ def psf_to(
     client: Any = None,
     **options: Unpack[PSFKeywords],
 ) -> PSFStack:
-    """Compute a stack of PSFs larger than memory, chunk by chunk, into a Zarr or HDF5 store.
+    """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr or HDF5 store.
 
     Called again with the same arguments, after an error, Ctrl-C or the end of the process, it computes the missing
-    chunks. The values of a chunk are those of ``lommel.psf(pupils[chunk], ..., threads=1)``, bit by bit, wherever and
-    in whatever order it is computed.
+    chunks. The values of a chunk are those of ``lommel.psf(pupils[chunk], ..., threads=1)``, bit for bit, independent
+    of the order of computation.
 
     Parameters
     ----------
     store : path
         ``.zarr``, a folder (Zarr version 3), or ``.h5``, ``.hdf5``, a file.
     pupils : Pupil or ObjectivePupil, or sequence of these
-        A stack. A sequence, of one shape, is the first axis, such as one pupil for each wavelength; where more than
-        the phase differs no chunk holds two of them, and all have one center.
+        A stack. A sequence of stacks of one shape forms the first axis, such as one for each wavelength; if they
+        differ in more than the phase, no chunk holds two of them, and all have one center.
     shape, pixel
         As of :func:`lommel.psf`.
     axes : mapping of str to array_like or (array_like, str), optional
         Names of the axes of the stack, in order, each with its coordinates and optionally their unit. By default the
-        object distances, or depths and z, of the pupils, where these change along one axis only, else ``axis_0`` and
-        so on. ``object_distance, depth, z, wavelength`` are in metres, and names that begin with ``field`` have the
-        unit of the pupils.
+        object distances, or depths and z, of the pupils, if these change along one axis only, else ``axis_0`` and so
+        on. ``object_distance, depth, z, wavelength`` are in metres; names that begin with ``field`` have the unit of
+        the pupils.
     chunk : int, optional
-        Maximum number of PSFs in a chunk; by default as many as 16 MiB hold, or that of an existing store. Another
-        number makes other values, within the error bounds of both.
+        Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB, or that of an existing store. Values
+        depend on it within their error bounds.
     progress : callable, optional
         Called as ``progress(done, chunks)`` after each computed chunk.
     client : distributed.Client or concurrent.futures.Executor, optional
-        Computes the chunks; by default threads of this process do. Workers write into a ``.zarr`` themselves, under
-        the same path; an HDF5 file is written by this process.
+        Executor of the chunks; by default threads of this process. Workers write into a ``.zarr`` under the same
+        path; an HDF5 file is written by this process.
     **options
         ``method``, ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill`` and ``blur`` as of
         :func:`lommel.psf`; ``threads``, by default one for each processor, each of which computes a chunk, not with a
@@ -278,8 +278,8 @@ def psf_to(
     TypeError, ValueError
         If an argument is out of range, or if the store holds PSFs of another request.
     FileError
-        If there is something else at the path, if the store is damaged, removed or replaced, or if another call
-        computes another request into it.
+        If the path holds something else, if the store is damaged, removed or replaced, or if another call writes
+        another request into it.
     ToleranceError
         If the tolerance cannot be met; chunks that were computed before stay.
     ImportError

@@ -44,9 +44,9 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
     Raises
     ------
     ValueError
-        If the suffix is another.
+        If the suffix is unknown.
     FileError
-        If it is damaged, or was not written by this package as a stack.
+        If the store is damaged, or was not written by :func:`lommel.psf_to`.
     ImportError
         If h5py is not installed.
     OSError
@@ -59,7 +59,7 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
 class PSFStack:
     """A stack of PSFs in a store, read by index: ``stack[index]`` is a :class:`lommel.PSF`.
 
-    Chunks are compared with their checksums.
+    The checksum of each chunk is verified when it is read.
 
     Parameters
     ----------
@@ -69,14 +69,14 @@ class PSFStack:
     Attributes
     ----------
     shape : tuple of int
-        Of all values: that of the stack, height, width.
+        Shape of all values: that of the stack, height, width.
     dtype : dtype
     axes : dict of str to ndarray
         Names of the axes of the stack, and the coordinates along each.
     units : dict of str to str
-        Of these.
+        Unit of each axis.
     grid : Grid or None
-        The pixels, where all PSFs have one center.
+        Grid of pixels, if all PSFs have one center, else None.
 
     Raises
     ------

@@ -141,9 +141,9 @@ class Static(NamedTuple):
 class TracedPSF:
     """PSFs as a differentiable function of wavefront coefficients: ``images = f(c)``.
 
-    Made by :meth:`lommel.Plan.traced`. ``jit``, ``vmap`` and ``grad`` (of any order) transform it; it can be an
-    argument of such functions, being a pytree in JAX, and can be pickled. Concrete coefficients are checked; while
-    tracing, images are NaN where no tolerance is proven, without effect on others and their gradients.
+    Made by :meth:`lommel.Plan.traced`. It works with ``jit``, ``vmap`` and ``grad`` (of any order), can be an
+    argument of such functions (a pytree in JAX), and can be pickled. Concrete coefficients are checked; under
+    tracing, images are NaN where the tolerance is not proven, without effect on others and their gradients.
 
     Parameters
     ----------
@@ -155,12 +155,12 @@ class TracedPSF:
     Attributes
     ----------
     terms : tuple
-        The columns of coefficients, in radians: "defocus" (C_d), "spherical" (C_s), "rho^6", ... where the wavefront
-        was given so, else Zernike terms (n, m) at the edge.
+        Columns of the coefficients, in radians: "defocus" (C_d), "spherical" (C_s), "rho^6", ... if the wavefront was
+        given by these, else Zernike terms (n, m) at the edge.
     shape : (int, int)
         Of images.
     tol : float
-        Tolerance that bounds are compared with.
+        Tolerance of the bounds.
     precision : str
         "float64" or "float32": of the computation.
     dtype : str
@@ -201,7 +201,7 @@ class TracedPSF:
         return self.certified(c, check=check)[0]
 
     def certified(self, c: Operand, *, check: bool = True) -> tuple[Any, Any]:
-        """Return images, and for each the proven bound on its largest error over its largest value.
+        """Return images, and for each a proven bound on its largest error relative to its largest value.
 
         Parameters
         ----------
@@ -211,9 +211,9 @@ class TracedPSF:
         Returns
         -------
         images : array, shape (..., height, width)
-            NaN where the bound is not at most `tol`.
+            NaN where the bound exceeds `tol`.
         bound : array, shape (...)
-            inf where there is none. No gradient passes through it.
+            inf if there is none. No gradient passes through it.
 
         Raises
         ------
@@ -240,7 +240,7 @@ class TracedPSF:
         Returns
         -------
         array
-            Of the same shape: the column "defocus", or an addition to the term (2, 0).
+            C_d, of the same shape: the column "defocus", or an addition to the term (2, 0).
 
         Raises
         ------
@@ -253,10 +253,10 @@ class TracedPSF:
         return there.waves * (there.vergence + 1.0 / self._array(distance))
 
     def torch_module(self) -> Any:
-        """Return a ``torch.nn.Module`` with the tables as buffers, which move and are shared as buffers are.
+        """Return a ``torch.nn.Module`` with the tables as buffers.
 
-        ``forward(c)`` and ``certified(c)`` are those of this function. It has no parameters, and its precision cannot
-        be changed.
+        Its ``forward(c)`` and ``certified(c)`` are those of this function. It has no parameters, and its precision
+        cannot be changed.
 
         Raises
         ------

@@ -18,18 +18,18 @@ _DIAMETER_MOST = 1e-5
 
 @dataclass(frozen=True)
 class Bead(ProvenMethod):
-    r"""The light of a ball that is evenly filled with emitters, around the place of that of a pupil.
+    r"""A bead uniformly filled with emitters, centred on the emitter of the pupil.
 
-    A ball is made of discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D the mean over a disc of the radius
-    ``R sqrt(1 - u^2)`` of the light of emitters at the depth ``d + R u``. By Gauss's rule for the weight ``1 - u^2``,
-    with as many heights as are proven to suffice.
+    The ball is integrated over discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D being the mean PSF over a disc of
+    radius ``R sqrt(1 - u^2)`` at the depth ``d + R u``. Gauss's rule for the weight ``1 - u^2`` has a number of
+    heights that is proven to suffice.
 
     Parameters
     ----------
     diameter : float
         Metres, in the sample.
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Raises
     ------
@@ -38,9 +38,9 @@ class Bead(ProvenMethod):
 
     Notes
     -----
-    Along the height and sideways alike light is band-limited: fields vary by ``k n_s (1 - c)`` at most, and above the
-    critical angle fade like ``exp(-k n_s kappa h)``, so the sum over heights converges geometrically. Emitters are
-    as if in the sample alone: that the bead itself refracts does not count.
+    The light is band-limited along the height as well as laterally: fields vary by at most ``k n_s (1 - c)``, and
+    decay beyond the critical angle like ``exp(-k n_s kappa h)``, so the sum over heights converges geometrically.
+    Refraction by the bead itself is neglected.
     """
 
     diameter: float

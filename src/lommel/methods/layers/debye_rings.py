@@ -50,15 +50,15 @@ class Accuracy(NamedTuple):
 
 @dataclass(frozen=True)
 class DebyeRings(LayeredMethod):
-    r"""Quadrature over the angles of the light of an objective with a measured wavefront, for any emitter.
+    r"""Debye-Wolf integral of an objective with aberrations, for any emitter, by quadrature over angles.
 
     Supports the pupils of :meth:`lommel.Objective.pupil` with `aberrations` only.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance over the peak of each plane, 1e-12 to 1e-1. Below 1e-10 or so rounding keeps it from being met,
-        which :class:`ToleranceError` says.
+        Tolerance relative to the peak of each plane, 1e-12 to 1e-1. Below about 1e-10 rounding prevents it, and
+        :class:`ToleranceError` is raised.
 
     Raises
     ------
@@ -72,10 +72,10 @@ class DebyeRings(LayeredMethod):
     .. math:: U(v, \phi) = \sum_m (-i)^{|m + q|} e^{i (m + q) \phi}
        \int P_m(\rho) T(\rho) e^{i \psi} J_{|m + q|}(v \rho) \rho \, d\rho
 
-    with as many orders and nodes as are proven to suffice. A Fourier transform makes these fields at equal angles of
-    equally spaced circles, and the intensity there is interpolated, with a proven error too, to the pixels; see
-    docs/certificate.md, section 16. Bessel functions of circles and nodes are kept for stacks of the same objective,
-    wavelength, emitter and window.
+    with a number of orders and nodes that is proven to suffice. A Fourier transform gives these fields at equal
+    angles on equally spaced circles, and the intensity is interpolated to the pixels, also with a proven error; see
+    docs/certificate.md, section 16. Bessel functions are kept for stacks of the same objective, wavelength, emitter
+    and window.
 
     References
     ----------

@@ -61,15 +61,15 @@ class LayeredMethod(Method[ObjectivePupil]):
 
 @dataclass(frozen=True)
 class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
-    r"""Gauss-Legendre quadrature over the angles of the light of an objective, at every radius.
+    r"""Debye-Wolf integral of an objective by Gauss-Legendre quadrature over angles, at every radius.
 
-    Supports the pupils of :meth:`lommel.Objective.pupil` only. Each distinct distance from the axis is integrated on
-    its own, without interpolation; the number of angles is proven to suffice.
+    Supports the pupils of :meth:`lommel.Objective.pupil` only. Each distinct radius is integrated separately, without
+    interpolation; the number of angles is proven to suffice.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Raises
     ------

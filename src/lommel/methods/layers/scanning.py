@@ -28,35 +28,33 @@ _COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # v, wh
 
 @dataclass(frozen=True)
 class Confocal(ProvenMethod):
-    r"""A confocal microscope: what is excited, times the share of its light that passes a pinhole.
+    r"""Confocal microscope: excitation intensity times the fraction of the emission that passes the pinhole.
 
-    ``E(r) P(r)`` where the axis of both is at r from the emitter: E is the intensity of the excitation, relative to
-    the focus of a uniform scalar aperture that sends as much light through the same plane of the sample, P the share
-    of the light that the objective collects of the emitter which passes the pinhole. Of pupils for emission; the
-    planes are theirs. An emitter that is a :class:`lommel.Dipole` absorbs as it emits: E is then the part of the
-    field along it, three times its intensity, averaged over how it wobbles; where it turns freely, all of the
-    intensity.
+    ``E(r) P(r)``, r being the distance of the emitter from the axis: E is the excitation intensity, relative to the
+    focus of a uniform scalar aperture that sends as much light through the same plane of the sample; P is the
+    fraction of the collected emission that passes the pinhole. The pupil is that of the emission, and gives the
+    planes. A :class:`lommel.Dipole` absorbs the field along its moment: E is then three times the intensity of that
+    component, averaged over its wobble; for a freely rotating dipole it is the total intensity.
 
     Parameters
     ----------
     excitation : ObjectivePupil
-        The light that excites, whatever its planes.
+        Excitation light, in any planes.
     pinhole : float, default 1
-        Its diameter in Airy units, ``1.22 lambda / NA`` of the emission.
+        Diameter of the pinhole in Airy units, ``1.22 lambda / NA`` of the emission.
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Raises
     ------
     TypeError, ValueError
-        If one of them is none of these.
+        If an argument is of another type or out of range.
 
     Notes
     -----
     ``E(r) = 4 pi / (k NA)^2 I(r) / int I d^2r``, the integral over the plane of the emitter, the same at every
     focus; for circular light ``I = abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2`` of :meth:`lommel.Objective.fields`.
-    Fresnel's losses and light beyond the critical angle are in the integral, which near the glass changes with the
-    depth.
+    The integral includes Fresnel losses and light beyond the critical angle; near the glass it changes with depth.
 
     E P has the spatial frequencies of both, ``1 + lambda_emission / lambda_excitation`` times those of a field.
 
@@ -151,14 +149,14 @@ def _fixed(pupil: ObjectivePupil) -> Dipole | None:
 
 @dataclass(frozen=True)
 class TwoPhoton(ProvenMethod):
-    r"""A two-photon microscope, whose excitation counts squared; all light is collected, from wherever.
+    r"""Two-photon microscope: the squared excitation intensity; all emitted light is collected.
 
-    Of pupils of the light that excites.
+    The pupil is that of the excitation.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Raises
     ------
@@ -184,32 +182,31 @@ class TwoPhoton(ProvenMethod):
 
 @dataclass(frozen=True)
 class Sted(Confocal):
-    r"""A confocal microscope with a second beam that depletes by stimulated emission what the first has excited.
+    r"""Confocal microscope with stimulated emission depletion (STED).
 
-    ``E(r) P(r) 2^(-s D(r))``: E and P as of :class:`lommel.methods.Confocal`, and D of the depletion what E is of the
-    excitation. So light is left of a pulse that is short beside the time in
-    which emitters fall back, and s D is its intensity over that which leaves half.
+    ``E(r) P(r) 2^(-s D(r))``: E and P as of :class:`lommel.methods.Confocal`, D the intensity of the depletion beam
+    in the units of E. This holds for pulses that are short compared with the lifetime of the excited state; s D is
+    the intensity relative to that which depletes half.
 
     Parameters
     ----------
     excitation, pinhole, tol
         As of :class:`lommel.methods.Confocal`.
     depletion : ObjectivePupil
-        A beam that does not depend on the direction, dark on the axis: ``lm.Beam("vortex")``; whatever its planes.
+        A rotationally symmetric beam that is dark on the axis: ``lm.Beam("vortex")``, in any planes.
     saturation : float
-        s, at most 1e4; :func:`lommel.microscopy.sted` takes it over the crest of the beam.
+        s, at most 1e4; :func:`lommel.microscopy.sted` takes it relative to the maximum of the beam.
 
     Raises
     ------
     TypeError, ValueError
-        If one of them is none of these.
+        If an argument is of another type or out of range.
 
     Notes
     -----
-    The exponential of ``-2 a D``, D between 0 and 1, is within ``2 sum_(k > n) exp(-a) I_k(a)`` of a polynomial of
-    the degree n, its Chebyshev series, and that polynomial has n times the frequencies of D: so many that what lies
-    between values is known from these, with that as a part of the error. n grows like the root of `saturation`, as
-    does the sharpness of the spot.
+    ``exp(-2 a D)``, D between 0 and 1, differs by at most ``2 sum_(k > n) exp(-a) I_k(a)`` from its Chebyshev series
+    of degree n, which has n times the bandwidth of D, so that it can be interpolated with a proven error. n grows
+    like the square root of `saturation`, as does the resolution.
 
     References
     ----------

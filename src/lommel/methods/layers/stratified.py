@@ -37,18 +37,18 @@ _Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float
 
 @dataclass(frozen=True)
 class Stratified(DebyeWolf):
-    r"""Certified stacks through plane layers, by products of matrices: the default for an :class:`lommel.Objective`.
+    r"""Certified stacks through plane layers by matrix products: the default for an :class:`lommel.Objective`.
 
     Supports what :class:`lommel.DebyeWolf` does, with the same contract. Fields are summed over angles whose
     number is proven to suffice, at few radii; between these the intensity, which is of exponential type 2 in v, is
-    interpolated with a proven error. Of light that depends on the azimuth that engine has samples, around any axis;
-    averages over pixels are made of them. Where the axis is not the middle pixel and pixels are farther from it than
-    110 in v, and where a tolerance is near what rounding allows, it is computed as `DebyeWolf` does.
+    interpolated with a proven error. For light that depends on the azimuth, samples are computed around any axis, and
+    pixel integrals from them. Windows off the axis that reach beyond v = 110, and tolerances near the limit of
+    rounding, are computed as by `DebyeWolf`.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance relative to the peak of each plane.
 
     Raises
     ------
@@ -57,8 +57,8 @@ class Stratified(DebyeWolf):
 
     Notes
     -----
-    Bessel functions of angles and radii are kept for stacks of the same objective, wavelength, emitter and pixels,
-    whose depths and foci lie in about the same range; so are angles.
+    Angles and Bessel functions are kept for stacks of the same objective, wavelength, emitter and pixels, with depths
+    and foci in about the same range.
 
     References
     ----------

@@ -245,16 +245,16 @@ class ClosedForm(FieldMethod[Pupil]):
 
 @dataclass(frozen=True)
 class TunedClosedForm(FieldMethod[Pupil]):
-    r"""The closed form with every approximation refined until a tolerance is met: slower than the default.
+    r"""The closed form with all approximations refined to meet a tolerance; slower than the default.
 
-    Supports every pupil. It answers when, if ever, the closed form is the right choice: it reaches any practical
-    accuracy, at a hundred times and more the cost of :class:`NijboerZernike`.
+    It shows what the closed form can reach: any practical accuracy, at more than a hundred times the cost of
+    :class:`NijboerZernike`.
 
     Parameters
     ----------
     tol : float, default 1e-4
         Bound on ``max|I - I_exact| / max I`` over the window, 1e-6 to 1e-1. :class:`ToleranceError` is raised where
-        it is not met: near 1e-6, and for phases of hundreds of radians.
+        it cannot be met: near 1e-6, and for phases of hundreds of radians.
 
     Raises
     ------

@@ -22,8 +22,8 @@ _MAX_SIDE = 16384
 class Fraunhofer(Method[Pupil]):
     r"""Fast Fourier transform of the pupil on a Cartesian grid, its samples exactly on the requested pixels.
 
-    Supports every pupil, as long as no light wraps around into the window. First order in the sample spacing
-    (the staircase at the rim), no bound is claimed: typically 1e-3 to 1e-2 of the peak at 256 samples.
+    Supports every pupil, as long as no light is aliased into the window. The error is of first order in the sample
+    spacing (edge of the aperture) and not bounded: typically 1e-3 to 1e-2 of the peak with 256 samples.
 
     Parameters
     ----------
@@ -32,8 +32,8 @@ class Fraunhofer(Method[Pupil]):
     padding : float, default 4
         Least ratio of the FFT's length to `samples`, at least 1.
     edge : {"binary", "grey"}, default "binary"
-        "binary": a sample counts if its centre is inside; "grey": by the part of its cell that is, exact for discs
-        and annuli, counted on 16 x 16 points of the cell for other apertures.
+        "binary": a sample is 1 if its centre is clear, else 0; "grey": it is the clear fraction of its cell, exact
+        for discs and annuli, from 16 x 16 points of the cell for other apertures.
 
     Raises
     ------
@@ -66,7 +66,7 @@ class Fraunhofer(Method[Pupil]):
         Raises
         ------
         ValueError
-            If light would wrap around into the window, or if the transform would exceed 16384 squared.
+            If light would be aliased into the window, or if the transform would exceed 16384 squared.
         """
         from scipy.fft import fft2
 

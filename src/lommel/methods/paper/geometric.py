@@ -20,17 +20,17 @@ _MAX_CELLS = 2**23
 
 @dataclass(frozen=True)
 class Geometric(Method[Pupil]):
-    r"""Density of the rays of the same wavefront, averaged over each pixel; conserves energy exactly.
+    r"""Geometrical optics: ray density averaged over each pixel, conserving energy exactly.
 
     Supports every pupil. A ray through rho meets the sensor at ``v = |dPhi/drho|``: defocus makes a uniform disk
-    of radius ``4 |C_d|``, spherical aberration caustics. Diffraction is left out, so this is no approximation of
-    the PSF at any one point, but of its local averages where the blur is many lambda*N wide.
+    of radius ``4 |C_d|``, spherical aberration caustics. Diffraction is neglected: it approximates local averages of
+    the PSF, not its values at points, where the blur is many lambda*N wide.
 
     Parameters
     ----------
     rings : int, default 8
-        Rings a pixel, 1 to 64: the light of each is spread evenly over its area, and each pixel receives exactly
-        the part of the ring that it covers.
+        Number of rings per pixel, 1 to 64: the light of each is spread evenly over its area, and each pixel receives
+        exactly the part of the ring that it covers.
 
     Raises
     ------

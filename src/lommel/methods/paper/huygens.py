@@ -30,20 +30,20 @@ _BLOCK = 2**22  # wavelets between two looks at the keyboard: well below a secon
 
 @dataclass(frozen=True)
 class HuygensFresnel(FieldMethod[Pupil]):
-    r"""Exhaustive sum of wavelets with exact path differences: no Fresnel approximation.
+    r"""Huygens-Fresnel sum of wavelets with exact path differences (no Fresnel approximation).
 
-    Needs the physical distances, that is a pupil from :meth:`lommel.Lens.pupil`, and takes the lens at its model.
+    Needs physical distances, hence a pupil from :meth:`lommel.Lens.pupil`, and depends on the model of the lens.
 
-    A *paraxial* lens is taken for a flat, thin one that sends out spherical wavelets. It is stigmatic for the
-    plane in focus, so that in focus it agrees with the Fresnel approximation at small angles; what it adds at
-    large ones is the obliquity ``(d / rho)^2``, the curvature of the image field and the higher orders of the
-    defocus. The difference from the other methods is their Fresnel error, not an error of this one. But it is that of
-    a lens whose angles have *tangents* in proportion to rho, which few lenses are.
+    A *paraxial* lens is modelled as flat and thin, emitting spherical wavelets. It is stigmatic for the plane in
+    focus, where it agrees with the Fresnel approximation at small angles; at large ones it includes the obliquity
+    ``(d / rho)^2``, the curvature of the image field and the higher orders of the defocus. The difference from the
+    other methods is their Fresnel error. In this model the *tangents* of the angles are proportional to rho, which is
+    rare in real lenses.
 
-    An *aplanatic* lens sends out plane waves from its reference sphere, in the directions whose sines are in
-    proportion to rho: Debye's integral, with the phase by exact path differences. The other methods compute the same
-    from an expansion in powers of rho^2, and agree. What Debye's integral leaves out is that the pupil is not far
-    away: phases of up to ``k r^2 (R_max / d)^2 / 2 d`` at the distance r from the axis.
+    An *aplanatic* lens emits plane waves from its reference sphere, in directions whose sines are proportional to
+    rho: the Debye integral with exact path differences. The other methods compute the same from an expansion in
+    powers of rho^2, and agree. The Debye integral neglects the finite distance of the pupil: phases of up to ``k r^2
+    (R_max / d)^2 / 2 d`` at the distance r from the axis.
 
     Parameters
     ----------
@@ -51,8 +51,8 @@ class HuygensFresnel(FieldMethod[Pupil]):
         True: one sum for each distinct radius, over one half of the aperture. False: one sum for every pixel,
         over the whole aperture, O(n^4) for an n x n image.
     nodes : (int, int), optional
-        Radial Gauss-Legendre nodes in rho^2 and azimuthal points over the full circle. By default as many as
-        carry the phase to about 1e-10 of the unaberrated field.
+        Radial Gauss-Legendre nodes in rho^2 and azimuthal points over the full circle; by default for an error of
+        about 1e-10 of the unaberrated field.
 
     Raises
     ------

@@ -40,7 +40,7 @@ class Apodization:
     powers : sequence of float
         g_1, g_2, ...: at most ten. g_0 is such that the largest amplitude on the disk is 1.
     error : float, default 0
-        Bound on the relative error of the amplitude, but for a constant factor. It adds to `PSF.error_bound`.
+        Bound on the relative error of the amplitude, up to a constant factor. It adds to `PSF.error_bound`.
 
     Attributes
     ----------

@@ -27,7 +27,7 @@ MAX_SIDE = 8192
 
 @dataclass(frozen=True)
 class Spider:
-    """Straight vanes from the axis to the rim, which hold a secondary mirror.
+    """Straight vanes from the axis to the edge of the aperture, as of the spider of a secondary mirror.
 
     A vane blocks the half strip ``abs(across) < width / 2, along > 0`` of its direction; two opposite ones make a
     bar across the aperture. Where vanes overlap, near the axis, light is blocked once.
@@ -35,14 +35,14 @@ class Spider:
     Parameters
     ----------
     width : float
-        Of each vane over the radius of the aperture, above 0 and below 2.
+        Width of each vane divided by the radius of the aperture, above 0 and below 2.
     angles : sequence of float
         Direction of each vane, radians from x (columns) to y (rows); 1 to 64 of them.
 
     Raises
     ------
     TypeError, ValueError
-        If the width or an angle is no finite number in range.
+        If the width or an angle is not a finite number in range.
 
     Examples
     --------
@@ -71,7 +71,7 @@ class Spider:
         return cls(width, tuple(start + 2.0 * math.pi * k / number for k in range(number)))
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return how far points (`x`, `y`) are from the nearest vane; negative inside one."""
+        """Return the distance of points (`x`, `y`) from the nearest vane; negative inside one."""
         least = np.full(np.broadcast_shapes(x.shape, y.shape), np.inf)
         for angle in self.angles:
             c, s = math.cos(angle), math.sin(angle)
@@ -90,7 +90,7 @@ class Spider:
 
 @dataclass(frozen=True)
 class Ellipse:
-    """A clear region with an elliptical edge around the axis: simple vignetting towards the edge of the field.
+    """Elliptical aperture: a simple model of vignetting towards the edge of the field.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ class Ellipse:
     Raises
     ------
     TypeError, ValueError
-        If one of them is no finite number in range.
+        If an argument is not a finite number in range.
     """
 
     a: float
@@ -124,7 +124,7 @@ class Ellipse:
         return np.array([[self.a * c, -self.b * s], [self.a * s, self.b * c]])
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return at most the distance of points (`x`, `y`) from the edge; negative outside of the ellipse."""
+        """Return a lower bound on the distance of points (`x`, `y`) from the edge; negative outside the ellipse."""
         c, s = math.cos(self.angle), math.sin(self.angle)
         scaled = np.hypot((x * c + y * s) / self.a, (y * c - x * s) / self.b)
         return np.asarray(min(self.a, self.b) * (1.0 - scaled))
@@ -136,19 +136,19 @@ class Ellipse:
 
 @dataclass(frozen=True)
 class CatEye:
-    """The overlap of the aperture with a second circle: cat's-eye vignetting towards the edge of the field.
+    """Cat's-eye vignetting: the overlap of the aperture with a second circle, as at the edge of the field.
 
     Parameters
     ----------
     shift : (float, float)
         Centre (x, y) of the second circle, over the radius of the aperture.
     radius : float, default 1
-        Of the second circle, over that of the aperture; above 0, at most 1000.
+        Radius of the second circle relative to that of the aperture; above 0, at most 1000.
 
     Raises
     ------
     TypeError, ValueError
-        If one of them is no finite number in range, or if the two circles do not overlap.
+        If an argument is not a finite number in range, or if the two circles do not overlap.
     """
 
     shift: tuple[float, float]

@@ -164,9 +164,9 @@ def degree_needed(
     light : Apodization
         The amplitude.
     error : float
-        Of U, relative to U(0) = 1 of the unaberrated disc.
+        Largest error of U, relative to U(0) = 1 of the unaberrated disc.
     power : float, default 1
-        To which the amplitude is taken.
+        Power of the amplitude.
 
     Returns
     -------
@@ -208,7 +208,7 @@ class Opening:
     Parameters
     ----------
     obscuration : float, default 0
-        Its radius over that of the pupil, 0 to below 1.
+        Radius of the central obscuration divided by that of the pupil, 0 to below 1.
     spider : Spider, optional
     vignetting : Ellipse or CatEye, optional
 

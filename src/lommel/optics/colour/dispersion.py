@@ -41,7 +41,7 @@ class Colour:
 
     Notes
     -----
-    The lens stays thin; sensor, stop and path differences of the aberrations stay (no spherochromatism).
+    The lens remains thin; sensor, stop and path differences of the aberrations do not change (no spherochromatism).
 
     Examples
     --------
@@ -90,7 +90,7 @@ class Colour:
 
     @classmethod
     def singlet(cls, focal_length: float, wavelengths: ArrayLike, indices: ArrayLike) -> Colour:
-        """Return the axial colour of a thin lens of one glass, whose focal length is in proportion to ``1/(n - 1)``.
+        """Return the axial colour of a thin lens of one glass, whose focal length is proportional to ``1/(n - 1)``.
 
         Parameters
         ----------
@@ -99,12 +99,12 @@ class Colour:
         wavelengths : array_like, shape (n,)
             Metres, rising.
         indices : array_like, shape (n,)
-            Of refraction, above 1.
+            Refractive indices, above 1.
 
         Raises
         ------
         TypeError, ValueError
-            If numbers are not as stated.
+            If numbers are out of range.
         """
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
         index = validation.real_array("indices", indices)

@@ -24,9 +24,9 @@ class Component(NamedTuple):
     Attributes
     ----------
     share : float
-        Of the light.
+        Fraction of the light.
     stretch : float
-        Wavelength of the reference over its own, by which its field is wider on the sensor.
+        Reference wavelength divided by its own, the scale of its field on the sensor.
     pupil : Pupil
     """
 
@@ -42,7 +42,7 @@ class Component(NamedTuple):
 
 @dataclass(frozen=True, init=False)
 class Spectrum:
-    """Wavelengths and how much light there is at each.
+    """A spectrum: wavelengths and weights.
 
     Parameters
     ----------
@@ -195,7 +195,7 @@ _RGB = ("red", "green", "blue")
 
 @dataclass(frozen=True, init=False)
 class Channels:
-    """The channels of a sensor, each a sum over the same wavelengths with weights of its own.
+    """Colour channels of a sensor, each a weighted sum over the same wavelengths.
 
     Parameters
     ----------
@@ -204,21 +204,21 @@ class Channels:
     weights : array_like, shape (channels, n)
         Response of each channel at each wavelength, >= 0, not all 0 in any channel.
     names : sequence of str, optional
-        All different; by default "red", "green" and "blue" of three channels, else "1", "2" and so on.
+        Distinct names; by default "red", "green" and "blue" for three channels, else "1", "2" and so on.
 
     Attributes
     ----------
     names : tuple of str
     wavelengths : tuple of float
     weights : tuple of tuple of float
-        Those of each channel sum to 1.
+        Weights of each channel, of sum 1.
     light : tuple of float
-        Total response of each channel over the largest.
+        Total response of each channel relative to the largest.
     error : float
-        Bound on the PSF error of these wavelengths in place of measured curves, over the unaberrated peak, else 0;
-        see :meth:`from_curves`.
+        Bound on the PSF error due to sampling measured curves at these wavelengths, relative to the unaberrated peak,
+        else 0; see :meth:`from_curves`.
     paths : float or None
-        Largest difference of optical paths in the pupil for which `error` holds, metres; else None.
+        Largest optical path difference in the pupil for which `error` holds, metres; else None.
 
     Raises
     ------
@@ -274,9 +274,9 @@ class Channels:
         Parameters
         ----------
         width : float, default 0
-            Of each band, metres; 0 for the three wavelengths themselves.
+            Width of each band, metres; 0 for the three wavelengths only.
         count : int, default 5
-            Wavelengths in a band.
+            Number of wavelengths in a band.
 
         Raises
         ------
@@ -291,7 +291,7 @@ class Channels:
     def bands(
         cls, centers: Sequence[float], width: float, *, names: Sequence[str] | None = None, count: int = 5
     ) -> Channels:
-        """Return channels with the uniform response of a band each.
+        """Return channels with a uniform response over a band each.
 
         Parameters
         ----------
@@ -301,12 +301,12 @@ class Channels:
             Metres, from edge to edge.
         names : sequence of str, optional
         count : int, default 5
-            Wavelengths in a band: nodes of Gauss's rule.
+            Number of wavelengths in a band, the nodes of a Gauss-Legendre rule.
 
         Raises
         ------
         TypeError, ValueError
-            If a wavelength is none, or the width not above 0.
+            If a wavelength is invalid, or the width not above 0.
         """
         middle = [validation.wavelength(w, "centers") for w in validation.real_array("centers", centers).ravel()]
         if not middle:
@@ -349,7 +349,7 @@ class Channels:
             Response of each channel, >= 0: quantum efficiency times filter times light, interpolated linearly.
         names : sequence of str, optional
         tol : float, default 1e-3
-            Bound on the PSF error by few wavelengths, over the unaberrated peak, 1e-6 to 0.5.
+            Bound on the PSF error of the spectral sampling, relative to the unaberrated peak, 1e-6 to 0.5.
         paths : float, default 5e-6
             Largest optical path difference in the pupil for which that holds, metres: ``lambda C_d / pi`` of defocus,
             ``r / N`` at the distance r from the axis of the sensor.

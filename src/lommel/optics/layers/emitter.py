@@ -99,14 +99,14 @@ _ACROSS = _form(3, {(0, 2): 0.5})
 
 @dataclass(frozen=True)
 class Dipole:
-    """An emitter with a fixed dipole moment, or one that wobbles about it.
+    """Dipole emitter with a fixed orientation, or one that wobbles about it.
 
     Parameters
     ----------
     polar : float
-        Radians from the optical axis.
+        Polar angle from the optical axis, radians.
     azimuth : float
-        Radians from the columns of the camera towards its rows.
+        Azimuth from the columns (x) of the camera towards its rows (y), radians.
     wobble : float, default 0
         0 for a fixed dipole, 1 for a freely rotating one: the isotropic share of its directions.
 
@@ -117,8 +117,8 @@ class Dipole:
 
     Notes
     -----
-    The moment is that of a freely rotating dipole, whose light is the mean over all directions; PSFs with
-    ``normalize="energy"`` are of the light that the objective collects.
+    The dipole moment is that of a freely rotating dipole, whose emission is the mean over all directions; PSFs with
+    ``normalize="energy"`` are relative to the light that the objective collects.
     """
 
     polar: float
@@ -159,15 +159,15 @@ class Beam:
     Parameters
     ----------
     polarization : {"circular", "x", "y", "radial", "azimuthal", "vortex"} or (complex, complex), default "circular"
-        Jones vectors ``(a, b)`` are along columns and rows of the camera, of any length. "circular" is (1, i), and
-        stands for unpolarized light where there are no aberrations. "radial" and "azimuthal" polarization are towards
-        and around the axis, the latter dark on it; so is "vortex", circular light behind a vortex phase plate (the
-        doughnut of STED).
+        Jones vectors ``(a, b)`` are along columns and rows of the camera, of any length. "circular" is (1, i),
+        equivalent to unpolarized light without aberrations. "radial" and "azimuthal" polarization are towards and
+        around the axis; "azimuthal" and "vortex" (circular light behind a vortex phase plate, the doughnut of STED)
+        are dark on it.
 
     Raises
     ------
     TypeError, ValueError
-        If it is none of these.
+        If `polarization` is none of these.
     """
 
     polarization: str | tuple[complex, complex] = "circular"
@@ -257,19 +257,19 @@ def _light(kind: str, waves: Waves) -> Light:
 
 @dataclass(frozen=True)
 class Scalar:
-    """The scalar model of Gibson and Lanni, without polarization and Fresnel losses.
+    """Scalar emitter of the model of Gibson and Lanni, without polarization and Fresnel losses.
 
     Parameters
     ----------
     apodization : {"uniform", "aplanatic"}, default "uniform"
-        The amplitude: 1, as published, or ``c_i^(-1/2)``, of the sine condition.
+        Amplitude across the pupil: 1, as published, or ``c_i^(-1/2)``, of the sine condition.
     supercritical : bool, default True
-        Whether light beyond the critical angle of the sample counts; the published model leaves it out.
+        Whether to include light beyond the critical angle of the sample, which the published model omits.
 
     Raises
     ------
     TypeError, ValueError
-        If they are none of these.
+        If an argument is none of these.
     """
 
     apodization: str = "uniform"

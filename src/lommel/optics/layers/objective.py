@@ -100,12 +100,12 @@ class Focus:
     depth : float or ndarray
         Metres from the glass.
     paraxial, brightest : float or ndarray
-        Stage positions, metres towards the sample from paraxial focus on its surface: of paraxial rays, and of the
-        largest intensity on the axis.
+        Stage positions of the paraxial focus and of the maximum intensity on the axis: metres towards the sample from
+        paraxial focus on its surface.
     peak : float or ndarray
-        Intensity at the brightest focus, over that of a scalar aperture of the same light without layers.
+        Intensity at the brightest focus, relative to a scalar aperture of the same light without layers.
     axial_fwhm, lateral_fwhm : float or ndarray
-        Full widths at half maximum through there, metres of the stage and metres in the sample.
+        Full widths at half maximum there, metres of the stage and metres in the sample.
     """
 
     depth: Numbers
@@ -179,7 +179,7 @@ class Objective:
         Coherent thin films between cover glass and sample, in this order, each of at most 2 um. Multiple reflections
         in the thick glass are left out.
     design : Design, optional
-        What the objective was corrected for; by default the actual immersion and cover glass.
+        Media that the objective was corrected for; by default the actual immersion and cover glass.
 
     Raises
     ------
@@ -495,7 +495,7 @@ class Objective:
         apodization : {"uniform", "aplanatic"}, default "uniform"
             A = 1, as published, or ``c_i^(-1/2)``, of the sine condition.
         supercritical : bool, default True
-            Whether light beyond the critical angle of the sample counts; the published model leaves it out.
+            Whether to include light beyond the critical angle of the sample, which the published model omits.
 
         Raises
         ------
@@ -507,10 +507,11 @@ class Objective:
         return ScalarField(U, error)
 
     def focus(self, depth: ArrayLike, *, wavelength: float) -> Focus:
-        """Return the paraxial and the brightest focus of a freely rotating dipole, or of unpolarized light.
+        """Return the paraxial and the brightest focus at a depth, for a freely rotating dipole or unpolarized light.
 
-        The largest of several maxima, by a search in steps of a sixteenth of the depth of focus over the foci of all
-        rays (up to 0.98 of the critical angle) and two depths of focus beyond, then Newton's method.
+        The brightest focus is the largest of several maxima, found by a search in steps of a sixteenth of the depth
+        of focus over the foci of all rays (up to 0.98 of the critical angle) and two depths of focus beyond, then
+        Newton's method.
 
         Parameters
         ----------
@@ -540,7 +541,7 @@ class Objective:
         return Focus(*(numbers(column, d.shape) for column in (d, paraxial, *zip(*found, strict=True), wide)))
 
     def collected(self, depth: ArrayLike, *, wavelength: float) -> Numbers:
-        """Return the light collected from an emitter at `depth` (metres), over that of one far from the glass.
+        """Return the light collected from an emitter at `depth` (metres), relative to one far from the glass.
 
         More than 1 near the glass where there is supercritical light, else 1. For a freely rotating dipole of
         constant moment; `wavelength` is in metres, in vacuum.
@@ -553,7 +554,7 @@ class Objective:
     def nyquist(self, *, wavelength: float) -> Nyquist:
         """Return the Nyquist sampling at a `wavelength` (metres, in vacuum).
 
-        ``lambda / (4 NA)`` sideways, ``lambda / (2 (n_i - sqrt(n_i^2 - NA^2)))`` of the stage.
+        ``lambda / (4 NA)`` laterally, ``lambda / (2 (n_i - sqrt(n_i^2 - NA^2)))`` axially, of the stage.
         """
         layers = self._layers(wavelength)
         lateral = layers.wavelength / (4.0 * self.NA)

@@ -23,8 +23,8 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 class ObjectivePupil(BasePupil):
     """The pupil of a microscope objective, made by :meth:`lommel.Objective.pupil`.
 
-    Intensities are over the light collected in each plane: 1 is the peak of a uniform, scalar, unaberrated aperture
-    that passes as much.
+    Intensities are relative to the light collected in each plane: 1 is the peak of a uniform, scalar, unaberrated
+    aperture that passes as much light.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class ObjectivePupil(BasePupil):
         position from the chosen origin.
     emitter : Dipole, Beam or Scalar
     aberrations : Wavefront, optional
-        Measured, added to the phase of the layers: one, or a stack of the shape of the planes.
+        Aberrations added to the phase of the layers: one wavefront, or a stack of the shape of the planes.
     """
 
     pupil_hint = "that of an Objective, which has no single wavefront; lommel.psf takes it, and measures its PSF"

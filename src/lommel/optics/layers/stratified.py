@@ -211,7 +211,7 @@ class Design:
     Raises
     ------
     TypeError, ValueError
-        On anything out of range.
+        If an argument is out of range.
     """
 
     immersion: float

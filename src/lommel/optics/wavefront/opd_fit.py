@@ -27,19 +27,19 @@ _RADIAL_NODES = 400
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OPDMap:
-    """A measured map of optical path differences, or a stack of maps; :func:`lommel.fit_opd` takes it as it is.
+    """Measured map of optical path differences (OPD), or a stack of maps, for :func:`lommel.fit_opd`.
 
-    ``2.0 * opd`` is the path of light that a measured surface reflects, ``-opd`` that of the other sign.
+    ``2.0 * opd`` converts a surface error to the path difference in reflection; ``-opd`` changes the sign convention.
 
     Parameters
     ----------
     values : array_like, shape (..., height, width)
-        Metres of optical path; x rises with the columns and y with the rows. NaN where there is no measurement; what
-        a masked array hides becomes NaN.
+        Optical path difference in metres; x increases with the columns and y with the rows. NaN where there is no
+        measurement; masked values become NaN.
     spacing : float, optional
-        From pixel to pixel in the pupil, metres.
+        Pixel spacing in the pupil, metres.
     wavelength : float, optional
-        At which it was measured, metres.
+        Wavelength of the measurement, metres.
 
     Attributes
     ----------
@@ -112,19 +112,19 @@ class WavefrontFit:
     Attributes
     ----------
     wavefront : Wavefront
-        Without the constant; a stack if a stack of maps was fitted.
+        Fitted wavefront, without piston; a stack for a stack of maps.
     piston : ndarray, shape ``wavefront.shape``
-        The constant that was removed.
+        Fitted piston, which `wavefront` does not contain.
     rms, peak_to_valley : ndarray, shape ``wavefront.shape``
-        Of the residual over the samples.
+        Rms and peak-to-valley of the residual.
     residual : ndarray
         Measurement minus fit, shaped like the measurement; NaN where there was none.
     samples : ndarray of int, shape ``wavefront.shape``
-        How many were used.
+        Number of samples used.
     condition : float
-        Condition number of the worst fit, the factor by which measurement errors grow; 1 for a full, even pupil.
+        Condition number of the worst fit, the amplification of measurement errors; 1 for a full pupil.
     unit : str
-        Of all these numbers.
+        Unit of these numbers.
     """
 
     wavefront: Wavefront
@@ -153,8 +153,8 @@ def fit_radial(
     phase : callable, or array_like of shape (samples,)
         A function of pupil radii (an array in [0, 1], to an array of the same shape), or values at `rho`.
     rho : array_like, shape (samples,), optional
-        Pupil radii of the values, 0 to 1, each sample counting alike. A function is sampled at 400 Gauss-Legendre
-        nodes in rho^2, which weigh it by area.
+        Pupil radii of the values, 0 to 1, with equal weights. A function is sampled at 400 Gauss-Legendre nodes in
+        rho^2, weighted by area.
     degree : int, default 20
         Highest power of rho, even, 2 to 20.
     unit : {"radians", "waves", "metres"}, default "radians"
@@ -162,8 +162,8 @@ def fit_radial(
     wavelength : float, optional
         Metres.
     tol : float, optional
-        Largest rms of the residual that is accepted, in `unit`. In radians it bounds the error of the field
-        relative to an unaberrated peak, ``abs(dU) <= mean abs(d phase) <= rms``.
+        Largest accepted rms residual, in `unit`. In radians it bounds the error of the field relative to an
+        unaberrated peak, ``abs(dU) <= mean abs(d phase) <= rms``.
 
     Returns
     -------
@@ -173,7 +173,7 @@ def fit_radial(
     Raises
     ------
     TypeError, ValueError
-        If values are not finite, too few or too close together to determine the terms, or fitted worse than `tol`.
+        If values are not finite, too few or too close together to determine the terms, or the residual exceeds `tol`.
     """
     scale = radians_per(unit, wavelength)
     limit = math.inf if tol is None else validation.real("tol", tol, above=0.0)
@@ -216,36 +216,36 @@ def fit_opd(
     Parameters
     ----------
     opd : array_like, shape (..., height, width), or OPDMap
-        The measurement; x rises with the columns and y with the rows. NaN marks pixels without one, where there is
-        neither `mask` nor a masked array. :func:`lommel.load_opd` reads one.
+        The measurement; x increases with the columns and y with the rows. NaN marks missing pixels, unless a `mask`
+        or a masked array is given. :func:`lommel.load_opd` reads one.
     unit : {"radians", "waves", "metres"}
-        Of `opd`; metres need `wavelength`. An OPDMap is in metres, and may have a wavelength. The sign is that of the
-        phase: flip that of a map that counts a lengthened path as negative.
+        Unit of `opd`; metres need `wavelength`. An OPDMap is in metres, and may have a wavelength. The sign is that
+        of the phase: change it for a map in which a longer path is negative.
     wavelength : float, optional
         Metres.
     mask : array_like of bool, shape (height, width) or that of `opd`, optional
-        True where the measurement counts. An obscuration or a vane is masked out. What a masked array hides counts
-        neither way.
+        True where the measurement is valid; False for an obscuration or a vane. Masked values of a masked array are
+        ignored in either case.
     degree : int, default 8
         All terms with n up to this are fitted, 1 to 20: (degree + 1) (degree + 2) / 2 of them.
     center : (float, float), optional
-        Row and column of the centre of the pupil, 0 being the middle of the first pixel. Default: the middle.
+        Row and column of the centre of the pupil, from the centre of the first pixel. Default: the centre of the map.
     radius : float, optional
-        Of the pupil, in pixels. Default: that of the circle inscribed in the array, half the smaller side.
+        Radius of the pupil in pixels. Default: half the smaller side, the circle inscribed in the array.
     tol : float, optional
-        Largest rms of the residual that is accepted, in `unit`.
+        Largest accepted rms residual, in `unit`.
 
     Returns
     -------
     WavefrontFit
-        The terms are orthogonal over the full circle; over an obscured one the fit is still that of least squares.
-        Pixels whose middle lies outside of the circle are not used.
+        A least-squares fit, also over an obscured pupil, where the terms are not orthogonal. Pixels whose centre lies
+        outside the circle are not used.
 
     Raises
     ------
     TypeError, ValueError
-        On maps that are not finite inside the mask (the message says where), masks without a pixel, too few
-        samples for the terms, samples that do not determine them, or a residual beyond `tol`.
+        If the map is not finite inside the mask, the mask is empty, the samples are too few or do not determine the
+        terms, or the residual exceeds `tol`.
     """
     if isinstance(opd, OPDMap):
         if unit not in (None, "metres"):
@@ -304,12 +304,12 @@ def opd_map(
     shape : int or (int, int)
         Height and width in pixels.
     unit, wavelength, center, radius
-        As those of :func:`fit_opd`; the unit is by default that of a wavefront.
+        As of :func:`fit_opd`; the unit is by default that of a wavefront.
 
     Returns
     -------
     ndarray, shape ``wavefront.shape + (height, width)``
-        In `unit`, without the constant; NaN at pixels whose middle lies outside of the pupil.
+        In `unit`, without piston; NaN at pixels whose centre lies outside the pupil.
 
     Raises
     ------

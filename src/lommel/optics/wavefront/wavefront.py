@@ -89,15 +89,13 @@ _PARABOLA = symmetric_terms(2)
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
 class Wavefront(display.Shown):
-    r"""The phase across the pupil, radians: ``2 C_d rho^2 + C_s rho^4 + c_6 rho^6 + ...`` and Zernike terms.
+    r"""Wavefront: phase across the pupil in radians, ``2 C_d rho^2 + C_s rho^4 + c_6 rho^6 + ...`` and Zernike terms.
 
-    rho is the pupil radius over its maximum, 0 to 1; theta the angle from the direction of rising columns (x) to
-    that of rising rows (y). A positive `defocus` means that the sensor lies between the lens and its focus. A
-    positive `spherical` means that the rim of the pupil focuses beyond its middle. The pupil function is
-    ``exp(+i phase)``, and a ray meets the sensor at the gradient of the phase: a positive tilt in x moves the image
-    to higher columns, and the tail of positive coma in x points there.
-    The constant phase (piston) is left out: no intensity depends on it. Wavefronts add, and can be multiplied by a
-    number.
+    rho is the normalised pupil radius, 0 to 1; theta the angle from x (increasing columns) to y (increasing rows).
+    For a positive `defocus` the sensor lies between the lens and its focus. For a positive `spherical` marginal rays
+    focus beyond paraxial rays. The pupil function is ``exp(+i phase)``, and a ray meets the sensor at the gradient of
+    the phase: a positive tilt in x moves the image to higher columns, and the tail of positive coma in x points
+    there. Piston is omitted, since no intensity depends on it. Wavefronts can be added, and multiplied by a number.
 
     Parameters
     ----------
@@ -112,18 +110,17 @@ class Wavefront(display.Shown):
         ``R_n^|m|(rho) sin(|m| theta)`` for m < 0, with ``R(1) = 1``. m is not 0. See :meth:`zernike` for other
         orders, units and normalizations.
     error : float, default 0
-        Bound on the phase that the terms leave out, radians; the largest of a stack. It adds to the `error_bound` of
-        a PSF.
+        Bound on the phase that the terms do not represent, radians; the largest of a stack. It adds to the
+        `error_bound` of a PSF.
 
     Attributes
     ----------
     shape : tuple of int
         Of the stack; ``()`` for a single wavefront.
     terms : tuple of (n, m)
-        The Zernike terms of the expansion: first (2, 0), (4, 0), ..., all up to the last, then those that depend on
-        the direction, sorted.
+        Zernike terms: first (2, 0), (4, 0), ... without gaps, then those that depend on theta, sorted.
     edge : ndarray, shape ``shape + (len(terms),)``
-        Their coefficients, radians at the edge; read-only. Powers of rho that were given are kept beside them.
+        Coefficients of `terms`, radians at the edge; read-only.
 
     Raises
     ------
@@ -253,25 +250,25 @@ class Wavefront(display.Shown):
         Parameters
         ----------
         terms : mapping, or iterable of pairs
-            Coefficients by index: pairs (n, m) for the order "nm", else integers. Arrays describe a stack. A
-            constant term (piston) is allowed and left out, as everywhere. Terms end with n = 60.
+            Coefficients by index: pairs (n, m) for the order "nm", else integers. Arrays describe a stack. Piston is
+            accepted and ignored. n is at most 60.
         order : {"nm", "noll", "ansi", "fringe"}, default "nm"
             Noll counts from 1, ANSI (OSA) from 0, Fringe (University of Arizona) from 1 to 37. m > 0 is the cosine
             of m theta, m < 0 the sine.
         unit : {"radians", "waves", "metres"}, default "radians"
-            Of the coefficients; metres of optical path need `wavelength`.
+            Unit of the coefficients; metres of optical path need `wavelength`.
         normalization : {"rms", "edge"}, default "rms"
             "rms": a coefficient is the root mean square of its term over the pupil (Noll, ANSI). "edge": it is the
             largest value, that at the edge (usual with Fringe).
         wavelength : float, optional
             Metres.
         error : float, default 0
-            Bound on what the terms leave out of the phase, radians; see :class:`lommel.Wavefront`.
+            Bound on the phase that the terms do not represent, radians; see :class:`lommel.Wavefront`.
 
         Raises
         ------
         TypeError, ValueError
-            If there is no such term or a term comes twice; the message names the term.
+            If a term does not exist or is given twice; the message names the term.
 
         References
         ----------
@@ -306,7 +303,7 @@ class Wavefront(display.Shown):
         """Return the Zernike coefficients by index; the inverse of :meth:`zernike`.
 
         `order`, `unit`, `normalization` and `wavelength` are as there. Each coefficient has the shape of the stack;
-        terms that are zero throughout, and piston, are left out. ValueError if a term has no index in the order
+        terms that are all zero, and piston, are omitted. Raises ValueError if a term has no index in the order
         (Fringe ends with 37).
         """
         scale = radians_per(unit, wavelength)
@@ -359,7 +356,7 @@ class Wavefront(display.Shown):
         W131, W222, W220, W311 : array_like
             Coma, astigmatism, field curvature and distortion, waves at the edge of the field (H = 1).
         field : (array_like, array_like), default (1, 0)
-            Position in the field as (x, y), columns and rows, over that of the edge. Arrays describe a stack.
+            Field position (x, y) along columns and rows, relative to the edge of the field. Arrays describe a stack.
 
         Raises
         ------
@@ -491,12 +488,12 @@ class Wavefront(display.Shown):
 
     @cached_property
     def flat(self) -> bool:
-        """Whether there is no phase at all, and no stack of it."""
+        """Whether the phase is zero everywhere, and it is not a stack."""
         return not (self.edge.any() or self.error or self.shape)
 
     @property
     def left_out(self) -> float:
-        """Bound on the phase that the terms leave out: `error`, and rounding where powers of rho cancel, radians."""
+        """Bound on the phase that the terms do not represent, radians: `error`, and rounding where powers cancel."""
         return self.error + (0.0 if self._powers is None or self.symmetric <= 2 else self._lost)
 
     @cached_property

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -140,9 +139,9 @@ def depth(
         if figure is not None:
             save_figure(found.plot(), figure)
     files = written([*outputs, sharp, figure])
-    facts = _facts(found, lenses) | {"seconds": seconds, "pixel": instrument.side} | files.facts
-    facts["read"] = read_as(pictures[0], encoding)
-    return Report(facts, [*_lines(facts, lenses, options), *files.parts])
+    rest = {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": read_as(pictures[0], encoding)}
+    report = _report(found, lenses, options, rest)
+    return Report(report.facts, [*report.parts, *files.parts])
 
 
 def _write_sharp(path: Path, found: DefocusDepth) -> None:
@@ -169,15 +168,22 @@ def _each(lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[floa
     return lenses
 
 
-def _facts(found: DefocusDepth, lenses: list[Lens]) -> Facts:
-    """Return the description of a depth map."""
-    known, depth, deviation = np.isfinite(found.deviation), None, None
-    misfit = found.misfit
+def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts) -> Report:
+    """Return the report of a depth map and its photos, with the rest of the facts."""
+    known, misfit = np.isfinite(found.deviation), found.misfit
+    depth, deviation = None, None
+    text = "no depth found: the photos have no texture, or all of it is out of range"
     if known.any():
         ends = np.percentile(found.depth[known], [5.0, 50.0, 95.0]).tolist()
         depth = dict(zip(("5 %", "50 %", "95 %"), ends, strict=True))
         deviation, misfit = float(np.median(found.deviation[known])), misfit[known]
-    return {
+        low, middle, high = map(format_length, ends)
+        text = (
+            f"depth known at {100.0 * found.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
+            f"median {middle}, standard deviation {format_length(deviation, digits=2)}"
+        )
+    left = float(np.median(misfit))
+    facts = {
         "shape": list(found.depth.shape),
         "focus_distances": [finite(one.focus_distance) for one in lenses],
         "f_numbers": [one.f_number for one in lenses],
@@ -187,28 +193,20 @@ def _facts(found: DefocusDepth, lenses: list[Lens]) -> Facts:
         "known": found.known,
         "depth": depth,
         "deviation": deviation,
-        "misfit": float(np.median(misfit)),
+        "misfit": left,
     }
-
-
-def _lines(facts: Facts, lenses: list[Lens], options: Facts) -> Iterator[str]:
-    """Yield what a depth map and its photos are."""
-    yield facts["read"]
-    height, width = facts["shape"]
+    height, width = found.depth.shape
     each = ", ".join(f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
     near, far = map(format_length, options["between"])
-    yield f"{width} x {height} pixels of {format_length(facts['pixel'])}; focus {each}"
-    yield f"{facts['candidates']} distances from {near} to {far}, windows of {options['window']:g} pixels rms"
-    if facts["depth"] is None:
-        yield "no depth found: the photos have no texture, or all of it is out of range"
-    else:
-        low, middle, high = map(format_length, facts["depth"].values())
-        yield (
-            f"depth known at {100.0 * facts['known']:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
-            f"median {middle}, standard deviation {format_length(facts['deviation'], digits=2)}"
-        )
-    fits = "does not fit the photos: check registration, noise and lens" if facts["misfit"] > _MISFIT else "fits"
-    yield f"misfit {facts['misfit']:.3g} (1 if only noise is left): the model {fits}"
+    fits = "does not fit the photos: check registration, noise and lens" if left > _MISFIT else "fits"
+    lines = [
+        rest["read"],
+        f"{width} x {height} pixels of {format_length(rest['pixel'])}; focus {each}",
+        f"{len(found.candidates)} distances from {near} to {far}, windows of {options['window']:g} pixels rms",
+        text,
+        f"misfit {left:.3g} (1 if only noise is left): the model {fits}",
+    ]
+    return Report(facts | rest, lines)
 
 
 @command(
@@ -270,7 +268,9 @@ def precision(
         lenses = _around(one, foci[0], pair)
     else:
         lenses = [one.focused(focus) for focus in foci]
-    near, far = between or _range([each.focus_distance for each in lenses])
+    nearest, *_, farthest = sorted(each.focus_distance for each in lenses)
+    # By default from a little nearer than the nearest focus to a little farther than the farthest.
+    near, far = between or (0.85 * nearest, 1.2 * farthest if math.isfinite(farthest) else 4.0 * nearest)
     if not 0.0 < near < far:
         raise ValueError(f"--between must be the nearest and the farthest distance, got {near:g} m and {far:g} m")
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
@@ -278,10 +278,10 @@ def precision(
     seconds = time.perf_counter() - start
     listed = ", ".join(format_length(each.focus_distance) for each in lenses)
     if figure is not None:
-        from lommel.show import depth_maps
+        from lommel.show import estimates
 
         title = f"{instrument.name}\nfocus {listed} at f/{one.f_number:.3g}, {texture['photons']:g} electrons a pixel"
-        drawn: Any = depth_maps.precision(distance, {"": deviation}, title)
+        drawn: Any = estimates.precision(distance, {"": deviation}, title)
         save_figure(drawn.figure, figure)
     facts = {
         "focus_distances": [finite(each.focus_distance) for each in lenses],
@@ -314,9 +314,3 @@ def _around(lens: Lens, focus: float, dioptres: float) -> list[Lens]:
             f"--pair must be > 0 and at most {1.0 / focus:.4g} dioptres (focus at infinity), got {dioptres:g}"
         )
     return [lens.focused(1.0 / each if each > 0.0 else math.inf) for each in vergence]
-
-
-def _range(foci: list[float]) -> tuple[float, float]:
-    """Return distances from a little nearer than the nearest focus to a little farther than the farthest."""
-    near, far = min(foci), max(foci)
-    return 0.85 * near, 1.2 * far if math.isfinite(far) else 4.0 * near

@@ -20,10 +20,7 @@ from lommel.show.drawing import HOW
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-_NOTES = {
-    "HuygensFresnel": "flat, thin lens without the Fresnel approximation",
-    "Geometric": "no diffraction",
-}
+_NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation", "Geometric": "no diffraction"}
 
 
 @command(

@@ -117,5 +117,4 @@ def main() -> None:
 def commands() -> dict[str, click.Command]:
     """Return all commands by their names."""
     context = click.Context(main)
-    found = {name: main.get_command(context, name) for name in main.list_commands(context)}
-    return {name: command for name, command in found.items() if command is not None}
+    return {name: command for name in COMMANDS if (command := main.get_command(context, name))}

@@ -61,7 +61,6 @@ def written(paths: Iterable[Path | None], note: Callable[[Path], str] = lambda _
 def table_of(
     names: Iterable[str],
     rows: Iterable[Sequence[str]],
-    *,
     left: int = 0,
     no_wrap: bool = False,
     title: str | None = None,
@@ -79,7 +78,7 @@ def table_of(
     return table
 
 
-def list_of(rows: Iterable[tuple[str, str | None]], title: str | None = None) -> Table:
+def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
     """Return a table of names and values, without the names that have no value."""
     from rich.table import Column, Table
 

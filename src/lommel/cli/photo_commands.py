@@ -107,12 +107,7 @@ _COMMON = [
     *_COMMON,
 )  # fmt: skip
 def blur(
-    output: Path,
-    focus: float | None,
-    last: float | None,
-    frames: int | None,
-    fps: float | None,
-    **given: Any,
+    output: Path, focus: float | None, last: float | None, frames: int | None, fps: float | None, **given: Any
 ) -> Report:
     """Blur a photo by its depth map, or pull the focus through it.
 

@@ -65,11 +65,14 @@ def describe_lens(instrument: Instrument) -> Report:
             refused[str(reason)] = None
             return None
 
+    def of_circle(work: Callable[[], Any]) -> Any:
+        return known(work) if pupil.circular else None
+
     nothing: list[None] = [None] * len(at)
     seen, error = known(lambda: _energies(pupil, at)) or (nothing, None)
     ideal, other_error = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None)
     # Along columns, whose pitch is the width of a pixel.
-    nyquist, round_ = 0.5 / instrument.pitch[1], pupil.circular
+    nyquist = 0.5 / instrument.pitch[1]
     sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill}
     facts = {
         "name": instrument.name,
@@ -96,12 +99,10 @@ def describe_lens(instrument: Instrument) -> Report:
             lambda: float(spot.radial_fwhm(of_profiles(), pupil) if pupil.radial else spot.width(optics(pupil)))
         ),
         "cutoff": pupil.cutoff,
-        "mtf50": known(lambda: float(transfer.mtf_frequency(pupil))) if round_ else None,
+        "mtf50": of_circle(lambda: float(transfer.mtf_frequency(pupil))),
         "nyquist": nyquist,
-        "mtf_at_nyquist": known(lambda: float(transfer.mtf(pupil, nyquist))) if round_ else None,
-        "mtf_at_nyquist_with_pixel": (
-            known(lambda: float(transfer.mtf(pupil, nyquist, **sensor))) if round_ else None
-        ),
+        "mtf_at_nyquist": of_circle(lambda: float(transfer.mtf(pupil, nyquist))),
+        "mtf_at_nyquist_with_pixel": of_circle(lambda: float(transfer.mtf(pupil, nyquist, **sensor))),
         "aperture": {
             "spider": None if lens.spider is None else lens.spider.to_dict(),
             "vignetting": None if lens.vignetting is None else lens.vignetting.to_dict(),
@@ -296,7 +297,7 @@ def _field_parts(field: Facts) -> list[RenderableType]:
 def _terms(terms: dict[tuple[int, int], Any]) -> list[Facts]:
     return [
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
-        for (n, m), c in sorted(terms.items(), key=_noll)
+        for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(*item[0], "noll")))
     ]
 
 
@@ -398,6 +399,7 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
 
 def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -> Report:
     """Return the report of PSFs in colour channels, with the peak and the energy of each channel."""
+    held = answer.normalize == "energy"
     each: list[Facts] = [
         {
             "name": name,
@@ -405,9 +407,7 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
             "weights": [share for _, share in pairs],
             "light": light,
             "peak": float(one.values.max()),
-            "energy": float(one.values.sum(axis=(-2, -1), dtype=float).mean())
-            if answer.normalize == "energy"
-            else None,
+            "energy": float(one.values.sum(axis=(-2, -1), dtype=float).mean()) if held else None,
         }
         for (name, pairs), light, one in zip(answer.channels, answer.channels.light, answer, strict=True)
     ]
@@ -570,10 +570,6 @@ def timed(work: Callable[[], PSF]) -> tuple[PSF, float]:
         if seconds > 1.0:
             break
     return answer, seconds
-
-
-def _noll(item: tuple[tuple[int, int], Any]) -> int:
-    return int(zernike.index_of(*item[0], "noll"))
 
 
 def _finite(value: float) -> float | None:

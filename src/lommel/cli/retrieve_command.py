@@ -135,7 +135,7 @@ def retrieve(
             instrument.pupil(),
             pixel=instrument.side,
             noise=noise,
-            terms=_terms(terms),
+            terms=int(terms) if terms.strip().isdecimal() else _names(terms),
             also=_names(also),
             defocus=_numbers(defocus),
             integrate=instrument.integrate,
@@ -198,10 +198,6 @@ def _numbers(text: str) -> float | list[float]:
     if not words or not all(map(_is_number, words)):
         raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")
     return float(words[0]) if len(words) == 1 else [float(word) for word in words]
-
-
-def _terms(text: str) -> int | list[str]:
-    return int(text) if text.strip().isdecimal() else _names(text)
 
 
 def _names(text: str) -> list[str]:

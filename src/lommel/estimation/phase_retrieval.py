@@ -157,7 +157,7 @@ class Retrieval:
         labels = [label(name) for name in self.coefficients if name not in _UNITS]
         values, errors = (list(part.values()) for part in self.in_unit("radians"))
         bars = labels, values, errors
-        return show.fit.fit(self.images, self.model, self.residual, bars, f"chi2 = {self.chi2:.3g}")
+        return show.estimates.fit(self.images, self.model, self.residual, bars, f"chi2 = {self.chi2:.3g}")
 
     def _repr_html_(self) -> str:
         rows = [("fit", self.message), ("chi2", f"{self.chi2:.4g} per degree of freedom")]

@@ -25,7 +25,7 @@ from lommel.imaging.sensor_light import sensor_transfer
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depthmaps import write_depth
 from lommel.optics.lens import Lens
-from lommel.show import depth_maps
+from lommel.show import estimates
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -86,7 +86,7 @@ class DefocusDepth:
     def plot(self) -> Figure:
         """Draw depth, standard deviation and the all-in-focus image on a figure of matplotlib."""
         light = to_light("sharp", self.sharp, self.encoding, np.float64) if self.known else None
-        return depth_maps.maps(self.depth, self.deviation, light)
+        return estimates.maps(self.depth, self.deviation, light)
 
     def __repr__(self) -> str:
         if not self.known:

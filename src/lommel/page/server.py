@@ -47,12 +47,6 @@ class _Handler(BaseHTTPRequestHandler):
     timeout = 10.0  # for clients that connect and send nothing
 
     def do_GET(self) -> None:
-        self._answer(body=True)
-
-    def do_HEAD(self) -> None:
-        self._answer(body=False)
-
-    def _answer(self, *, body: bool) -> None:
         # A page of elsewhere whose name is pointed here by its DNS is still called by that name.
         port = self.server.server_port
         # A second name could be the one that others on the way go by.
@@ -67,9 +61,11 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("Content-Type", f"{kind}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))
         self.end_headers()
-        if body:
+        if self.command == "GET":
             self.wfile.write(content)
         return None
+
+    do_HEAD = do_GET  # noqa: N815 (as http.server calls it)
 
     def end_headers(self) -> None:
         """Send what every answer has, that of an error too."""

@@ -175,20 +175,17 @@ def state_of(instrument: Instrument) -> tuple[dict[str, float], str]:
                 f"{instrument.name or 'the lens file'!r}"
             )
     state = {name: float(f"{value:.9g}") for name, value in state.items()}
-    return {n: v for n, v in state.items() if v != FIELDS[n].initial}, _left_out(instrument, pupil, waves)
-
-
-def _left_out(instrument: Instrument, pupil: Pupil, rest: dict[tuple[int, int], float]) -> str:
-    tilts = [rest.pop(term, 0.0) for term in ((1, 1), (1, -1))]
-    higher = math.sqrt(sum(c * c for c in rest.values()))
-    parts = {
+    tilts = [waves.pop(term, 0.0) for term in ((1, 1), (1, -1))]
+    higher = math.sqrt(sum(c * c for c in waves.values()))
+    left_out = {
         "tilt, which moves the image": any(tilts),
         f"terms of higher order, {higher:.1g} waves": higher > 0.0,
         "the spider, vignetting or mask": not pupil.circular,
         "the apodization": not pupil.illumination.uniform,
         "aberrations of the field": instrument.aberrations_of_field is not None,
     }
-    return "; ".join(text for text, there in parts.items() if there)
+    changed = {name: value for name, value in state.items() if value != FIELDS[name].initial}
+    return changed, "; ".join(text for text, there in left_out.items() if there)
 
 
 def pupil_of(state: Mapping[str, object]) -> Pupil:

@@ -38,7 +38,7 @@ _SIDE = 160  # pixels of a picture
 _RASTER = 80
 _SUMS = 100 * _RASTER**2  # values of terms that are added up
 
-Row = tuple[str, str | Callable[[], str]]
+Row = tuple[str, str | Callable[[], str] | None]
 
 
 def psf(psf: PSFLike) -> str:
@@ -49,20 +49,22 @@ def psf(psf: PSFLike) -> str:
     values = psf.values if whole else np.stack(seen)
     of = "" if whole else ", where looked at"
     told = of_pupils(psf.pupil) if 1 < all_of <= 64 else []
+    wide = "pixels are wider than λN/2: samples do not sum to the light"
+
+    def light() -> str:
+        return _span(energy_per_pixel(psf).sum(axis=(-2, -1)), ".4g")
+
     rows: list[Row] = [
+        ("stack", f"{told[0]} to {told[-1]}" if told else None),
         ("pixels", _pixels(psf)),
         ("values", f"{psf.values.dtype}, {MEANING[psf.normalize]}"),
         (f"largest value{of}", lambda: f"{float(values.max()):.4g}"),
+        ("light in the window", light if whole else None),
         ("method", type(psf.method).__name__),
         ("error bound", "none" if psf.error_bound is None else f"{psf.error_bound:.2g} of the peak"),
         ("pupil", _light(psf.pupil)),
+        ("note", wide if psf.undersampled else None),
     ]
-    if whole:
-        rows.insert(3, ("light in the window", lambda: _span(energy_per_pixel(psf).sum(axis=(-2, -1)), ".4g")))
-    if told:
-        rows.insert(0, ("stack", f"{told[0]} to {told[-1]}"))
-    if psf.undersampled:
-        rows.append(("note", "pixels are wider than λN/2: samples do not sum to the light"))
 
     def picture() -> str:
         most = 160 if len(seen) == 1 else 110
@@ -86,17 +88,16 @@ def grid(thing: PSFGridLike) -> str:
         return _image(values, "magma", "square roots of the values over the largest of each", 280)
 
     high, wide = (_length(side, thing.unit) for side in thing.sensor)
+    channels = ", ".join(thing.psf.channels.names) if isinstance(thing.psf, ColourPSFLike) else None
     told: list[Row] = [
         ("sensor", f"{high} × {wide}"),
+        ("distances", None if thing.depths is None else _places(thing.depths)),
+        ("channels", channels),
         ("pixels of each", _pixels(one)),
         ("values", f"{thing.values.dtype}, {MEANING[thing.psf.normalize]}"),
         ("method", type(one.method).__name__),
         ("pupil", _light(thing.psf.pupil)),
     ]
-    if isinstance(thing.psf, ColourPSFLike):
-        told.insert(1, ("channels", ", ".join(thing.psf.channels.names)))
-    if thing.depths is not None:
-        told.insert(1, ("distances", _places(thing.depths)))
     return _html(f"PSFGrid, {rows} × {columns}", told, picture, "square root, each over its largest value")
 
 
@@ -112,11 +113,7 @@ def pupil(thing: Pupil | ObjectivePupil) -> str:
     """Return the phase across a pupil, and what there is to say about its light."""
     rows: list[Row] = [("light", _light(thing))]
     if isinstance(thing, ObjectivePupil):
-        rows += [
-            ("depth", _places(thing.depth)),
-            ("stage", _places(thing.z)),
-            ("emitter", repr(thing.emitter)),
-        ]
+        rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", repr(thing.emitter))]
     else:
         rows += [("aperture", _aperture(thing)), ("Airy radius", _length(thing.airy_radius, thing.unit))]
         rows += [*_rms(thing), *_terms(thing.wavefront)]
@@ -168,6 +165,7 @@ def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: 
     cells = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{_cell(work)}</td></tr>'
         for name, work in rows
+        if work is not None
     )
     drawn = ""
     if find_spec("matplotlib") is not None:

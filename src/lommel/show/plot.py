@@ -171,26 +171,21 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         If matplotlib is not installed.
     """
     validation.choice("stretch", stretch, STRETCHES)
-    if psf.pupil.shape != ():
-        return _stack(psf, ax, stretch)
-    axes = _draw(psf, new_axes(ax), norm_of(stretch, psf.values))
-    if ax is None:
-        caption(axes, _title(psf), MEANING[psf.normalize])
-    return axes
-
-
-def _stack(psf: PSFLike, ax: Axes | None, stretch: str) -> NDArray[np.object_]:
-    """Draw each PSF of a stack on one scale, titled by what tells it from the others."""
     only_single(ax, psf.pupil.shape)
     if is_z_stack(psf):
         return sections(psf, stretch=stretch)
     at_most(psf.pupil.shape)
     norm = norm_of(stretch, psf.values)
+    if psf.pupil.shape != ():
 
-    def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
-        return _draw(psf[index], axes, norm).images[0]
+        def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
+            return _draw(psf[index], axes, norm).images[0]
 
-    return tiles(psf.pupil.shape, one, of_pupils(psf.pupil), _title(psf), MEANING[psf.normalize])
+        return tiles(psf.pupil.shape, one, of_pupils(psf.pupil), _title(psf), MEANING[psf.normalize])
+    axes = _draw(psf, new_axes(ax), norm)
+    if ax is None:
+        caption(axes, _title(psf), MEANING[psf.normalize])
+    return axes
 
 
 def _title(psf: PSFLike) -> str:

@@ -96,12 +96,13 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
     if what == "phase":
         return _phase(imaged(thing), ax, unit, of_pupils(thing))
     found = _few(imaged(thing), ax).amplitude
-    passing = f"(1 = clear); {100.0 * thing.transmission:.3g} % of a clear disc's light pass"
     if thing.layered:
         found, passing = found / found.max(), "of both polarisations, over the largest"
-    options = {"cmap": "viridis", "vmin": 0.0, "vmax": max(1.0, float(found.max()))}
-    values = np.where(found > 0.0, found, np.nan)
-    return _draw(thing, values, ax, (f"amplitude {passing}", "amplitude"), of_pupils(thing), options)
+    else:
+        passing = f"(1 = clear); {100.0 * thing.transmission:.3g} % of a clear disc's light pass"
+    values, most = np.where(found > 0.0, found, np.nan), max(1.0, float(found.max()))
+    words = f"amplitude {passing}", "amplitude"
+    return _draw(thing, values, ax, words, of_pupils(thing), cmap="viridis", vmin=0.0, vmax=most)
 
 
 def across(pupil: BasePupil, side: int = _SIDE) -> Across:
@@ -161,22 +162,17 @@ def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> A
     if not pupil.shape and isinstance(pupil, Pupil):
         spread = float(np.nanmax(values) - np.nanmin(values))
         title = f"rms {float(rms(pupil)) / per:.3g} {unit}, peak to valley {spread:.3g} {unit}"
-    options = {"cmap": "RdBu_r", "norm": even_norm(float(np.nanmax(np.abs(values))))}
-    return _draw(pupil, values, ax, (title, f"phase, less its mean ({unit})"), titles, options)
+    words, norm = (title, f"phase, less its mean ({unit})"), even_norm(float(np.nanmax(np.abs(values))))
+    return _draw(pupil, values, ax, words, titles, cmap="RdBu_r", norm=norm)
 
 
 def _draw(
-    pupil: BasePupil,
-    values: Array,
-    ax: Axes | None,
-    words: tuple[str, str],
-    titles: list[str],
-    options: dict[str, Any],
+    pupil: BasePupil, values: Array, ax: Axes | None, words: tuple[str, str], titles: list[str], **how: Any
 ) -> Any:
     """Draw what is known across a pupil, with a title and what the bar says."""
 
     def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
-        image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **options)
+        image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **how)
         ticks = [-1, 0, 1]
         axes.set(facecolor=_BLOCKED, xticks=ticks, yticks=ticks, xlabel="x (pupil radii)", ylabel="y (pupil radii)")
         if isinstance(pupil, ObjectivePupil) and pupil.layers.sample < pupil.layers.NA:

@@ -5,20 +5,20 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.show import depth_maps
+from lommel.show import estimates
 
 
 def test_what_is_not_known_is_left_grey():
     depth = np.linspace(1.0, 2.0, 48).reshape(6, 8)
     depth[2, 3] = np.nan
     deviation = np.where(np.isnan(depth), np.inf, 1e-3 * depth)
-    figure = depth_maps.maps(depth, deviation, np.ones((6, 8, 3)))
+    figure = estimates.maps(depth, deviation, np.ones((6, 8, 3)))
     pictures = [axes.images[0].get_array() for axes in figure.axes if axes.images]
     assert len(pictures) == 3
     assert np.ma.getmaskarray(np.ma.masked_invalid(pictures[0]))[2, 3]
     assert pictures[1][0, 0] == pytest.approx(1.0)  # mm
     assert "known at 97.9 %" in figure.axes[0].get_title()
-    nothing = depth_maps.maps(np.full((4, 4), np.nan), np.full((4, 4), np.inf), None)
+    nothing = estimates.maps(np.full((4, 4), np.nan), np.full((4, 4), np.inf), None)
     assert "known at 0 %" in nothing.axes[0].get_title()
     nothing.canvas.draw()
 
@@ -26,10 +26,10 @@ def test_what_is_not_known_is_left_grey():
 def test_curves_of_precision_have_gaps_where_nothing_can_be_known():
     distance = np.linspace(1.0, 2.0, 5)
     curve = np.array([1e-3, 2e-3, np.inf, 2e-3, 1e-3])
-    axes = depth_maps.precision(distance, {"near": curve, "far": 2.0 * curve}, "title")
+    axes = estimates.precision(distance, {"near": curve, "far": 2.0 * curve}, "title")
     drawn = axes.lines[0].get_ydata()
     assert np.isnan(drawn[2])
     assert drawn[0] == pytest.approx(1.0)
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["near", "far"]
     axes.figure.canvas.draw()
-    depth_maps.precision(distance, {"": np.full(5, np.inf)}, "nothing").figure.canvas.draw()
+    estimates.precision(distance, {"": np.full(5, np.inf)}, "nothing").figure.canvas.draw()

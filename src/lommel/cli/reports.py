@@ -297,7 +297,7 @@ def _field_parts(field: Facts) -> list[RenderableType]:
 def _terms(terms: dict[tuple[int, int], Any]) -> list[Facts]:
     return [
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
-        for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(*item[0], "noll")))
+        for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(item[0][0], item[0][1], "noll")))
     ]
 
 

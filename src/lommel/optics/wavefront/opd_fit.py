@@ -304,7 +304,7 @@ def opd_map(
     shape : int or (int, int)
         Height and width in pixels.
     unit, wavelength, center, radius
-        As of :func:`fit_opd`; the unit is by default that of a wavefront.
+        As those of :func:`fit_opd`; the unit is by default that of a wavefront.
 
     Returns
     -------

@@ -69,6 +69,7 @@ LINES = [(name, words) for name, line in SHOWN if (words := shlex.split(line, co
 # Examples that `lommel examples` copies, by the small lens files of the tests that stand for them.
 COPIES = {
     "phone.toml": "lens.toml",
+    "nifty-fifty.toml": "lens.toml",
     "hubble-1990.toml": "hubble.toml",
     "camera-field.toml": "camera.toml",
     "zeiss-63x-1.4-oil.toml": "objective.toml",

@@ -98,8 +98,7 @@ def depth(
 
     Examples
     --------
-      lommel depth 1.tif 2.tif phone.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3 -o d.tif
-      lommel depth 1.tif 2.tif lens.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3 -o d.tif
+      lommel depth near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3 -o d.tif
     """
     if len(outputs) > 2:
         raise ValueError(f"--output takes the depth map and its standard deviation, got {len(outputs)} files")
@@ -253,7 +252,7 @@ def precision(
     Examples
     --------
       lommel precision phone.toml --focus 1.5m --pair 0.1 --photons 1e4 --plot precision.png
-      lommel precision lens.toml --focus 1.5m --best --f-number 4 --photons 5000
+      lommel precision nifty-fifty.toml --focus 1.5m --best --f-number 4 --photons 5000
       lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
     instrument = instrument_of(lens, pixel=pixel)

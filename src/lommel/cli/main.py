@@ -108,7 +108,7 @@ def main() -> None:
       lommel live    phone.toml                         # interactive PSF in the browser
       lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
-      lommel depth   1.tif 2.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3 -o depth.tif
+      lommel depth   near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 900 --read 3 -o d.tif
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2   # phase retrieval
       lommel paper   out                                # figures and numbers of the paper
     """  # noqa: D301 (\b is meant)

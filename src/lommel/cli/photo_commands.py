@@ -112,8 +112,8 @@ def blur(
     """Blur a photo by its depth map, or pull the focus through it.
 
     PHOTO is a PNG, JPEG or TIFF, grey or RGB. DEPTH is a depth map of the same size, the distance of each point from
-    the lens in metres: a grey TIFF, NPY, PFM or PNG. Without a lens file LENS, focal length and f-number come from
-    the options or from the photo's EXIF; options that contradict the EXIF are refused.
+    the lens along the optical axis, in metres: a grey TIFF, NPY, PFM or PNG. Without a lens file LENS, focal length
+    and f-number come from the options or from the photo's EXIF; options that contradict the EXIF are refused.
 
     Integer values are clipped at white, as on a sensor, and the clipped fraction is printed.
 
@@ -227,8 +227,8 @@ def restore(
     """Deblur a photo with a known depth map and lens.
 
     PHOTO is a PNG, JPEG or TIFF, grey or RGB, neither sharpened nor denoised. DEPTH is a depth map of the same size,
-    the distance of each point from the lens in metres: a grey TIFF, NPY, PFM or PNG. Without a lens file LENS,
-    focal length and f-number come from the options or from the photo's EXIF.
+    the distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM or PNG. Without
+    a lens file LENS, focal length and f-number come from the options or from the photo's EXIF.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
     about 1 where they differ only by noise. A larger one means that depth, lens or noise do not fit the photo.

@@ -50,7 +50,7 @@ class DepthBlur(LinearBlur):
     Parameters
     ----------
     depth : array_like, shape (height, width)
-        Distance of each point from the lens, metres, positive; may be infinite.
+        Distance of each point from the lens along the axis, metres, positive; may be infinite.
     lens : Lens
         Its aberrations must be radially symmetric.
     pixel : float

@@ -49,8 +49,8 @@ class FieldBlur(LinearBlur):
     pixel : float
         Pixel pitch, in the unit of the map (metres if it has a wavelength).
     depth : array_like, shape (height, width), optional
-        Distance of each point from the lens, metres, positive; may be infinite. The defocus that `lens` has for it is
-        added to the wavefront of the map.
+        Distance of each point from the lens along the axis, metres, positive; may be infinite. The defocus of `lens`
+        for it is added to the wavefront of the map.
     lens : Lens
         Required with `depth`, and only with it: the lens that gives the defocus, of the wavelength, f-number and
         aperture of the map, without aberrations.

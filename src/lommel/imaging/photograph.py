@@ -321,8 +321,8 @@ def depth_of_field(
     image : array_like, memory map or dask array, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1).
     depth : array_like, memory map or dask array, shape (height, width)
-        Distance of each point from the lens, metres; may be infinite. It is read twice, first for its range; with
-        ``missing="nearest"`` it is read as a whole, since the nearest depth may lie in any tile.
+        Distance of each point from the lens along the axis, metres; may be infinite. It is read twice, first for its
+        range; with ``missing="nearest"`` it is read as a whole, since the nearest depth may lie in any tile.
     lens : Lens
         With radially symmetric aberrations.
     pixel : float

@@ -195,7 +195,7 @@ def restore(
         Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. A NaN
         is an unknown pixel.
     depth : array_like or memory map, shape (height, width), or None
-        Distance of each point from the lens, metres; may be infinite. None for a FieldMap.
+        Distance of each point from the lens along the axis, metres; may be infinite. None for a FieldMap.
     lens : Lens or FieldMap
         A lens with radially symmetric aberrations; or a field map for a scene at one distance, with the optical axis
         at the centre of the photograph: see :class:`lommel.imaging.FieldBlur`.

@@ -86,8 +86,8 @@ def psf(
     fill : float or (float, float), default 1
         Fill factor: the active fraction of the area of a pixel, or of its height and width. Below 1 pixels integrate.
     blur : Blur or sequence of Blur, default ()
-        Further blur of lenses: :class:`lommel.Seeing`, :class:`lommel.Jitter`,
-        :class:`lommel.Motion`, :class:`lommel.ChargeDiffusion`. Without derivatives.
+        Further blur of lenses, such as :class:`lommel.Seeing` or :class:`lommel.Jitter`; :doc:`/sensor` lists all.
+        Without derivatives.
     derivatives : sequence, default ()
         Parameters with respect to which derivatives are computed, for ``PSF.derivatives``. Per radian: "defocus"
         (C_d), "spherical" (C_s), "rho^6", "rho^8", and Zernike terms at the edge as (n, m), "noll 8", "ansi 8" or

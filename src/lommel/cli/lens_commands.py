@@ -67,12 +67,12 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     closed-form for ClosedForm, and so on (`lommel methods`). Those that do not support the pupil are listed with the
     reason.
 
-    Errors are relative to the peak of the reference; MSE is the mean squared error divided by the
-    square of the peak. For a
-    paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other methods
-    make; it is compared at pixel centres, also with --integrate. ClosedForm uses the values of its options `tangent`
-    and `erf` (see `lommel methods`) that give the least MSE in this window. Times are those of the second call, or of
-    the first if that takes more than 1 s. The last line compares the paraxial and the aplanatic model of the lens.
+    Errors are relative to the peak of the reference; MSE is the mean squared error divided by the square of the peak.
+    For a paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other
+    methods make. HuygensFresnel is always compared at pixel centres, also with --integrate. ClosedForm uses the
+    values of its options `tangent` and `erf` (see `lommel methods`) that give the least MSE in this window. Times are
+    those of the second call, or of the first if that takes more than 1 s. The last line compares the paraxial and the
+    aplanatic model of the lens.
 
     Example:
       lommel compare phone.toml --figure methods.png

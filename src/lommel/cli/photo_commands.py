@@ -197,7 +197,8 @@ _METHODS = ("richardson-lucy", "total-variation")
     *under(
         "Noise",
         *NOISE,
-        Option("--saturation", type=float, help="Linear level at which pixels saturate, as a fraction of white."),
+        Option("--saturation", type=float, help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), "
+               "such as 0.95."),
     ),
     *under(
         "Restoration",

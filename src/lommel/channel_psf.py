@@ -18,6 +18,7 @@ from lommel.base.options import near
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Wanted
 from lommel.io import psf_files
+from lommel.measures.psf_like import ColourPSFLike
 from lommel.methods import question
 from lommel.methods.method import Method, painted, storing, widened
 from lommel.methods.polychromatic import Polychromatic, together
@@ -25,7 +26,7 @@ from lommel.methods.question import asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.colour.spectrum import Channels, checked
 from lommel.optics.grid import Grid
-from lommel.psf import PSF, Found, Plan, Recorded
+from lommel.psf import PSF, Found, Measured, Plan
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,7 +57,7 @@ class Keywords(PSFKeywords, total=False):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ColourPSF(Recorded):
+class ColourPSF(Measured, ColourPSFLike):
     """PSFs of a pupil, or of a stack of pupils, in colour channels; ``answer["red"]`` is a :class:`lommel.PSF`.
 
     Attributes

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import lru_cache
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel import measures, show
 from lommel.base import validation
-from lommel.base.arrays import Array, Index, Numbers, Values, largest
+from lommel.base.arrays import Array, Numbers, Values, largest
 from lommel.core.answers import Declined, ToleranceError
+from lommel.measures.psf_like import PSFLike
 from lommel.methods import question
-from lommel.methods.method import Method, RadialMethod
+from lommel.methods.method import Method
 from lommel.methods.question import Asked, asked_about
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
@@ -409,36 +410,8 @@ class Measured:
         return np.abs(self.otf(fx, fy, of=of))
 
 
-class Recorded(Measured):
-    """PSFs on pixels, in one array."""
-
-    values: Values
-    grid: Grid
-    pupil: BasePupil
-    normalize: str
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Shape of the values."""
-        return self.values.shape
-
-    @property
-    def pixel(self) -> float | tuple[float, float]:
-        """Pixel pitch, in :attr:`unit`; height and width where these differ."""
-        return self.grid.pixel
-
-    @property
-    def unit(self) -> str:
-        """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
-        return self.pupil.unit
-
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
-        """Return `values`."""
-        return np.array(self.values, dtype=dtype, copy=copy)
-
-
 @dataclass(frozen=True, eq=False, repr=False)
-class PSF(Recorded):
+class PSF(Measured, PSFLike):
     """A computed point spread function (PSF), or a stack of them, with its pupil, grid, method and error bound.
 
     Attributes
@@ -494,56 +467,6 @@ class PSF(Recorded):
         if self.values.shape != wanted:
             raise ValueError(f"values must have the shape {wanted}, got {self.values.shape}")
 
-    @property
-    def sampling(self) -> str:
-        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
-        return "pixel" if self.grid.integrate else "center"
-
-    @property
-    def undersampled(self) -> bool:
-        """Whether values are point-sampled at more than lambda*N/2 and do not sum to the light in the window."""
-        return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
-
-    def positions(self) -> tuple[Array, Array]:
-        """Return the positions of columns and rows, x and y from the axis, for each PSF of the flattened stack."""
-        return self.grid.positions(self.pupil.shape)
-
-    @property
-    def radial_method(self) -> RadialMethod | None:
-        """The method if a radial profile describes the whole PSF (radial pupil and method, no blur), else None."""
-        return None if self.blur else self.method.along_radius(self.pupil)
-
-    def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]:
-        """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
-
-        Parameters
-        ----------
-        radius : array_like, optional
-            Radii at which the method is evaluated, as point samples; by default the pixels from the central one,
-            ``(height // 2, width // 2)``, to the right, with radii of the shape of the values if each pupil has its
-            own axis.
-
-        Raises
-        ------
-        ValueError
-            If radii are given for a method that computes values on the grid only.
-        """
-        if radius is None:
-            middle = (self.shape[-2] // 2, self.shape[-1] // 2)
-            radii = np.hypot(self.grid.y[..., middle[0], None], self.grid.x[..., middle[1] :])
-            return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
-        method = self.radial_method
-        if method is None:
-            what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
-            what = "light that is spread by blur" if self.blur else what
-            raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
-        at = validation.real_array("radius", radius, least=0.0)
-        far = float(at.max(initial=0.0))
-        validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
-        v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
-        intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
-        return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
-
     def __len__(self) -> int:
         """Return how many PSFs, or stacks of them, the first axis of a stack holds."""
         if self.pupil.shape == ():
@@ -553,21 +476,6 @@ class PSF(Recorded):
     def __bool__(self) -> bool:
         """Return True, whether it has a length or not."""
         return True
-
-    def __getitem__(self, index: Index) -> Self:
-        """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""
-        if self.pupil.shape == ():
-            raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
-        pupil = self.pupil[index]
-        which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
-        return replace(
-            self,
-            values=self.values.reshape(-1, *self.shape[-2:])[which],
-            grid=self.grid[index] if self.grid.stack else self.grid,
-            pupil=pupil,
-            scale=np.asarray(self.scale.reshape(-1)[which]),
-            derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
-        )
 
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"

@@ -11,9 +11,10 @@ import numpy as np
 
 from lommel import show
 from lommel.base import validation
-from lommel.base.arrays import Array, Index, Values
+from lommel.base.arrays import Array, Index
 from lommel.channel_psf import ColourPSF
 from lommel.io import field_files
+from lommel.measures.psf_like import PSFGridLike
 from lommel.optics.base_pupil import object_distances
 from lommel.psf import PSF, Measured
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PSFGrid(Measured):
+class PSFGrid(Measured, PSFGridLike):
     """PSFs on a grid of positions over a sensor; ``grid[row, column]`` is one of them.
 
     Attributes
@@ -64,23 +65,6 @@ class PSFGrid(Measured):
             if distances.shape != stack[2:]:
                 raise ValueError(f"depths must be those of PSFs of shape {stack}, got shape {distances.shape}")
             object.__setattr__(self, "depths", distances)
-
-    @property
-    def values(self) -> Values:
-        """Values, shape (rows, columns, height, width), with axes of depths and channels before the last two."""
-        return self.psf.values
-
-    @property
-    def dims(self) -> tuple[str, ...]:
-        """Names of the axes of the values."""
-        depth = () if self.depths is None else ("depth",)
-        channel = ("channel",) if isinstance(self.psf, ColourPSF) else ()
-        return ("field_y", "field_x", *depth, *channel, "y", "x")
-
-    @property
-    def unit(self) -> str:
-        """Unit of positions: ``"m"`` or ``"lambda*N"``."""
-        return self.psf.unit
 
     def __len__(self) -> int:
         """Return the number of rows."""

@@ -1,13 +1,13 @@
-"""Protocols of a PSF, of PSFs in colour channels and of a PSF grid, for measures, files and plots."""
+"""Values and pixels of a PSF, of PSFs in colour channels and of a PSF grid, for measures, files and plots."""
 
-# ruff: noqa: D102 (the classes that have these attributes say what they are)
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self, TypeGuard, runtime_checkable
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, DTypeLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Index, Values
@@ -21,81 +21,143 @@ if TYPE_CHECKING:
     from lommel.optics.colour.spectrum import Channels
 
 
-class _Common(Protocol):
-    # Properties rather than variables: the attributes of a PSF cannot be set.
+class Recorded:
+    """PSFs on pixels, in one array."""
+
+    values: Values
+    grid: Grid
+    pupil: BasePupil
+    normalize: str
+
     @property
-    def values(self) -> Values: ...
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the values."""
+        return self.values.shape
+
     @property
-    def grid(self) -> Grid: ...
+    def pixel(self) -> float | tuple[float, float]:
+        """Pixel pitch, in :attr:`unit`; height and width where these differ."""
+        return self.grid.pixel
+
     @property
-    def pupil(self) -> BasePupil: ...
-    @property
-    def normalize(self) -> str: ...
-    @property
-    def error_bound(self) -> float | None: ...
-    @property
-    def shape(self) -> tuple[int, ...]: ...
-    @property
-    def pixel(self) -> float | tuple[float, float]: ...
-    @property
-    def unit(self) -> str: ...
+    def unit(self) -> str:
+        """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
+        return self.pupil.unit
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
+        """Return `values`."""
+        return np.array(self.values, dtype=dtype, copy=copy)
 
 
-class PSFLike(_Common, Protocol):
+class PSFLike(Recorded):
     """A point spread function, or a stack of them, and how it was computed."""
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
+    method: Method
+    error_bound: float | None
+    scale: Array
+    derivatives: dict[Name, Values]
+    derivative_bounds: dict[Name, float]
+    blur: tuple[Blur, ...]
 
     @property
-    def method(self) -> Method: ...
+    def sampling(self) -> str:
+        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
+        return "pixel" if self.grid.integrate else "center"
+
     @property
-    def scale(self) -> Array: ...
+    def undersampled(self) -> bool:
+        """Whether values are point-sampled at more than lambda*N/2 and do not sum to the light in the window."""
+        return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
+
+    def positions(self) -> tuple[Array, Array]:
+        """Return the positions of columns and rows, x and y from the axis, for each PSF of the flattened stack."""
+        return self.grid.positions(self.pupil.shape)
+
     @property
-    def derivatives(self) -> dict[Name, Values]: ...
-    @property
-    def derivative_bounds(self) -> dict[Name, float]: ...
-    @property
-    def blur(self) -> tuple[Blur, ...]: ...
-    @property
-    def sampling(self) -> str: ...
-    @property
-    def undersampled(self) -> bool: ...
-    @property
-    def radial_method(self) -> RadialMethod | None: ...
-    def positions(self) -> tuple[Array, Array]: ...
-    def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]: ...
-    def __getitem__(self, index: Index) -> Self: ...
+    def radial_method(self) -> RadialMethod | None:
+        """The method if a radial profile describes the whole PSF (radial pupil and method, no blur), else None."""
+        return None if self.blur else self.method.along_radius(self.pupil)
+
+    def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]:
+        """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
+
+        Parameters
+        ----------
+        radius : array_like, optional
+            Radii at which the method is evaluated, as point samples; by default the pixels from the central one,
+            ``(height // 2, width // 2)``, to the right, with radii of the shape of the values if each pupil has its
+            own axis.
+
+        Raises
+        ------
+        ValueError
+            If radii are given for a method that computes values on the grid only.
+        """
+        if radius is None:
+            middle = (self.shape[-2] // 2, self.shape[-1] // 2)
+            radii = np.hypot(self.grid.y[..., middle[0], None], self.grid.x[..., middle[1] :])
+            return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
+        method = self.radial_method
+        if method is None:
+            what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
+            what = "light that is spread by blur" if self.blur else what
+            raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
+        at = validation.real_array("radius", radius, least=0.0)
+        far = float(at.max(initial=0.0))
+        validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
+        v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
+        intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
+        return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
+
+    def __getitem__(self, index: Index) -> Self:
+        """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""
+        if self.pupil.shape == ():
+            raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
+        pupil = self.pupil[index]
+        which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
+        return replace(
+            self,
+            values=self.values.reshape(-1, *self.shape[-2:])[which],
+            grid=self.grid[index] if self.grid.stack else self.grid,
+            pupil=pupil,
+            scale=np.asarray(self.scale.reshape(-1)[which]),
+            derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
+        )
 
 
-@runtime_checkable
-class ColourPSFLike(_Common, Protocol):
+class ColourPSFLike(Recorded):
     """A PSF for each channel of a sensor, and their values in one array, channels before rows."""
 
-    @property
-    def channels(self) -> Channels: ...
-    @property
-    def psfs(self) -> tuple[PSFLike, ...]: ...
+    channels: Channels
+    psfs: tuple[PSFLike, ...]
 
 
-class PSFGridLike(Protocol):
+class PSFGridLike:
     """PSFs over a sensor, each with its place."""
 
+    psf: PSFLike | ColourPSFLike
+    x: Array
+    y: Array
+    sensor: tuple[float, float]
+    depths: Array | None
+
     @property
-    def psf(self) -> PSFLike | ColourPSFLike: ...
+    def values(self) -> Values:
+        """Values, shape (rows, columns, height, width), with axes of depths and channels before the last two."""
+        return self.psf.values
+
     @property
-    def x(self) -> Array: ...
+    def dims(self) -> tuple[str, ...]:
+        """Names of the axes of the values."""
+        depth = () if self.depths is None else ("depth",)
+        channel = ("channel",) if isinstance(self.psf, ColourPSFLike) else ()
+        return ("field_y", "field_x", *depth, *channel, "y", "x")
+
     @property
-    def y(self) -> Array: ...
-    @property
-    def sensor(self) -> tuple[float, float]: ...
-    @property
-    def depths(self) -> Array | None: ...
-    @property
-    def values(self) -> Values: ...
-    @property
-    def dims(self) -> tuple[str, ...]: ...
-    @property
-    def unit(self) -> str: ...
+    def unit(self) -> str:
+        """Unit of positions: ``"m"`` or ``"lambda*N"``."""
+        return self.psf.unit
 
 
 @runtime_checkable

@@ -197,7 +197,8 @@ _METHODS = ("richardson-lucy", "total-variation")
     *under(
         "Noise",
         *NOISE,
-        Option("--saturation", type=float, help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), "
+        Option("--saturation", type=float,
+               help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), "
                "such as 0.95."),
     ),
     *under(
@@ -209,7 +210,8 @@ _METHODS = ("richardson-lucy", "total-variation")
                help=f"Maximum number of steps; by default {RichardsonLucy.steps}, with total-variation "
                f"{TotalVariation.steps} for each strength tried."),
         documented(RichardsonLucy, "target", type=float,
-                   help="Discrepancy to stop at; below 1, since the result follows some of the noise."),
+                   help="Discrepancy at which to stop. The default is below 1 because the restored photo also fits "
+                   "part of the noise."),
         Option("--strength", type=float,
                help="Weight of the total variation; by default such that the discrepancy is --target."),
     ),

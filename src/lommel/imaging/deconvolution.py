@@ -184,7 +184,8 @@ class RichardsonLucy:
     steps : int, default 200
         Maximum number of steps, 1 to 100000.
     target : float, default 0.9
-        Discrepancy to stop at; below 1, since the result follows some of the noise. 0 takes all `steps`.
+        Discrepancy at which to stop. The default is below 1 because the result also fits part of the noise. 0 takes
+        all `steps`.
     accelerate : bool, default True
         Whether to extrapolate the steps, which saves about two thirds of them.
 

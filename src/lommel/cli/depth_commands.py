@@ -245,9 +245,9 @@ def precision(
     """Compute the achievable depth precision (Cramer-Rao bound).
 
     The bound is the least standard deviation of the distance of a textured surface, estimated from photos with
-    different focus. It holds for every unbiased estimator that does not know the texture, and for random textures
-    with the power spectrum of natural scenes; strong edges allow better precision. Use it to choose aperture, focus
-    distances and exposure before taking the photos.
+    different focus. It assumes a random texture with the power spectrum of natural scenes, and holds for every
+    unbiased estimator that does not know the texture; strong edges allow better precision. Use it to choose aperture,
+    focus distances and exposure before taking the photos.
 
     Examples
     --------

@@ -145,6 +145,12 @@ def truth(name: str, value: object) -> bool:
     return value
 
 
+def function(name: str, value: object, *, required: bool = True) -> None:
+    """Refuse what cannot be called, or with `required` is None, with a TypeError."""
+    if (required or value is not None) and not callable(value):
+        raise TypeError(f"{name} must be callable, got {shown(value)}")
+
+
 def choice(name: str, value: object, allowed: Iterable[str]) -> str:
     """Return `value` if it is one of `allowed`; ValueError otherwise."""
     options = list(allowed)

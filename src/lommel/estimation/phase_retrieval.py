@@ -293,8 +293,7 @@ def retrieve(
     count = validation.integer("starts", starts, least=1, most=10_000)
     most = validation.integer("steps", steps, least=1, most=10_000)
     draw = np.random.default_rng(seed)
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    validation.function("progress", progress, required=False)
     plan = Plan(values.shape[1:], pixel, tol=tol, integrate=integrate, threads=threads)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
     if model.tested < 1:

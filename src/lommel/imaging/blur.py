@@ -105,6 +105,7 @@ class DepthBlur(LinearBlur):
         reach = (float(self.defocus.min()), float(self.defocus.max()))
         largest = settings.largest or max(1, min(self.shape) // 2)
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
+        self.channels = len(self.spectra)
 
         def bank(spectrum: tuple[tuple[float, float], ...]) -> Bank:
             light = SensorLight.of(lens, spectrum, self.pixel, self.threads)
@@ -134,6 +135,7 @@ class DepthBlur(LinearBlur):
         distances = require_depth(depth)
         self.defocus = self.lens.defocus(distances)
         self.defocus.flags.writeable = False
+        self.shape = distances.shape[0], distances.shape[1]
 
     @property
     def lost(self) -> float:
@@ -179,17 +181,6 @@ class DepthBlur(LinearBlur):
             for onto, more in zip(made, far, strict=True):
                 onto += more if weight is None or not transposed else more * weight
         return made
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Height and width of the images."""
-        height, width = self.defocus.shape
-        return height, width
-
-    @property
-    def channels(self) -> int:
-        """Number of channels; an image of a single one may lack their axis."""
-        return len(self.banks)
 
     def spread(
         self,
@@ -463,18 +454,13 @@ class BlurSlopes:
 
     def __init__(self, image: Values, blur: DepthBlur) -> None:
         validation.instance("blur", blur, DepthBlur)
-        self._blur = copy.copy(blur)
+        self._blur, self.shape = copy.copy(blur), blur.shape
         self._planes = np.array(blur.planes(image))
         self._shape = np.shape(image)
         lens = blur.lens
         infinite = float(lens.defocus(math.inf))
         # 0 at an infinite distance.
         self._per_metre = -((blur.defocus - infinite) ** 2) / (float(lens.defocus(1.0)) - infinite)
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Height and width."""
-        return self._blur.shape
 
     def forward(self, change: Values) -> Values:
         """Return the first-order change of the photograph with a `change` of depth (metres); or ValueError."""

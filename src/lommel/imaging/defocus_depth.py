@@ -203,8 +203,7 @@ def depth_from_defocus(
         validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
     validation.instance("noise", noise, Noise)
     width = validation.real("window", window, least=1.0, below=64.0 + 1e-9, unit="pixels")
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    validation.function("progress", progress, required=False)
     vergence = _candidates(between, candidates, lights, pitch)
     first = validation.array("photographs[0]", photographs[0])
     settings = Settings(wavelengths=wavelengths)

@@ -118,7 +118,7 @@ class FieldBlur(LinearBlur):
         validation.instance("field_map", field_map, FieldMap)
         light = field_map.pupil_without_wavefront
         metric = light.wavelength is not None
-        self.field_map, self._shape = field_map, validation.image_shape(shape)
+        self.field_map, self.shape = field_map, validation.image_shape(shape)
         self.pixel = validation.pixel(pixel, metric=metric)
         validation.pixel_on(self.pixel, light.scale, metric=metric)
         validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
@@ -132,6 +132,7 @@ class FieldBlur(LinearBlur):
         if channels is not None and not metric:
             raise ValueError("channels need a map with a wavelength, to which theirs are related")
         colours = (None,) if channels is None else spectra("channels", channels)
+        self.channels = len(colours)
 
         @cache
         def made(spectrum: tuple[tuple[float, float], ...] | None) -> tuple[FieldBank, tuple[MixedBlur, ...]]:
@@ -142,16 +143,6 @@ class FieldBlur(LinearBlur):
 
         self.banks: tuple[FieldBank, ...] = tuple(made(spectrum)[0] for spectrum in colours)
         self._parts = tuple(made(spectrum)[1] for spectrum in colours)
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Height and width of the images."""
-        return self._shape
-
-    @property
-    def channels(self) -> int:
-        """Number of channels; an image of a single one may lack their axis."""
-        return len(self.banks)
 
     @property
     def error(self) -> float:

@@ -22,21 +22,17 @@ class LinearBlur(ABC):
 
     Attributes
     ----------
+    shape : (int, int)
+        Height and width of the images.
+    channels : int
+        Number of channels; an image of a single one may lack their axis.
     dtype : dtype
         Type of the computation and of the results, float32 or float64.
     """
 
+    shape: tuple[int, int]
+    channels: int
     dtype: np.dtype[np.floating]
-
-    @property
-    @abstractmethod
-    def shape(self) -> tuple[int, int]:
-        """Height and width of the images."""
-
-    @property
-    @abstractmethod
-    def channels(self) -> int:
-        """Number of channels; an image of a single one may lack their axis."""
 
     @abstractmethod
     def forward(self, image: Values) -> Values:
@@ -132,8 +128,7 @@ class LinearBlur(ABC):
 
     def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
         """Return the image made by `make`, of channel and plane, from an `image`; ValueError if misshapen."""
-        if not callable(make):
-            raise TypeError(f"make must be callable, got {validation.shown(make)}")
+        validation.function("make", make)
         out = np.empty((*self.shape, self.channels), dtype=self.dtype)
         for channel, plane in enumerate(self.planes(image)):
             made = np.asarray(make(channel, plane))

@@ -132,18 +132,13 @@ class Occlusion(LinearBlur):
     def __init__(self, blur: DepthBlur, reach: tuple[float, float] | None = None) -> None:
         if not isinstance(blur, DepthBlur):
             raise TypeError(f"blur must be a DepthBlur, got {type(blur).__name__}")
-        self.blur, self.dtype = blur, blur.dtype
-        self._reach = reach
+        self.blur, self._reach = blur, reach
+        self.channels, self.dtype = blur.channels, blur.dtype
 
     @property
-    def shape(self) -> tuple[int, int]:
+    def shape(self) -> tuple[int, int]:  # type: ignore[override]  # `blur` may be placed on another one
         """Height and width of the images."""
         return self.blur.shape
-
-    @property
-    def channels(self) -> int:
-        """Number of channels; an image of a single one may lack their axis."""
-        return self.blur.channels
 
     def forward(self, image: Values) -> Values:
         """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""

@@ -358,8 +358,7 @@ def depth_of_field(
     require_lens(lens, "image, depth, lens, pixel")
     if tile is not None:
         validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    validation.function("progress", progress, required=False)
     da = sys.modules.get("dask.array")  # without which there are no such arrays
     if da is not None and isinstance(image, da.Array) | isinstance(depth, da.Array):
         if out is not None or progress is not None:

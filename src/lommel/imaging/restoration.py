@@ -406,8 +406,7 @@ def _silent(*_: object) -> None:
 
 def _checked(method: object, progress: object) -> Method:
     """Return a method, Richardson-Lucy for None; TypeError if it is none, or `progress` cannot be called."""
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    validation.function("progress", progress, required=False)
     if method is None:
         return RichardsonLucy()
     if not isinstance(method, RichardsonLucy | TotalVariation):
@@ -421,7 +420,7 @@ def _checked(method: object, progress: object) -> Method:
 @contextmanager
 def shown(progress: Tell | None) -> Iterator[Tell]:
     """Give what is called at each step: `progress`, or else a line on standard error, where that is a terminal."""
-    _checked(None, progress)
+    validation.function("progress", progress, required=False)
     if progress is not None or sys.stderr is None or not sys.stderr.isatty():
         yield progress or _silent
         return

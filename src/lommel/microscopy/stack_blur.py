@@ -44,21 +44,11 @@ class StackBlur(LinearBlur):
             raise ValueError(f"shape must be (planes, height, width), got {validation.shown(shape)}")
         sides = [validation.integer("shape", side, least=1, most=validation.MAX_SIDE) for side in shape]
         self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
-        self._planes, self._side = sides[0], (sides[1], sides[2])
+        self.channels, self.shape = sides[0], (sides[1], sides[2])
         size = [next_fast_len(n + k - 1, real=True) for n, k in zip(sides, values.shape, strict=True)]
         kernel = np.zeros(size, self.dtype)
         kernel[tuple(slice(k) for k in values.shape)] = values
         self._size, self._transfer = size, rfftn(np.roll(kernel, [-m for m in middle], axis=(0, 1, 2)))
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Height and width of the planes."""
-        return self._side
-
-    @property
-    def channels(self) -> int:
-        """Number of planes."""
-        return self._planes
 
     def forward(self, image: Values) -> Values:
         """Return the recording of a specimen `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
@@ -72,7 +62,7 @@ class StackBlur(LinearBlur):
         from scipy.fft import irfftn, rfftn
 
         made = irfftn(rfftn(self.planes(image), self._size) * transfer, self._size)
-        made = made[: self._planes, : self._side[0], : self._side[1]]
+        made = made[: self.channels, : self.shape[0], : self.shape[1]]
         return np.ascontiguousarray(np.moveaxis(made, 0, 2), self.dtype).reshape(image.shape)
 
 

@@ -297,8 +297,7 @@ def psf_to(
     if stray := [name for name in options if name not in PSFKeywords.__annotations__]:
         raise TypeError(f"psf_to() has no option {stray[0]!r}; {near(stray[0], PSFKeywords.__annotations__)}")
     place, path = kind(validation.path("store", store)), Path(os.path.realpath(store))
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    validation.function("progress", progress, required=False)
     plan, (pool, slots) = Plan(shape, pixel, **options), _pool(client)
     if pool is not None and plan.threads:
         raise ValueError(f"threads must be left out with a client, which has its own, got {plan.threads}")

@@ -17,15 +17,7 @@ class Shift(LinearBlur):
     """Moves light by some rows, around the edge; of one's own making."""
 
     def __init__(self, shape: tuple[int, int], channels: int) -> None:
-        self._shape, self._channels, self.dtype = shape, channels, np.dtype(np.float64)
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        return self._shape
-
-    @property
-    def channels(self) -> int:
-        return self._channels
+        self.shape, self.channels, self.dtype = shape, channels, np.dtype(np.float64)
 
     def forward(self, image: np.ndarray) -> np.ndarray:
         return self.by_channel(image, lambda _, plane: np.roll(plane, 3, axis=0))

@@ -237,8 +237,7 @@ class Mask:
         ValueError if it does not, or `side` is out of range.
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
-        if not callable(function):
-            raise TypeError(f"function must be callable, got {validation.shown(function)}")
+        validation.function("function", function)
         at = cell_centers(n)
         return cls(np.broadcast_to(validation.array("function", function(at[None, :], at[:, None])), (n, n)))
 

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.estimation.noise import Noise
-from lommel.estimation.pixel_transfer import WindowError, half_window, multiplicity, pixel_transfer, squared_frequency
+from lommel.estimation.pixel_transfer import WindowError, half_window, pixel_of, pixel_transfer, texture_frequencies
 from lommel.optics.base_pupil import object_distances
 from lommel.optics.lens import Lens
 
@@ -97,7 +97,7 @@ def depth_precision(
     >>> [f"{1e3 * each:.2f} mm" for each in deviation]
     ['1.87 mm', '1.46 mm', '1.71 mm']
     """
-    pitch = _pixel(lenses, pixel)
+    pitch = pixel_of(lenses, pixel)
     metres = np.asarray(object_distances(distance))
     surface = _surface(len(lenses), noise, photons, contrast, window, known_texture)
     found = [_deviation(lenses, float(each), pitch, surface) for each in metres.ravel()]
@@ -165,7 +165,7 @@ def best_foci(
     """
     from scipy.optimize import minimize
 
-    pitch = _pixel([lens], pixel)
+    pitch = pixel_of([lens], pixel)
     metres = validation.real("distance", distance, above=0.0, unit="metres")
     surface = _surface(2, noise, photons, contrast, window, known_texture)
     per_radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
@@ -196,21 +196,6 @@ def best_foci(
     pair = focused(found.x)
     assert pair is not None
     return Foci(pair[0].focus_distance, pair[1].focus_distance, float(found.fun), (pair[0], pair[1]))
-
-
-def _pixel(lenses: Sequence[Lens], pixel: float) -> float:
-    """Return the pitch of pixels on which all of the lenses can be seen, metres."""
-    if not isinstance(lenses, Sequence) or not lenses or not all(isinstance(each, Lens) for each in lenses):
-        raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
-    pitch = validation.pixel(pixel, metric=True)
-    for lens in lenses:
-        if not lens.aberrations.radial or lens.aberrations.shape or lens.spider or lens.vignetting or lens.mask:
-            raise ValueError(
-                "lenses must have radially symmetric aberrations, one set each, and round apertures without spider, "
-                "vignetting and mask"
-            )
-        validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
-    return pitch
 
 
 # Noise over light of each photograph; contrast, window, and whether the texture is known.
@@ -256,8 +241,8 @@ def _deviation(lenses: Sequence[Lens], distance: float, pixel: float, surface: _
             values = pixel_transfer(lens, around, spectrum, pixel, (side, side), half).astype(np.float64) / noise[k]
             value[k] = values[4]
             slope[k] = (values[0] - values[3] + 8.0 * (values[2] - values[1])) / (12.0 * step)
-    square, times = _frequencies(side)
-    whole, share = _frequencies(_SIDE)
+    square, times = texture_frequencies((side, side))
+    whole, share = texture_frequencies((_SIDE, _SIDE))
     texture = contrast**2 / float((share / whole).sum()) / square
     hh = (value * value).sum(axis=0)
     along = (value * slope).sum(axis=0)
@@ -271,10 +256,3 @@ def _deviation(lenses: Sequence[Lens], distance: float, pixel: float, surface: _
     if total <= _ROUNDING * most:
         return math.inf
     return distance**2 / math.sqrt(total * (4.0 * math.pi * window**2))
-
-
-def _frequencies(side: int) -> tuple[Array, Array]:
-    """Return the square of each frequency of a texture, the mean left out, and what share of all it stands for."""
-    square = squared_frequency((side, side))
-    square[0, 0] = np.inf
-    return square, multiplicity((side, side))

@@ -13,12 +13,35 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.optics.lens import Lens
 from lommel.psf import psf
 
 # Pixels of a window beyond the cone of rays, for pixels up to 3 lambda*N wide; fewer for larger ones.
 _MARGIN, _LEAST_MARGIN = 20, 4
+
+
+def require_round(name: str, lens: Lens) -> None:
+    """Raise ValueError unless a lens, called `name`, has one set of radially symmetric PSFs."""
+    if not lens.aberrations.radial or lens.aberrations.shape != ():
+        raise ValueError(f"{name} must have radially symmetric aberrations, and one set of them")
+    if lens.spider or lens.vignetting or lens.mask:
+        raise ValueError(
+            f"{name} must have a round aperture, without spider, vignetting and mask: leave these out, or ask "
+            "lommel.psf for the image of single points"
+        )
+
+
+def pixel_of(lenses: Sequence[Lens], pixel: float) -> float:
+    """Return a pixel pitch in metres; TypeError or ValueError unless the PSFs of all lenses are circular."""
+    if not isinstance(lenses, Sequence) or not lenses or not all(isinstance(lens, Lens) for lens in lenses):
+        raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
+    pitch = validation.pixel(pixel, metric=True)
+    for k, lens in enumerate(lenses):
+        require_round(f"lenses[{k}]", lens)
+        validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
+    return pitch
 
 
 class WindowError(ValueError):
@@ -108,6 +131,13 @@ def multiplicity(shape: tuple[int, int]) -> Array:
         return count / side
 
     return np.asarray(times(shape[0])[:, None] * times(shape[1]))
+
+
+def texture_frequencies(shape: tuple[int, int]) -> tuple[Array, Array]:
+    """Return :func:`squared_frequency`, infinite for the mean, which is no texture, and :func:`multiplicity`."""
+    square = squared_frequency(shape)
+    square[0, 0] = np.inf
+    return square, multiplicity(shape)
 
 
 @lru_cache(maxsize=8)

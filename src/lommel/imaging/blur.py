@@ -18,6 +18,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
 from lommel.core import engine
+from lommel.estimation.pixel_transfer import require_round
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
 from lommel.imaging.linear import LinearBlur, folded, gathered, linear_operator
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
@@ -304,17 +305,6 @@ def require_lens(lens: Any, order: str) -> None:
     """Raise TypeError unless `lens` is one, saying in which `order` arguments are given."""
     if not isinstance(lens, Lens):
         raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")
-
-
-def require_round(name: str, lens: Lens) -> None:
-    """Raise ValueError unless a lens, called `name`, has one set of radially symmetric PSFs."""
-    if not lens.aberrations.radial or lens.aberrations.shape != ():
-        raise ValueError(f"{name} must have radially symmetric aberrations, and one set of them")
-    if lens.spider or lens.vignetting or lens.mask:
-        raise ValueError(
-            f"{name} must have a round aperture, without spider, vignetting and mask: leave these out, or ask "
-            "lommel.psf for the image of single points"
-        )
 
 
 def require_depth(depth: ArrayLike) -> Array:

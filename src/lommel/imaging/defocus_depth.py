@@ -18,8 +18,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.estimation.noise import Noise
-from lommel.estimation.pixel_transfer import half_window, multiplicity, squared_frequency
-from lommel.imaging.blur import require_round
+from lommel.estimation.pixel_transfer import half_window, pixel_of, texture_frequencies
 from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.sensor_light import sensor_transfer
 from lommel.imaging.settings import Settings, Spectrum
@@ -194,31 +193,44 @@ def depth_from_defocus(
     >>> round(float(np.median(found.depth)), 2)
     1.5
     """
-    lights = _lenses(lenses)
-    if not isinstance(photographs, Sequence | np.ndarray) or len(photographs) != len(lights):
+    pitch = pixel_of(lenses, pixel)
+    if len(lenses) < 2:
+        raise ValueError(
+            f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
+        )
+    if not isinstance(photographs, Sequence | np.ndarray) or len(photographs) != len(lenses):
         count = len(photographs) if hasattr(photographs, "__len__") else validation.shown(photographs)
-        raise ValueError(f"photographs must be as many as lenses, {len(lights)}, got {count}")
-    pitch = validation.pixel(pixel, metric=True)
-    for lens in lights:
-        validation.pixel_on(pitch, lens.wavelength * lens.working_f_number, metric=True)
+        raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
     validation.instance("noise", noise, Noise)
     width = validation.real("window", window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
-    vergence = _candidates(between, candidates, lights, pitch)
-    first = validation.array("photographs[0]", photographs[0])
-    settings = Settings(wavelengths=wavelengths)
-    exposed = expose(
-        photographs, lights, encoding=encoding, noise=noise, exposures=exposures, magnification=magnification,
-        saturation=saturation, window=width,
-    )  # fmt: skip
+    vergence = _candidates(between, candidates, lenses, pitch)
+    stored = {f"photographs[{k}]": validation.array(f"photographs[{k}]", one) for k, one in enumerate(photographs)}
+    for name, one in stored.items():
+        require_image(name, one.shape)
+    if len({one.shape for one in stored.values()}) > 1:
+        shapes = ", ".join(str(one.shape) for one in stored.values())
+        raise ValueError(f"photographs must be of one shape, got {shapes}")
+    first = stored["photographs[0]"]
+    electrons, known = zip(
+        *(_electrons(name, one, encoding, noise, saturation) for name, one in stored.items()), strict=True
+    )
+    images, valid = np.stack(electrons, axis=1), np.all(known, axis=0)
+    if not valid.any():
+        raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
+    if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
+        images, valid = _rescaled(images, valid, lenses)
+    exposed = _relative(images[..., valid], exposures)
+    over = np.asarray(exposed)[:, None, None]
+    seen = (images / over).astype(np.float32), _variances(images, noise, width, over).astype(np.float32), valid
     with np.errstate(divide="ignore"):
         distances = 1.0 / vergence
     step = vergence[1] - vergence[0]
     spectra = [
         ((channel, 1.0),) if isinstance(channel, float) else tuple(channel)
-        for channel in settings.channels(first.shape, lights[0].wavelength)
+        for channel in Settings(wavelengths=wavelengths).channels(first.shape, lenses[0].wavelength)
     ]
-    tiling = Tiling(exposed, lights, distances, spectra, pitch, width, transfer)
+    tiling = Tiling(seen, lenses, distances, spectra, pitch, width, transfer)
     position, variance, misfit, level = tiling.search(progress)
     deviation = np.hypot(np.sqrt(variance), _SIDE * width * _slope(position, width)) * step
     unknown = ~(deviation <= _KNOWN * (vergence[-1] - vergence[0])) | ~np.isfinite(position)
@@ -238,7 +250,7 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    return DefocusDepth(depth, sigma, misfit, distances, exposed.exposures, encoding, sharpen)
+    return DefocusDepth(depth, sigma, misfit, distances, exposed, encoding, sharpen)
 
 
 def _slope(position: Values, window: float) -> Array:
@@ -253,20 +265,7 @@ def _slope(position: Values, window: float) -> Array:
     return np.asarray(np.sqrt(square))
 
 
-def _lenses(lenses: Sequence[Lens]) -> list[Lens]:
-    """Return two lenses or more whose PSFs are circular."""
-    if not isinstance(lenses, Sequence) or not all(isinstance(lens, Lens) for lens in lenses):
-        raise TypeError(f"lenses must be a sequence of Lens, one for each photograph, got {validation.shown(lenses)}")
-    if len(lenses) < 2:
-        raise ValueError(
-            f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
-        )
-    for k, lens in enumerate(lenses):
-        require_round(f"lenses[{k}]", lens)
-    return list(lenses)
-
-
-def _candidates(between: tuple[float, float], count: int | None, lenses: list[Lens], pixel: float) -> Array:
+def _candidates(between: tuple[float, float], count: int | None, lenses: Sequence[Lens], pixel: float) -> Array:
     """Return vergences, equally spaced, from that of the farthest distance to that of the nearest."""
     if not isinstance(between, Sequence | np.ndarray) or len(between) != 2:
         raise TypeError(f"between must be the nearest and the farthest distance, got {validation.shown(between)}")
@@ -296,44 +295,17 @@ _LEAK, _FAR = 0.02, 6.0  # of amplitude, and from how many windows away
 _LEAST = 1e-3  # of the mean variance, for pixels of no light that are read without noise
 
 
-def expose(
-    photographs: Sequence[ArrayLike],
-    lenses: Sequence[Lens],
-    *,
-    encoding: str,
-    noise: Noise,
-    exposures: Sequence[float] | None,
-    magnification: str,
-    saturation: float | None,
-    window: float,
-) -> Exposures:
-    """Return photographs as electrons; arguments as of :func:`lommel.imaging.depth_from_defocus`."""
-    stored = {f"photographs[{k}]": validation.array(f"photographs[{k}]", one) for k, one in enumerate(photographs)}
-    for name, one in stored.items():
-        require_image(name, one.shape)
-    if len({one.shape for one in stored.values()}) > 1:
-        shapes = ", ".join(str(one.shape) for one in stored.values())
-        raise ValueError(f"photographs must be of one shape, got {shapes}")
-    electrons, known = zip(
-        *(_electrons(name, one, encoding, noise, saturation) for name, one in stored.items()), strict=True
-    )
-    images = np.stack(electrons, axis=1)
-    valid = np.all(known, axis=0)
-    if not valid.any():
-        raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
-    if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
-        images, valid = _rescaled(images, valid, lenses)
-    light = _relative(images[..., valid], exposures)
+def _variances(images: Array, noise: Noise, window: float, over: Array) -> Array:
+    """Return the variance of the noise of each pixel, from the light around it, for images over an exposure each."""
     mean = _smooth(images, window)
     energy = (images - mean) ** 2
     # Stronger texture beyond a window is noise too, since no filter ends with the window.
     leaked = _LEAK**2 * np.maximum(_smooth(energy, _FAR * window) - _smooth(energy, window), 0.0)
     variances = noise.variance(np.maximum(mean, 0.0)) + leaked
-    over = np.asarray(light)[:, None, None]
     variances = np.maximum(variances, _LEAST * float(variances.mean())) / over**2
     if not np.all(variances > 0.0):
         raise ValueError("noise must be above 0: the photographs hold no light, and reading adds no noise")
-    return Exposures((images / over).astype(np.float32), variances.astype(np.float32), valid, light)
+    return variances
 
 
 def _smooth(images: Array, width: float) -> Array:
@@ -448,8 +420,7 @@ class Transform:
 
     def level(self, transfers: Values) -> float:
         """Return the power S of texture over that of noise at 1 cycle a pixel, of a spectrum ``S / f^2``."""
-        times, square = multiplicity(self.shape), squared_frequency(self.shape)
-        square[0, 0] = np.inf
+        square, times = texture_frequencies(self.shape)
         size = self.shape[0] * self.shape[1]
 
         def excess(log_level: float, hh: Values, power: Values) -> float:
@@ -529,9 +500,7 @@ class Costs:
         self._trust = (valid * (float(local.mean()) / local)).astype(np.float32)
         self._weigh, self.coverage = weigh, np.maximum(weigh(valid), 1e-6)
         self.power = self._images.level(h)
-        self._times = multiplicity(self._images.shape).astype(np.float32)
-        square = squared_frequency(self._images.shape).astype(np.float32)
-        square[0, 0] = np.inf
+        square, self._times = (each.astype(np.float32) for each in texture_frequencies(self._images.shape))
         count = h.shape[1]
         self._h, self._slopes, self._spectrum = h, np.gradient(h, axis=1), self.power / square
         # Of each level and candidate: the energy of noise, and the variance of a cost by noise for one independent
@@ -686,21 +655,12 @@ Places = tuple[NDArray[np.int64], ...]
 Transfer = Callable[[Lens, Array, Sequence[tuple[float, float]], float, tuple[int, int], int], NDArray[np.float32]]
 
 
-class Exposures(NamedTuple):
-    """Several photographs of one scene, as electrons."""
-
-    images: NDArray[np.float32]  # (channels, photographs, height, width): over the relative exposure of each
-    variances: NDArray[np.float32]  # of the noise of each pixel, from the light around it
-    valid: NDArray[np.bool_]  # pixels known in all photographs and channels
-    exposures: tuple[float, ...]  # light of each photograph over that of the first
-
-
 class Tiling:
     """Photographs cut into tiles, with the transfer functions of all lenses at all candidates in all channels."""
 
     def __init__(
         self,
-        exposed: Exposures,
+        seen: tuple[Values, Values, NDArray[np.bool_]],
         lenses: Sequence[Lens],
         distances: Array,
         spectra: Sequence[Sequence[tuple[float, float]]],
@@ -711,10 +671,13 @@ class Tiling:
         from scipy.fft import next_fast_len
         from scipy.ndimage import distance_transform_edt
 
+        # Electrons over relative exposures and the variances of their noise, each (channels, photographs, height,
+        # width), and the pixels known in all photographs and channels.
+        images, variances, valid = seen
         blur = max(float(lens.pupil(distances).geometric_radius().max()) for lens in lenses) / pixel
         half, margin = half_window(lenses, distances, pixel), max(_LEAST_MARGIN, math.ceil(2.0 * blur + 3.0 * window))
         # The pixels that a tile answers for, and those of its transforms, which have margins.
-        height, width = (math.ceil(side / math.ceil(side / _CORE)) for side in exposed.valid.shape)
+        height, width = (math.ceil(side / math.ceil(side / _CORE)) for side in valid.shape)
         rows, columns = (next_fast_len(max(side + 2 * margin, 2 * half + 1), real=True) for side in (height, width))
         self._window, self._margin, self._core, self._sides = window, margin, (height, width), (rows, columns)
         self._weigh = Weights(self._sides, margin, self._core, window)
@@ -724,16 +687,16 @@ class Tiling:
             return np.stack([transfer(lens, distances, spectrum, pixel, self._sides, half) for lens in lenses])
 
         self._transfers = [transfers(tuple(spectrum)) for spectrum in spectra]
-        self._shape = exposed.valid.shape
+        self._shape = valid.shape
         around = [
             (margin, (whole - 1) // core * core + side - margin - whole)
             for whole, core, side in zip(self._shape, self._core, self._sides, strict=True)
         ]
         self._images, self._variances = (
-            np.pad(part, [(0, 0), (0, 0), *around], mode="symmetric") for part in (exposed.images, exposed.variances)
+            np.pad(part, [(0, 0), (0, 0), *around], mode="symmetric") for part in (images, variances)
         )
         # 1 where pixels are of the image rather than mirrored, and where they are known as far as light is spread.
-        known = exposed.valid if exposed.valid.all() else distance_transform_edt(exposed.valid) > blur + 1.0
+        known = valid if valid.all() else distance_transform_edt(valid) > blur + 1.0
         self._own, self._trusted = (np.pad(part.astype(np.float32), around) for part in (np.ones(self._shape), known))
 
     def search(self, progress: Callable[[int, int], object] | None = None) -> Found:
@@ -795,9 +758,8 @@ class Tiling:
     def sharp(self, position: Array, level: float) -> Array:
         """Return the electrons of the scene in focus, (channels, height, width), at positions of candidates."""
         out = np.empty((len(self._transfers), *position.shape))
-        square = squared_frequency(self._sides).astype(np.float32)
-        square[0, 0] = np.inf
-        spectrum, count = level / square, self._transfers[0].shape[1]
+        spectrum = level / texture_frequencies(self._sides)[0].astype(np.float32)
+        count = self._transfers[0].shape[1]
         for inside, at in self._tiles():
             place = np.clip(position[inside], 0.0, count - 1.0)
             rows, columns = (slice(self._margin, self._margin + side) for side in place.shape)

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.imaging.blur import require_lens, require_round
+from lommel.estimation.pixel_transfer import require_round
+from lommel.imaging.blur import require_lens
 from lommel.imaging.sensor_light import SensorLight
 from lommel.methods.pixels.rule import cells_alike, quarters
 from lommel.optics.lens import Lens

@@ -281,18 +281,6 @@ class Remainder:
         some, others, all_ = (math.hypot(a, b) / (a * b) for a, b in (known, sides, (reach + 0.5,) * 2))
         return near + self.rings * (some - others) / all_ + self.held
 
-    @property
-    def rank(self) -> int:
-        """Number of products."""
-        return int(self.knots.shape[1])
-
-    @property
-    def sums(self) -> Array:
-        """Sum of each g_r over all pixels, shape (rank,)."""
-        once = np.where(np.arange(self.table.shape[1]) == 0, 1.0, 2.0)
-        everywhere = self.smooth @ smooth_transforms(np.zeros(1), self.scale)[:, 0]
-        return np.asarray(np.einsum("rij,i,j->r", self.table, once, once) + everywhere)
-
     def factors(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> Values:
         """Return the a_r, shape (rank, ...), at positions in the bank."""
         return _between(self.knots, positions, 0, dtype)

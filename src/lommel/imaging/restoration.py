@@ -260,7 +260,12 @@ def restore(
         output(out, "photo", given.shape, given.dtype, given, np.asarray(depth))
     if isinstance(lens, FieldMap):
         light, limit = recorded(given, encoding, saturation)
-        blur: LinearBlur = _over_the_field(given.shape, depth, lens, pixel, settings, options)
+        if depth is not None:
+            raise ValueError(
+                "depth must be None with a FieldMap, which has the defocus of one distance; of several, hand "
+                "FieldBlur(field_map, shape, pixel, depth=, lens=) to lommel.imaging.restore_with"
+            )
+        blur: LinearBlur = _over_the_field(given.shape, lens, pixel, settings, options)
     else:
         require_lens(lens, "photo, depth, lens, pixel")
         if depth is None:
@@ -307,19 +312,9 @@ def recorded(photo: Pixels, encoding: str, saturation: float | None = None) -> t
 
 
 def _over_the_field(
-    shape: tuple[int, ...],
-    depth: ArrayLike | None,
-    field_map: FieldMap,
-    pixel: float,
-    settings: Settings,
-    given: Keywords,
+    shape: tuple[int, ...], field_map: FieldMap, pixel: float, settings: Settings, given: Keywords
 ) -> FieldBlur:
     """Return the operator of a map, with its middle in the middle of a photograph of this shape."""
-    if depth is not None:
-        raise ValueError(
-            "depth must be None with a FieldMap, which has the defocus of one distance; of several, hand "
-            "FieldBlur(field_map, shape, pixel, depth=, lens=) to lommel.imaging.restore_with"
-        )
     for name in ("occlusion", "missing", "tol"):
         if name in given:
             raise ValueError(

@@ -94,11 +94,14 @@ class Settings:
     def __post_init__(self) -> None:
         if not isinstance(self.occlusion, bool | np.bool_):
             raise TypeError(f"occlusion must be True or False, got {validation.shown(self.occlusion)}")
+        share = validation.real("energy", self.energy, least=0.5)
+        if 0.9999 + 1e-12 <= share != 1.0:
+            raise ValueError(f"energy must be <= 0.9999, or 1 for the whole PSF, got {validation.shown(self.energy)}")
         checked: dict[str, Any] = {
             "wavelengths": None if self.wavelengths is None else spectra("wavelengths", self.wavelengths),
             "missing": validation.choice("missing", self.missing, MISSING),
             "border": validation.choice("border", self.border, BORDERS),
-            "energy": _energy(self.energy),
+            "energy": share,
             "tol": validation.real("tol", self.tol, least=1e-7, below=0.1 + 1e-12),
             "dtype": validation.kind("dtype", self.dtype, np.float32, np.float64),
         }
@@ -144,14 +147,6 @@ def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], 
     if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:
         raise TypeError(f"{name} must be a sequence, one for each channel, got {validation.shown(channels)}")
     return tuple(_spectrum(channel) for channel in channels)
-
-
-def _energy(energy: Any) -> float:
-    """Return the share of the light in a window, checked: 1 for the whole PSF."""
-    share = validation.real("energy", energy, least=0.5)
-    if 0.9999 + 1e-12 <= share != 1.0:
-        raise ValueError(f"energy must be <= 0.9999, or 1 for the whole PSF, got {validation.shown(energy)}")
-    return share
 
 
 def _spectrum(channel: Any) -> tuple[tuple[float, float], ...]:

@@ -100,15 +100,14 @@ def deconvolve(
     before = counted.mean(counted.discrepancies(blur.forward(counted.scene(planes, pixels))))
     walk = _Walk(blur, counted)
     with shown(progress) as tell:
-        course = walk.solve(method or RichardsonLucy(target=1.0), tell)
-    values = walk.inside(planes, pixels)
-    stopped, found = walk.stopped, counted.mean(walk.discrepancies)
+        steps, stopped, each = walk.solve(method or RichardsonLucy(target=1.0), tell)
+    values, found = walk.inside(planes, pixels), counted.mean(each)
     if stopped == MISFIT:
         stopped = STACK_MISFIT
-    elif course.steps == 0 and counted.electrons >= 1.0 and found < 1.0 - 4.0 * slack_of(counted.known):
+    elif steps == 0 and counted.electrons >= 1.0 and found < 1.0 - 4.0 * slack_of(counted.known):
         stopped = TOO_QUIET
-    discrepancies, unknown = tuple(map(float, walk.discrepancies)), 1.0 - float(counted.known.sum()) / recorded.size
-    return Restoration(values, values, found, discrepancies, before, course.steps, stopped, unknown=unknown)
+    unknown = 1.0 - float(counted.known.sum()) / recorded.size
+    return Restoration(values, values, found, tuple(map(float, each)), before, steps, stopped, unknown=unknown)
 
 
 class _Counted:
@@ -191,19 +190,16 @@ class _Walk:
         self._change = np.zeros(blur.whole, dtype=np.float16)
         self._misfit = np.zeros(blur.shape, dtype=np.float32)
         self._pace = 0.0
-        self.stopped = ""
-        self.discrepancies: Array = np.zeros(0)
 
-    def solve(self, method: RichardsonLucy, tell: Tell) -> Course:
-        """Iterate until there is a reason to stop."""
+    def solve(self, method: RichardsonLucy, tell: Tell) -> tuple[int, str, Array]:
+        """Iterate until there is a reason to stop; return number of steps, reason and discrepancies of the planes."""
         course = Course(method, slack_of(self._counted.known), tell)
         earlier = np.zeros([-(-side // _EVERY) for side in self._blur.whole], dtype=np.float32)
         while True:
             self._pace = course.pace
-            self.discrepancies = self._counted.discrepancies(self._blur.forward(self._guess), self._misfit)
-            if stopped := course.judge(self._counted.mean(self.discrepancies)):
-                self.stopped = stopped
-                return course
+            discrepancies = self._counted.discrepancies(self._blur.forward(self._guess), self._misfit)
+            if stopped := course.judge(self._counted.mean(discrepancies)):
+                return course.steps, stopped, discrepancies
             size = float(np.vdot(earlier, earlier))
             overlap = self._step(earlier)
             if method.accelerate and course.steps > 0:

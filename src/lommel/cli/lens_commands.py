@@ -61,8 +61,8 @@ def info(lens: Path, depth: float | None, **given: object) -> Report:
 def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
-    For circular and annular apertures the reference is Hankel, direct quadrature, if the wavefront is radially
-    symmetric, else NijboerZernike at a tolerance of 1e-9, with a proven error bound; for other apertures it is
+    For circular and annular apertures the reference has a proven error bound: Hankel (direct quadrature) if the
+    wavefront is radially symmetric, otherwise NijboerZernike at a tolerance of 1e-9. For other apertures it is
     NonuniformFFT at a tolerance of 1e-11. Methods are listed by their names in Python; `lommel psf --method` takes
     closed-form for ClosedForm, and so on (`lommel methods`). Those that do not support the pupil are listed with the
     reason.

@@ -137,7 +137,7 @@ def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
     aim = max(0.1 * error / (a + light), 1e-15)
     v = fine.step(PUPIL) / fine.pixel * math.hypot(np.abs(fine.x).max(), np.abs(fine.y).max())
     degree = derivatives.degree_needed(
-        [(n, w) for (n, _), w in derivatives.edge_amplitudes(PUPIL).items()], v, PUPIL.illumination, aim
+        [(n, w) for (n, _), w in PUPIL.wavefront.amplitudes().items()], v, PUPIL.illumination, aim
     )
     nodes = PUPIL.rule(degree).weight.size
     terms = PUPIL.wavefront.terms

@@ -1,4 +1,4 @@
-"""Properties computed once, without the lock of `functools` in Python 3.11, and copies that keep what is cached."""
+"""Properties computed once, without the lock of `functools` in Python 3.11, copies that keep these, and equality."""
 
 from __future__ import annotations
 
@@ -38,3 +38,17 @@ def changed(thing: _Thing, **parts: object) -> _Thing:
     copy = _new(type(thing))
     _set(copy, "__dict__", thing.__dict__ | parts)
     return copy
+
+
+class EqualByContent:
+    """An object that is equal to those of its class with the same content."""
+
+    def _content(self) -> object:
+        """Return all that distinguishes the object from others, hashable."""
+        raise NotImplementedError
+
+    def __eq__(self, other: object) -> bool:
+        return self._content() == other._content() if isinstance(other, type(self)) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._content())

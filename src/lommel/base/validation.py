@@ -94,10 +94,11 @@ def real(
     above: float = -math.inf,
     least: float = -math.inf,
     below: float = math.inf,
+    most: float = math.inf,
     infinite: bool = False,
     unit: str = "",
 ) -> float:
-    """Return `value` as a finite float ``> above``, ``>= least``, ``< below``; else TypeError or ValueError."""
+    """Return `value` as a finite float, ``> above``, ``>= least``, ``< below`` and ``<= most``; or raise an error."""
     if isinstance(value, float):
         number = float(value)
     elif isinstance(value, numbers.Real | np.ndarray | np.generic) and _is_real_scalar(value):
@@ -109,8 +110,8 @@ def real(
         raise TypeError(f"{name} must be a real number, got {shown(value)}")
     if math.isnan(number) or (math.isinf(number) and not infinite):
         raise ValueError(f"{name} must be finite, got {number}")
-    if not (number > above and number >= least and number < below) and not (infinite and math.isinf(number)):
-        bounds = ((">", above), (">=", least), ("<", below))
+    if not (above < number < below and least <= number <= most) and not (infinite and math.isinf(number)):
+        bounds = ((">", above), (">=", least), ("<", below), ("<=", most))
         limits = [f"{sign} {bound:g}" for sign, bound in bounds if math.isfinite(bound)]
         suffix = f" {unit}" if unit else ""
         raise ValueError(f"{name} must be {' and '.join(limits)}{suffix}, got {number:g}")
@@ -186,17 +187,19 @@ def number_array(name: str, value: ArrayLike) -> NDArray[Any]:
     return given
 
 
-def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf) -> Array:
-    """Return `value` as a read-only float64 array of finite numbers ``>= least``."""
-    if isinstance(value, float) and math.isfinite(value) and value >= least:
+def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf, most: float = math.inf) -> Array:
+    """Return `value` as a read-only float64 array of finite numbers ``>= least`` and ``<= most``."""
+    if isinstance(value, float) and math.isfinite(value) and least <= value <= most:
         found = np.array(value, dtype=np.float64)  # without what it costs to ask an array
     else:
         with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
             found = np.array(number_array(name, value), dtype=np.float64, subok=False)
         bad = ~(np.isfinite(found) & (found >= least))
+        if most < math.inf:
+            bad |= found > most
         if bad.any():
-            limit = f" and >= {least:g}" if least > -math.inf else ""
-            raise ValueError(f"{name} must be finite{limit}, got {found[bad].flat[0]}")
+            limits = [f" and {sign} {x:g}" for sign, x in ((">=", least), ("<=", most)) if math.isfinite(x)]
+            raise ValueError(f"{name} must be finite{''.join(limits)}, got {found[bad].flat[0]}")
     found.flags.writeable = False
     return found
 

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.cached import EqualByContent
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Noise:
+class Noise(EqualByContent):
     """Gain, offset, photon noise and read noise of a sensor.
 
     A pixel with a mean of mu electrons records ``Poisson(mu)`` of them plus Gaussian read noise; the image holds
@@ -107,14 +108,6 @@ class Noise:
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types; ``Noise(**plain)`` is the inverse."""
         return {name: v if v is None or isinstance(v, float) else v.tolist() for name, v in vars(self).items()}
-
-    def __eq__(self, other: object) -> bool:
-        """Two are equal if all their numbers are."""
-        return self._content() == other._content() if isinstance(other, Noise) else NotImplemented
-
-    def __hash__(self) -> int:
-        """Return a hash that equals share."""
-        return hash(self._content())
 
     def _content(self) -> tuple[object, ...]:
         return tuple(v if v is None else (np.shape(v), np.asarray(v).tobytes()) for v in vars(self).values())

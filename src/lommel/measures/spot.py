@@ -15,6 +15,7 @@ from lommel.measures import aperture_means
 from lommel.measures.continuous_image import CartesianImage, ImageModel, cartesian_images, images, polar
 from lommel.measures.energy import energy_centers, radial_energy, require_radial
 from lommel.measures.psf_like import PSFLike, checked
+from lommel.methods.layers.disc_means import HALF, between
 from lommel.methods.method import Method, RadialMethod
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
@@ -22,8 +23,6 @@ from lommel.optics.grid import Grid
 
 _STEP = 0.15
 """Spacing of tables in v, over the stretch of the method."""
-_ORDER = 6
-"""Half of the points that an interpolation takes."""
 _MAX_RADII = 2**16
 _MAX_WIDTH = 250.0
 """Half of the largest full width at half of an image that is not radially symmetric, in lambda*N."""
@@ -257,7 +256,7 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
-    places = step * np.arange(math.ceil(far / step) + _ORDER, dtype=np.float64)
+    places = step * np.arange(math.ceil(far / step) + HALF, dtype=np.float64)
     table = method.profile(pupil, places).values
     out = np.empty(len(table))
     fine = np.linspace(0.0, 1.0, 65)
@@ -269,7 +268,7 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
         best = float(near[np.argmax(line(near))])
         peak = float(line(np.clip(best + (fine - 0.5) / 32.0, 0.0, None)).max())
         last = int(np.flatnonzero(values > 0.5 * peak)[-1])
-        if last > values.size - _ORDER - 1:
+        if last > values.size - HALF - 1:
             raise ValueError(f"the intensity does not fall to half of the largest within v = {far:.3g}")
         out[i] = 2.0 * step * line.falls_to(0.5 * peak, last, last + 1)
     return numbers(out * (pupil.scale / math.pi), pupil.shape)
@@ -334,7 +333,7 @@ def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> 
     count = 64 + math.ceil(float(pupil.v(pupil.geometric_radius()).max()) / step)
     while True:
         table = np.asarray(radial_energy(method, pupil, step * unit * np.arange(count))).reshape(-1, count)
-        if np.all(table[:, -_ORDER - 1] >= wanted):
+        if np.all(table[:, -HALF - 1] >= wanted):
             break
         if count >= _MAX_RADII:
             raise ValueError(
@@ -353,20 +352,13 @@ class _Even:
     """An even function known at 0, 1, 2, ..., between them by the polynomial through the twelve nearest."""
 
     def __init__(self, values: Array) -> None:
-        self.values = np.concatenate([values[_ORDER:0:-1], values])
+        self.values = np.concatenate([values[HALF:0:-1], values])
 
     def __call__(self, at: Array) -> Array:
         """Return the values at places >= 0, up to the sixth last known."""
-        first = np.floor(at).astype(np.int64) + 1
-        offset = at - np.floor(at)
-        known = self.values[first[:, None] + np.arange(2 * _ORDER)]
-        away = offset[:, None] - np.arange(1 - _ORDER, _ORDER + 1)
-        total = np.zeros(at.shape)
-        for k in range(2 * _ORDER):
-            others = np.delete(away, k, axis=1)
-            scale = math.prod(k - j for j in range(2 * _ORDER) if j != k)
-            total += known[:, k] * others.prod(axis=1) / scale
-        return total
+        first, weights = between(at)
+        known = self.values[first[:, None] + np.arange(HALF, 3 * HALF)]
+        return np.asarray((known * weights).sum(axis=1))
 
     def falls_to(self, level: float, low: float, high: float) -> float:
         """Return the place between `low` and `high` at which the values fall to `level`, which they do."""

@@ -91,7 +91,7 @@ def otf(
         return of_image
     _unmasked(pupil)
     across, down = frequencies(fx, fy)
-    goal = validation.real("tol", tol, least=1e-13, below=0.1 + 1e-9)
+    goal = validation.real("tol", tol, least=1e-13, most=0.1)
     rest, several = _of_pixels(pupil, across, down, pixel, fill), blurs(blur)
     require_unit(several, pupil)
     total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)

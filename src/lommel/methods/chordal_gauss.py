@@ -59,8 +59,7 @@ class ChordalGauss(Method[Pupil]):
     Zernike terms of a smaller disk.
     """
 
-    apodized = True
-    nonradial = True
+    apodized = nonradial = True
     tol: float = 1e-6
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:

@@ -20,7 +20,7 @@ from lommel.core.answers import Images, Pixels, Wanted
 from lommel.methods.choice import first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
-from lommel.methods.method import Method, edge_amplitudes, storing, widened
+from lommel.methods.method import Method, storing, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.pixels.averaging import Taps, blocks, filtered_by, finer, least_average, sloping, weighed
 from lommel.methods.polychromatic import Polychromatic
@@ -170,7 +170,7 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
     reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
     aim = max(0.1 * error / (amplitude + light), 1e-15)
-    terms = edge_amplitudes(pupil)
+    terms = pupil.wavefront.amplitudes()
     x, y, weight = pupil.rule(degree_needed([(n, w) for (n, _), w in terms.items()], reach, pupil.illumination, aim))
     disk = _fields(pupil, x, y, weight, across, down)
     nodes = _nodes(terms, eps, reach, aim / light)

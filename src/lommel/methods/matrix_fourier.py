@@ -57,9 +57,7 @@ class MatrixFourier(Method[Pupil]):
     propagation", Opt. Express 15, 15935 (2007), doi:10.1364/OE.15.015935.
     """
 
-    nonradial = True
-    apodized = True
-    any_aperture = True
+    apodized = nonradial = any_aperture = True
     samples: int = 256
     edge: str = "grey"
 

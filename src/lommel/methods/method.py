@@ -411,14 +411,6 @@ def powers_cancel(pupil: Pupil) -> str | None:
     )
 
 
-def edge_amplitudes(pupil: Pupil) -> dict[tuple[int, int], float]:
-    """Return the largest amplitude throughout the stack of cosine and sine together of each term (n, m), m >= 0."""
-    squares: dict[tuple[int, int], float | Array] = {}
-    for (n, m), c in pupil.wavefront.edge_terms().items():
-        squares[n, abs(m)] = squares.get((n, abs(m)), 0.0) + c**2
-    return {term: math.sqrt(float(np.max(square))) for term, square in squares.items() if np.any(square)}
-
-
 def annulus(disk: Callable[[Array, Array], FieldValues], pupil: Pupil, v: Array) -> FieldValues:
     """Return the field of an obscured aperture from that of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
     # The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).

@@ -67,8 +67,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
     J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003).
     """
 
-    apodized = True
-    nonradial = True
+    apodized = nonradial = True
     tol: float = 1e-6
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:

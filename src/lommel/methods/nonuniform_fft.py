@@ -13,7 +13,7 @@ from lommel.base import optional
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Intensities, ToleranceError
 from lommel.methods.matrix_fourier import samples_needed
-from lommel.methods.method import Method, edge_amplitudes
+from lommel.methods.method import Method
 from lommel.methods.pixels.averaging import filtered, filtered_by, least_average
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
@@ -58,9 +58,7 @@ class NonuniformFFT(Method[Pupil]):
     on an 'exponential of semicircle' kernel", SIAM J. Sci. Comput. 41, C479 (2019), doi:10.1137/18M120885X.
     """
 
-    nonradial = True
-    apodized = True
-    any_aperture = True
+    apodized = nonradial = any_aperture = True
     least_tol = 1e-11
     tol: float = 1e-6
 
@@ -126,7 +124,7 @@ class NonuniformFFT(Method[Pupil]):
         """Return the samples of a single pupil, with errors of U below `budget`."""
         step = grid.step(pupil)
         reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
-        terms = edge_amplitudes(pupil).items()
+        terms = pupil.wavefront.amplitudes().items()
         degree = degree_needed([(n, w) for (n, _), w in terms], reach, pupil.illumination, budget)
         x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
         phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()

@@ -119,9 +119,7 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
     """
 
     pupils = "any"
-    apodized = True
-    nonradial = True
-    any_aperture = True
+    apodized = nonradial = any_aperture = True
     method: Method | None = None
     tol: float = Method.tol
 

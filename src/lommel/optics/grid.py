@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Index
-from lommel.base.cached import cached_property
+from lommel.base.cached import EqualByContent, cached_property
 from lommel.core import engine
 from lommel.optics.base_pupil import BasePupil
 
@@ -20,7 +20,7 @@ _Number = TypeVar("_Number", bound=np.generic)
 
 
 @dataclass(frozen=True, init=False, eq=False)
-class Grid:
+class Grid(EqualByContent):
     """Grid of pixels around the optical axis, square or rectangular.
 
     Parameters
@@ -79,14 +79,6 @@ class Grid:
         stack = () if isinstance(center[0], float) else center[0].shape
         vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate, stack=stack)
         vars(self)["fill"] = fill
-
-    def __eq__(self, other: object) -> bool:
-        """Return whether two grids have the same pixels."""
-        return self._content() == other._content() if isinstance(other, Grid) else NotImplemented
-
-    def __hash__(self) -> int:
-        """Return a hash that equal grids share."""
-        return hash(self._content())
 
     def _content(self) -> tuple[object, ...]:
         center = tuple(part.tobytes() for part in np.asarray(self.center)) if self.stack else self.center

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from disk_quadrature import exact_lattice
-from lommel.methods.derivatives import _nodes, edge_amplitudes, obscuration_derivative
+from lommel.methods.derivatives import _nodes, obscuration_derivative
 
 
 def pupil(rng: np.random.Generator) -> lm.Pupil:
@@ -37,7 +37,7 @@ def test_as_many_angles_are_taken_as_the_error_needs_and_hardly_more(seed, error
     angles = rng.uniform(0, 2 * math.pi, 40)
     vx, vy = reach * np.cos(angles), reach * np.sin(angles)
     exact = rim(one, vx, vy, 1500)
-    nodes = _nodes(edge_amplitudes(one), one.obscuration, reach, error)
+    nodes = _nodes(one.wavefront.amplitudes(), one.obscuration, reach, error)
     assert np.abs(rim(one, vx, vy, nodes) - exact).max() <= error + 1e-13
     assert np.abs(rim(one, vx, vy, max(1, nodes // 3)) - exact).max() > error
 

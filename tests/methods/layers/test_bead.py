@@ -99,8 +99,8 @@ def test_a_bead_comes_back_from_what_files_say_of_it():
 @pytest.mark.parametrize(
     ("diameter", "said"),
     [
-        (0.0, "diameter must be > 0 metres, got 0"),
-        (100.0, "diameter is in metres and must be at most 1e-05, got 100"),
+        (0.0, "diameter must be > 0 and <= 1e-05 metres, got 0"),
+        (100.0, "diameter must be > 0 and <= 1e-05 metres, got 100"),
         (float("nan"), "diameter must be finite"),
         ("100 nm", "diameter must be a real number"),
     ],

@@ -110,8 +110,8 @@ def test_averages_of_what_depends_on_the_direction_are_refused():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"saturation": -1.0}, "saturation must be >= 0, got -1"),
-        ({"saturation": 2e4}, "saturation must be at most 10000, got 20000"),
+        ({"saturation": -1.0}, "saturation must be >= 0 and <= 10000, got -1"),
+        ({"saturation": 2e4}, "saturation must be >= 0 and <= 10000, got 20000"),
         ({"saturation": float("nan")}, "saturation must be finite"),
         ({"depletion": "doughnut"}, "depletion must be an ObjectivePupil"),
         ({"depletion": three(depleting="x")[1]}, "depletion must not depend on the direction"),

@@ -183,8 +183,8 @@ def test_part_of_a_confocal_stack_is_one():
     ("make", "said"),
     [
         (lambda: Confocal("laser"), "excitation must be an ObjectivePupil"),
-        (lambda: Confocal(colours()[0], 0.0), "pinhole must be > 0, got 0"),
-        (lambda: Confocal(colours()[0], 1e3), "pinhole must be at most 100 Airy units"),
+        (lambda: Confocal(colours()[0], 0.0), "pinhole must be > 0 and <= 100 Airy units, got 0"),
+        (lambda: Confocal(colours()[0], 1e3), "pinhole must be > 0 and <= 100 Airy units"),
         (lambda: Confocal(colours()[0], tol=0.5), "tol must be >= 1e-12 and < 0.1"),
         (lambda: Confocal(colours(emitter=lm.Dipole(0.7, 0.0))[1]), "excitation must be the light of a Beam"),
         (lambda: Confocal(aberrated()), "excitation must be without aberrations"),

@@ -341,7 +341,7 @@ def test_fields_refuse_what_is_none_in_a_line(change, message):
             r"apodization must be one of 'uniform', 'aplanatic'",
         ),
         (lambda: OBJECTIVE.scalar(0.0, **PLANE, supercritical=1), r"supercritical must be True or False, got 1"),
-        (lambda: OBJECTIVE.phase(1.1, **PLANE), r"rho must be from 0 to 1, got 1.1"),
+        (lambda: OBJECTIVE.phase(1.1, **PLANE), r"rho must be finite and >= 0 and <= 1, got 1.1"),
         (
             lambda: OBJECTIVE.phase(0.5, **{**PLANE, "depth": [1e-6, 2e-6]}),
             r"depth and focus must be one number each, got 2",

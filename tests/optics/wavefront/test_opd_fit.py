@@ -233,8 +233,8 @@ def test_nan_outside_of_the_mask_or_of_the_circle_is_normal():
     [
         (([0.0, 1.0],), {}, "rho, the pupil radii of the values, must be given"),
         ((lambda r: r, [0.0, 1.0]), {}, "rho must be left out where phase is a function"),
-        (([0.0, 1.0], [0.0, 1.5]), {}, "rho must be at most 1, got 1.5"),
-        (([0.0, 1.0], [0.0, -0.5]), {}, "rho must be finite and >= 0, got -0.5"),
+        (([0.0, 1.0], [0.0, 1.5]), {}, "rho must be finite and >= 0 and <= 1, got 1.5"),
+        (([0.0, 1.0], [0.0, -0.5]), {}, "rho must be finite and >= 0 and <= 1, got -0.5"),
         (([0.0, math.nan], [0.0, 1.0]), {}, "phase must be finite, got nan"),
         ((lambda r: r / 0.0 if r.ndim == 0 else np.full(r.shape, np.inf),), {}, "phase must be finite, got inf"),
         ((lambda r: 1.0,), {}, r"one value for each rho, got shapes \(\) and \(400,\)"),

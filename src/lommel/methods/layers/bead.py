@@ -47,9 +47,7 @@ class Bead(ProvenMethod):
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        size = validation.real("diameter", self.diameter, above=0.0, unit="metres")
-        if size > _DIAMETER_MOST:
-            raise ValueError(f"diameter is in metres and must be at most {_DIAMETER_MOST:g}, got {size:g}")
+        size = validation.real("diameter", self.diameter, above=0.0, most=_DIAMETER_MOST, unit="metres")
         object.__setattr__(self, "diameter", size)
         super().__post_init__()
 

@@ -97,9 +97,7 @@ class DebyeRings(LayeredMethod):
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError("derivatives by phases are not available of the pupils of an Objective")
-        if grid.integrate:
-            return averaged_images(self._samples, pupil, grid, self.tol, wanted)
-        return self._samples(pupil, grid, self.tol, wanted)
+        return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         return self.refined(pupil, grid, tol, wanted)[0]
@@ -206,7 +204,7 @@ def _nodes(
     """Return the flattened wavefronts, the sizes of their terms, and the rule over the angles of the objective."""
     assert pupil.aberrations is not None
     wavefront = pupil.aberrations.flattened()
-    terms = azimuthal_orders.sizes(wavefront)
+    terms = tuple(wavefront.amplitudes().items())
 
     def growth(piece: Piece) -> Array:
         of_wavefront = azimuthal_orders.growth(piece, terms)

@@ -55,8 +55,7 @@ class LayeredMethod(Method[ObjectivePupil]):
     """A method for the pupils of objectives; dataclasses of it have a `tol`."""
 
     pupils = "objective"
-    apodized = True
-    nonradial = True
+    apodized = nonradial = True
 
 
 @dataclass(frozen=True)
@@ -110,8 +109,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._centres(pupil, grid, max(tol, LEAST))
-        return painted(made, grid, wanted)
+        return painted(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
 
     def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels, around one axis or one for each plane."""

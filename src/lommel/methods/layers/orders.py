@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
-from lommel.core.engine import layered_profiles
 from lommel.methods.layers.debye_wolf import BRIGHT_RING, LEAST, LayeredMethod, harmonics, refine_until
 from lommel.methods.layers.disc_means import HALF, Values, between, growth, table_step
-from lommel.methods.layers.stratified import Stratified, _Accuracy, _settled, layered
+from lommel.methods.layers.stratified import Stratified, profiles
 from lommel.methods.method import RadialMethod, painted, storing
 from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
@@ -79,16 +78,7 @@ def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
     Its error is `asked` of its own peak, or 0.05 `tol`, which does where errors relate to that peak as those that are
     asked about do, and which double precision can hold.
     """
-
-    def attempt(accuracy: _Accuracy) -> tuple[tuple[Array, Array], float]:
-        values, off = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
-        top = values[:, 0].max(axis=1) - off
-        relative = np.divide(off, top, out=np.full(top.shape, np.inf), where=top > 0.0)
-        return (values, off), float(relative.max())
-
-    made = None
-    if pupil.light.model.orders[0] == 0:
-        made = _settled(attempt, pupil, max(asked, _FINEST * tol, Stratified.least_tol))
+    made = profiles(pupil, v, max(asked, _FINEST * tol, Stratified.least_tol))
     if made is None:
         values, off = harmonics(pupil, v, LEAST)
         made = np.moveaxis(values, 0, 1), off

@@ -77,9 +77,7 @@ class Confocal(ProvenMethod):
             raise ValueError(f"excitation must be the light of a Beam, got that of {pupil.emitter!r}")
         one = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
         object.__setattr__(self, "excitation", one)
-        pinhole = validation.real("pinhole", self.pinhole, above=0.0)
-        if pinhole > _PINHOLE_MOST:
-            raise ValueError(f"pinhole must be at most {_PINHOLE_MOST:g} Airy units, got {pinhole:g}")
+        pinhole = validation.real("pinhole", self.pinhole, above=0.0, most=_PINHOLE_MOST, unit="Airy units")
         object.__setattr__(self, "pinhole", pinhole)
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
@@ -228,10 +226,8 @@ class Sted(Confocal):
                 f"got {pupil.magnification:g}"
             )
         object.__setattr__(self, "depletion", pupil[(0,) * len(pupil.shape)])
-        s = validation.real("saturation", self.saturation, least=0.0)
-        if s > _SATURATION_MOST:
-            raise ValueError(f"saturation must be at most {_SATURATION_MOST:g}, got {s:g}")
-        object.__setattr__(self, "saturation", s)
+        saturation = validation.real("saturation", self.saturation, least=0.0, most=_SATURATION_MOST)
+        object.__setattr__(self, "saturation", saturation)
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return the reason where emitters do not turn freely, or a confocal microscope has one."""

@@ -53,10 +53,7 @@ def sampled_slopes(method: Method, pupil: ObjectivePupil, grid: Grid, rates: Rat
         return _by_engine(pupil, grid, each, tol, plain)
 
     question = wanted._replace(terms=((0, 0),) * len(by))  # as many
-    if grid.integrate:
-        made = averaged_images(sample, pupil, grid, method.tol, question)
-    else:
-        made = sample(pupil, grid, method.tol, question)
+    made = averaged_images(sample, pupil, grid, method.tol, question)
     made = widened(made, pupil, method, normalized=False)
     assert made.slopes is not None
     values, error = made.slopes

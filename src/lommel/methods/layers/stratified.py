@@ -68,15 +68,12 @@ class Stratified(DebyeWolf):
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
-
-        def attempt(accuracy: _Accuracy) -> tuple[Intensities, float]:
-            values, off = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
-            top = values[:, 0].max(axis=1)
-            relative = np.divide(off, top - off, out=np.full(top.shape, np.inf), where=top > off)
-            return Intensities(values[:, 0], relative, top - off), float(relative.max())
-
-        made = _settled(attempt, pupil, self.tol) if v.size and pupil.light.model.orders[0] == 0 else None
-        return super().profile(pupil, v) if made is None else made
+        made = profiles(pupil, v, self.tol) if v.size else None
+        if made is None:
+            return super().profile(pupil, v)
+        values, off = made
+        peak = values[:, 0].max(axis=1) - off
+        return Intensities(values[:, 0], off / peak, peak)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
@@ -116,6 +113,18 @@ def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: Obje
         if field <= _LEAST:
             return None
         peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
+
+
+def profiles(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array] | None:
+    """Return orders of the azimuth of I at rising v, and the error of their sum, proven to be `tol` of the peak."""
+
+    def attempt(accuracy: _Accuracy) -> tuple[tuple[Array, Array], float]:
+        values, off = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
+        peak = values[:, 0].max(axis=1) - off
+        relative = np.divide(off, peak, out=np.full(peak.shape, np.inf), where=peak > 0.0)
+        return (values, off), float(relative.max())
+
+    return _settled(attempt, pupil, tol) if pupil.light.model.orders[0] == 0 else None
 
 
 def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted) -> Images | None:

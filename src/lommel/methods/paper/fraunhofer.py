@@ -48,9 +48,7 @@ class Fraunhofer(Method[Pupil]):
     window that way, the call is refused. Averages over pixels multiply the spectrum of the intensity by sincs.
     """
 
-    nonradial = True
-    apodized = True
-    any_aperture = True
+    apodized = nonradial = any_aperture = True
     samples: int = 256
     padding: float = 4.0
     edge: str = "binary"

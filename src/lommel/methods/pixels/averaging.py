@@ -179,7 +179,9 @@ def _first_errors(aim: float, step: float) -> tuple[float, float]:
 def averaged_images(
     sample: Sample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
 ) -> Images:
-    """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
+    """Return finished images of samples or, where `grid` integrates, of :func:`averaged` pixels."""
+    if not grid.integrate:
+        return sample(pupil, grid, tol, wanted)
     made = averaged(sample, pupil, grid, tol, wanted, band)
     tops = made.values[0].max(axis=(1, 2))
     scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(wanted.scale, tops.shape)

@@ -122,9 +122,7 @@ class Apodization:
 
     def value(self, rho: ArrayLike) -> Array:
         """Return the amplitude at radii `rho` over that of the aperture; ValueError unless they are from 0 to 1."""
-        at = validation.real_array("rho", rho, least=0.0)
-        if (at > 1.0).any():
-            raise ValueError(f"rho must be at most 1, got {at.max()}")
+        at = validation.real_array("rho", rho, least=0.0, most=1.0)
         return self.at(at * at)
 
     def at(self, t: Array, power: float = 1.0) -> Array:

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
+from lommel.base.cached import EqualByContent
 
 MAX_VANES = 64
 MAX_SIDE = 8192
@@ -111,9 +112,7 @@ class Ellipse:
 
     def __post_init__(self) -> None:
         for name in ("a", "b"):
-            size = validation.real(name, getattr(self, name), above=0.0)
-            if size > 1.0:
-                raise ValueError(f"{name} must be at most 1, the radius of the aperture, got {size:g}")
+            size = validation.real(name, getattr(self, name), above=0.0, most=1.0, unit="radii of the aperture")
             object.__setattr__(self, name, size)
         object.__setattr__(self, "angle", validation.real("angle", self.angle))
 
@@ -184,7 +183,7 @@ def vignetting_from_dict(description: Mapping[str, Any]) -> Ellipse | CatEye:
 
 
 @dataclass(frozen=True, eq=False)
-class Mask:
+class Mask(EqualByContent):
     """Amplitude transmission sampled over the square around the aperture: apodizers, segmented mirrors.
 
     Images are sums over the samples, each weighted by the part of its cell inside the aperture. They repeat at
@@ -259,12 +258,9 @@ class Mask:
         places = (np.where(inside, part, 0).astype(np.int64) for part in (row, column))
         return np.asarray(np.where(inside, self.values[tuple(places)], 0.0))
 
-    def __eq__(self, other: object) -> bool:
-        """Two masks are equal if all their values are."""
-        return self._digest == other._digest if isinstance(other, Mask) else NotImplemented
-
-    def __hash__(self) -> int:
-        return hash(self._digest)
+    def _content(self) -> bytes:
+        """Return a digest of the values."""
+        return self._digest
 
     def __repr__(self) -> str:
         return f"Mask(<{self.side} x {self.side} amplitudes, mean {self.values.mean():.4g}>)"

@@ -49,14 +49,6 @@ def checked(wavefront: Wavefront | None) -> Wavefront | None:
     return wavefront
 
 
-def sizes(wavefront: Wavefront) -> Sizes:
-    """Return the largest amplitude of each pair of terms in a stack."""
-    squares: dict[tuple[int, int], Array] = {}
-    for (n, m), c in wavefront.edge_terms().items():
-        squares[n, abs(m)] = squares.get((n, abs(m)), np.zeros(())) + c * c
-    return tuple((term, math.sqrt(float(square.max()))) for term, square in squares.items() if square.any())
-
-
 @lru_cache(maxsize=64)
 def orders(terms: Sizes, error: float) -> Orders:
     """Return the orders needed for an error of at most `error`; ValueError if they are too many."""

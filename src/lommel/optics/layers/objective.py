@@ -27,7 +27,6 @@ from lommel.optics.layers.stratified import (
     cosines,
     depths,
     film_stack,
-    heights,
     length,
     refractive_index,
 )
@@ -310,7 +309,7 @@ class Objective:
 
     def _rates(self, rho: ArrayLike, wavelength: float) -> tuple[Values, Values, Values]:
         layers = self._layers(wavelength)
-        return layers.rates(layers.cosine(heights(rho)))
+        return layers.rates(layers.cosine(validation.real_array("rho", rho, least=0.0, most=1.0)))
 
     def pupil(
         self,
@@ -434,7 +433,7 @@ class Objective:
         TypeError, ValueError
             If an argument is out of range.
         """
-        at, layers = heights(rho), self._layers(wavelength)
+        at, layers = validation.real_array("rho", rho, least=0.0, most=1.0), self._layers(wavelength)
         found: Amplitudes = layers.amplitudes(layers.cosine(at), ((self.NA * at) ** 2).astype(np.complex128))
         return np.asarray(found.s), np.asarray(found.p)
 

@@ -260,11 +260,3 @@ def depths(value: ArrayLike) -> Array:
     for extreme in (found.min(), found.max()):
         length("depth", float(extreme), DEPTH_MOST)
     return found
-
-
-def heights(value: ArrayLike) -> Array:
-    """Return pupil radii, 0 to 1; TypeError or ValueError otherwise."""
-    found = validation.real_array("rho", value, least=0.0)
-    if found.size and found.max() > 1.0:
-        raise ValueError(f"rho must be from 0 to 1, got {found.max():g}")
-    return found

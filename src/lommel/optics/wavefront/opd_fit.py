@@ -190,9 +190,7 @@ def fit_radial(
     else:
         if rho is None:
             raise TypeError("rho, the pupil radii of the values, must be given where phase is no function")
-        at, values = validation.real_array("rho", rho, least=0.0), validation.real_array("phase", phase)
-        if np.any(at > 1.0):
-            raise ValueError(f"rho must be at most 1, got {at.max():g}")
+        at, values = validation.real_array("rho", rho, least=0.0, most=1.0), validation.real_array("phase", phase)
     if values.shape != at.shape or at.ndim != 1:
         raise ValueError(f"phase must have one value for each rho, got shapes {values.shape} and {at.shape}")
     terms = [(n, 0) for n in range(0, highest + 1, 2)]

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import display, validation
 from lommel.base.arrays import Array, Index, Json
-from lommel.base.cached import cached_property, made
+from lommel.base.cached import EqualByContent, cached_property, made
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ _PARABOLA = symmetric_terms(2)
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Wavefront(display.Shown):
+class Wavefront(EqualByContent, display.Shown):
     r"""Wavefront: phase across the pupil in radians, ``2 C_d rho^2 + C_s rho^4 + c_6 rho^6 + ...`` and Zernike terms.
 
     rho is the normalised pupil radius, 0 to 1; theta the angle from x (increasing columns) to y (increasing rows).
@@ -486,6 +486,13 @@ class Wavefront(display.Shown):
         """Return all Zernike coefficients, radians at the edge, by (n, m), without the constant."""
         return dict(zip(self.terms, np.moveaxis(self.edge, -1, 0), strict=True))
 
+    def amplitudes(self) -> dict[Term, float]:
+        """Return the largest amplitude in the stack of cosine and sine together by (n, abs(m)), of terms not 0."""
+        squares: dict[Term, Array] = {}
+        for (n, m), c in self.edge_terms().items():
+            squares[n, abs(m)] = squares.get((n, abs(m)), np.zeros(())) + c * c
+        return {term: math.sqrt(float(square.max())) for term, square in squares.items() if square.any()}
+
     @cached_property
     def flat(self) -> bool:
         """Whether the phase is zero everywhere, and it is not a stack."""
@@ -588,17 +595,9 @@ class Wavefront(display.Shown):
             return NotImplemented
         return self + -other
 
-    def __eq__(self, other: object) -> bool:
-        """Return whether shapes, coefficients and errors are equal."""
-        return self._content() == other._content() if isinstance(other, Wavefront) else NotImplemented
-
     def _content(self) -> tuple[object, ...]:
         """Return shape, error and coefficients, without terms that are zero throughout and signs of zeros."""
         return self.shape, self.error, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
-
-    def __hash__(self) -> int:
-        """Hash what :meth:`__eq__` compares."""
-        return hash(self._content())
 
     def __reduce__(self) -> tuple[object, ...]:
         # Without cached properties: the mapping of `nonradial` cannot be pickled.
@@ -625,10 +624,8 @@ class Wavefront(display.Shown):
         TypeError, ValueError
             If they are not real and finite, do not broadcast, or a radius is negative or above 1000.
         """
-        points = validation.real_array("rho", rho, least=0.0), validation.real_array("theta", theta)
+        points = validation.real_array("rho", rho, least=0.0, most=_FAR), validation.real_array("theta", theta)
         r, angle = validation.broadcast("rho and theta", *points)
-        if r.size and r.max() > _FAR:
-            raise ValueError(f"rho must be at most {_FAR:g}, got {r.max():g}")
         at = (1,) * r.ndim
         total = zernike.legendre_sum(self.radial_terms, 2.0 * r * r - 1.0)
         for (n, m), c in self.nonradial.items():

@@ -33,7 +33,7 @@ SECTIONS = [
     Section(
         "Colour",
         "See [](colour.md).",
-        ("channel_psf", "lensfiles.channel_files", "optics.colour"),
+        ("channel_psf", "lensfiles.tables", "optics.colour"),
         more="io.psf_files.save_colours show.plot.colour"
         " optics.colour.spectrum.Spectrum optics.colour.spectrum.Component",
     ),
@@ -75,8 +75,8 @@ SECTIONS = [
         "PSFs over the field",
         "See [](field.md).",
         ("field",),
-        more="io.field_files.save lensfiles.field_tables.read_rows lensfiles.field_tables.read_csv"
-        " lensfiles.field_tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.field_map"
+        more="io.field_files.save lensfiles.tables.read_rows lensfiles.tables.read_csv"
+        " lensfiles.tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.field_map"
         " adapters.rayoptics.pupil adapters.rayoptics.field_map",
     ),
     Section("Stacks larger than memory", "See [](scale.md).", ("stacks",)),

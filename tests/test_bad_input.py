@@ -12,7 +12,7 @@ import pytest
 import lommel as lm
 from cases import each
 from lommel.imaging.blur import Points
-from lommel.lensfiles import field_tables
+from lommel.lensfiles import tables
 from lommel.methods import METHODS
 from lommel.optics.base_pupil import Geometry
 
@@ -287,7 +287,7 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         (lambda: lm.ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
         (lambda: lm.PSF.load(1), "path must be a path, got 1"),
         (
-            lambda: field_tables.read_rows([], [], "noll"),
+            lambda: tables.read_rows([], [], "noll"),
             "the first columns must be height, or x and y, got none",
         ),
         (lambda: lm.optics.aperture.opening.Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),

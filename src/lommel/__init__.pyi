@@ -35,7 +35,7 @@ from lommel.io.zernike_tables import (
     load_zernike as load_zernike,
     save_zernike as save_zernike,
 )
-from lommel.lensfiles.channel_files import load_channels as load_channels
+from lommel.lensfiles.tables import load_channels as load_channels
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope_files import Microscope as Microscope

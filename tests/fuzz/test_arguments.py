@@ -16,7 +16,7 @@ from lommel import imaging
 from lommel.base import units, validation
 from lommel.io import photos
 from lommel.io.psf_files import FileError
-from lommel.lensfiles import field_tables
+from lommel.lensfiles import tables
 from lommel.measures import aperture_means, energy, spot, transfer
 from lommel.methods import METHODS
 from lommel.optics.aperture.opening import Opening, degree_needed
@@ -34,7 +34,7 @@ PSF = lm.psf(PUPIL, 5, 0.5)
 ODD = lm.psf(COMA, 5, 0.5)
 FIELD = lm.FieldMap.from_seidel(1.0, W131=0.5)
 GRID = FIELD.grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
-TABLE = field_tables.FieldTable({"height": (0.0, 1e-3)}, {4: (0.0, 0.1)}, "noll")
+TABLE = tables.FieldTable({"height": (0.0, 1e-3)}, {4: (0.0, 0.1)}, "noll")
 PLAN = imaging.FocusPlan(SQUARE, DEPTH, LENS, 8e-6, encoding="linear")
 BLUR = imaging.DepthBlur(DEPTH, LENS, 8e-6)
 CHART = lm.opd_map(lm.Wavefront(1.0), 24, unit="radians")
@@ -143,13 +143,13 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("PSFGrid.plot", GRID.plot, ax=None, stretch="sqrt"),
         tagged("PSFGrid.save", GRID.save, path=folder / "g.npz"),
         tagged("PSFGrid.load", lm.PSFGrid.load, path=folder / "grid.npz"),
-        tagged("FieldTable", field_tables.FieldTable, positions={"height": (0.0, 1.0)}, terms={4: (0.1, 0.2)},
+        tagged("FieldTable", tables.FieldTable, positions={"height": (0.0, 1.0)}, terms={4: (0.1, 0.2)},
                order="noll"),
         tagged("FieldTable.field_map", TABLE.field_map, pupil=PUPIL, unit="waves", normalization="rms",
                direction="x"),
-        tagged("read_rows", field_tables.read_rows, columns=["height", "Z4"], rows=[["0", 0.1], ["1 mm", 0.2]],
+        tagged("read_rows", tables.read_rows, columns=["height", "Z4"], rows=[["0", 0.1], ["1 mm", 0.2]],
                order="noll"),
-        tagged("read_csv", field_tables.read_csv, path=folder / "field.csv", order="noll"),
+        tagged("read_csv", tables.read_csv, path=folder / "field.csv", order="noll"),
         tagged("fit_opd", lm.fit_opd, opd=CHART, unit="metres", wavelength=550e-9, mask=None, degree=3,
                center=(11.5, 11.5), radius=12.0, tol=1.0),
         tagged("fit_opd", lm.fit_opd, opd=np.nan_to_num(CHART), unit="waves", wavelength=550e-9,

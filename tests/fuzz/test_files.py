@@ -19,7 +19,7 @@ import lommel as lm
 from lommel import imaging
 from lommel.io import fits_images
 from lommel.io.photos import read_images
-from lommel.lensfiles.field_tables import read_csv
+from lommel.lensfiles.tables import read_csv
 
 DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
 GREY = np.arange(12 * 15, dtype=np.uint8).reshape(12, 15)

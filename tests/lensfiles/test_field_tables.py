@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.lensfiles.field_tables import FieldTable, read_csv, read_rows
+from lommel.lensfiles.tables import FieldTable, read_csv, read_rows
 
 PUPIL = lm.Pupil(wavelength=550e-9, f_number=2.0, obscuration=0.1)
 PLAIN = {"unit": "waves", "normalization": "rms", "direction": "x"}
@@ -69,8 +69,8 @@ def test_positions_anywhere_make_a_scattered_map():
         (["height", "Z4"], [["inf", 2]], "row 1, height: a position must be finite, got inf"),
         (["height", "Z4"], [[0, "a"]], "row 1, Z4: must be a number, got 'a'"),
         (["height", "Z4"], [[0, True]], "row 1, Z4: must be a number, got True"),
-        (["height", "Z4"], [[0, math.nan]], "row 1, Z4: a coefficient must be finite, got nan"),
-        (["height", "Z4"], [[0, "nan"]], "row 1, Z4: a coefficient must be finite, got nan"),
+        (["height", "Z4"], [[0, math.nan]], "row 1, Z4: a value must be finite, got nan"),
+        (["height", "Z4"], [[0, "nan"]], "row 1, Z4: a value must be finite, got nan"),
     ],
 )
 def test_a_fault_is_told_with_its_row_and_column(columns, rows, what):

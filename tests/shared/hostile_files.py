@@ -32,7 +32,7 @@ from lommel import imaging
 from lommel.io import psf_formats
 from lommel.io.photos import read_images
 from lommel.io.psf_files import load_colours
-from lommel.lensfiles.field_tables import read_csv
+from lommel.lensfiles.tables import read_csv
 
 ENOUGH = 2**28  # bytes that any file may take
 # Tags of a TIFF.

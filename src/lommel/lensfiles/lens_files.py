@@ -22,10 +22,9 @@ from lommel.io import fits_images, text_files, zernike_tables
 from lommel.io.photos import PhotoError, read_raster
 from lommel.io.registry import Values
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import field_tables, toml_files
-from lommel.lensfiles.channel_files import load_channels
-from lommel.lensfiles.field_tables import FieldTable
+from lommel.lensfiles import tables, toml_files
 from lommel.lensfiles.instrument import Instrument
+from lommel.lensfiles.tables import FieldTable, load_channels
 from lommel.lensfiles.toml_files import (
     Angle,
     Context,
@@ -335,14 +334,14 @@ class _Field(_Seidel):
             return value  # these have errors of their own
         if info.data["columns"] is None:
             raise ValueError('needs columns, such as columns = ["height", "Z4"]')
-        return field_tables.read_rows(info.data["columns"], value, info.data["order"])
+        return tables.read_rows(info.data["columns"], value, info.data["order"])
 
     @field_validator("file")
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
         if "order" not in info.data:
             return value
-        read = partial(field_tables.read_csv, order=info.data["order"])
+        read = partial(tables.read_csv, order=info.data["order"])
         return read_beside(info.context, value, "the name of a CSV file", read)
 
     @model_validator(mode="after")
@@ -419,7 +418,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
     ``[field]`` has sensor, the height and width of all of it, and one of three: Seidel coefficients W131, W222, W220,
     W311 in waves at the edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike
-    coefficients (:func:`lommel.lensfiles.field_tables.read_rows`); or file, a CSV file with such a table
+    coefficients (:func:`lommel.lensfiles.tables.read_rows`); or file, a CSV file with such a table
     beside the lens file. Tables may say order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"),
     normalization ("rms", "edge"), and direction, "x" or "y", that heights are along. ``[field.vignetting]`` has
     height, shift and radius of :class:`lommel.Vignetting`; ``[field.shading]`` either distance, of the exit pupil

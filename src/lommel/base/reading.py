@@ -371,6 +371,17 @@ def hdf5(data: bytes) -> Any:
     return h5py.File(io.BytesIO(data), "r")
 
 
+def hdf5_below(group: Any, *names: str) -> Any:
+    """Return what is below a group, by hard links only, since others may lead to other files; None if nothing is."""
+    import h5py
+
+    for name in names:
+        if not isinstance(group, h5py.Group) or not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            return None
+        group = group[name]
+    return group
+
+
 def hdf5_values(found: Any, size: int) -> NDArray[np.generic]:
     """Return an array of an HDF5 file; ValueError if it is outside the file, or larger than `size` bytes can hold."""
     import h5py

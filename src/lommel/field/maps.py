@@ -25,23 +25,6 @@ from lommel.psf import PSF, psf
 from lommel.special import zernike
 
 
-def stacked(pupils: list[Pupil], shape: tuple[int, ...], compute: Callable[[Pupil], PSF]) -> PSF:
-    """Return the PSFs of single pupils as a stack: the largest bound, the method of a vignetted position."""
-    found = [compute(pupil) for pupil in pupils]
-    first = found[0]
-    if any(one.derivatives for one in found):
-        raise ValueError("derivatives need one aperture: compute each position by itself where vignetting changes it")
-    bounds = [one.error_bound for one in found]
-    narrow = next((one for one in found if not one.pupil.circular), first)
-    return replace(
-        narrow,
-        values=np.stack([one.values for one in found]).reshape(shape + first.values.shape),
-        pupil=FieldPupil(tuple(pupils), shape),
-        error_bound=None if None in bounds else max(bound for bound in bounds if bound is not None),
-        scale=np.reshape([float(one.scale) for one in found], shape),
-    )
-
-
 class ApertureKeywords(TypedDict, total=False):
     """The keywords of :class:`ApertureOptions`."""
 
@@ -140,8 +123,7 @@ class FieldMap:
         wavefront : Wavefront of shape (rows, columns)
         {options}
         """
-        known = OnGrid(x, y, wavefront)
-        return cls(bare_pupil(cls.on_grid, options), known, Wavefront())
+        return cls(bare_pupil(cls.on_grid, options), OnGrid(x, y, wavefront), Wavefront())
 
     @classmethod
     @shares(ApertureKeywords, ApertureOptions)
@@ -160,8 +142,7 @@ class FieldMap:
         wavefront : Wavefront of shape (n,)
         {options}
         """
-        known = Scattered(x, y, wavefront)
-        return cls(bare_pupil(cls.scattered, options), known, Wavefront())
+        return cls(bare_pupil(cls.scattered, options), Scattered(x, y, wavefront), Wavefront())
 
     @classmethod
     @shares(ApertureKeywords, ApertureOptions)
@@ -184,8 +165,7 @@ class FieldMap:
             Direction of these positions in radians, from x (0) to y (pi / 2, downwards in a picture).
         {options}
         """
-        known = Radial(height, wavefront, azimuth)
-        return cls(bare_pupil(cls.radial, options), known, Wavefront())
+        return cls(bare_pupil(cls.radial, options), Radial(height, wavefront, azimuth), Wavefront())
 
     @classmethod
     @shares(ApertureKeywords, ApertureOptions)
@@ -215,8 +195,7 @@ class FieldMap:
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
-        known = Seidel(edge, waves)
-        return cls(bare_pupil(cls.from_seidel, options), known, Wavefront())
+        return cls(bare_pupil(cls.from_seidel, options), Seidel(edge, waves), Wavefront())
 
     @property
     def unit(self) -> str:
@@ -362,7 +341,19 @@ class FieldMap:
         if self.vignetting is None or across.shape == ():
             return psf(self.pupil(x, y), shape, pixel, method=method, **options)
         pupils = [self.pupil(float(a), float(b)) for a, b in zip(across.flat, down.flat, strict=True)]
-        return stacked(pupils, across.shape, lambda one: psf(one, shape, pixel, method=method, **options))
+        found = [psf(one, shape, pixel, method=method, **options) for one in pupils]
+        if found[0].derivatives:
+            raise ValueError(
+                "derivatives need one aperture: compute each position by itself where vignetting changes it"
+            )
+        bounds = [one.error_bound for one in found if one.error_bound is not None]
+        return replace(
+            next((one for one in found if not one.pupil.circular), found[0]),  # whose method stands for all
+            values=np.stack([one.values for one in found]).reshape(across.shape + found[0].values.shape),
+            pupil=FieldPupil(tuple(pupils), across.shape),
+            error_bound=max(bounds) if len(bounds) == len(found) else None,
+            scale=np.reshape([float(one.scale) for one in found], across.shape),
+        )
 
     def grid(
         self,

@@ -85,17 +85,13 @@ def read(data: bytes, most: int) -> list[Image]:
                     raise ValueError(
                         f"it has {' x '.join(map(str, sides))} values, more than it holds or than {most}"
                     )
-                found.append(Image(np.asarray(unit.data, unit.data.dtype.newbyteorder("=")), _cards(header)))
+                cards: Description = {}
+                for card in header.cards:
+                    with suppress(Exception):  # of a card that nobody reads
+                        cards[card.keyword] = card.value
+                found.append(Image(np.asarray(unit.data, unit.data.dtype.newbyteorder("=")), cards))
     if not found:
         raise ValueError("it holds no image; one in a compressed table (.fz) is to be unpacked first")
-    return found
-
-
-def _cards(header: Any) -> Description:
-    found = {}
-    for card in header.cards:
-        with suppress(Exception):  # of a card that nobody reads
-            found[card.keyword] = card.value
     return found
 
 

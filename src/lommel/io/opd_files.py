@@ -91,8 +91,13 @@ def read_datx(data: bytes) -> Measured:
     import h5py
 
     with reading.hdf5(data) as file:
-        found = _surface(file, h5py)
-        said = found.attrs
+        folder = reading.hdf5_below(file, "Data", "Surface")
+        first = next(iter(folder), "") if isinstance(folder, h5py.Group) else ""
+        places = (("Measurement", "Surface"), ("Data", "Surface", first))
+        surfaces = [one for place in places if isinstance(one := reading.hdf5_below(file, *place), h5py.Dataset)]
+        if not surfaces:
+            raise ValueError("it holds no surface")
+        found, said = surfaces[0], surfaces[0].attrs
         if found.ndim != 2 or found.dtype.kind not in "iuf" or found.size > reading.MAX_PIXELS:
             raise ValueError(f"its surface holds {found.dtype} of the shape {found.shape}, not a map")
         values = np.asarray(reading.hdf5_values(found, len(data)), dtype=np.float64)
@@ -111,24 +116,6 @@ def read_datx(data: bytes) -> Measured:
         if "X Converter" in said:  # whose second parameter is metres
             spacing = validation.real("the spacing", float(np.ravel(said["X Converter"])[0][2][1]), least=0.0)
         return Measured(values, _unit(name), spacing or None, wavelength)
-
-
-def _surface(file: Any, h5py: Any) -> Any:
-    """Return the dataset of the surface, by hard links only, since others may lead to other files."""
-
-    def below(group: Any, *names: str) -> Any:
-        for name in names:
-            if not isinstance(group, h5py.Group) or not isinstance(group.get(name, getlink=True), h5py.HardLink):
-                return None
-            group = group[name]
-        return group
-
-    folder = below(file, "Data", "Surface")
-    first = next(iter(folder), "") if isinstance(folder, h5py.Group) else ""
-    for found in (below(file, "Measurement", "Surface"), below(file, "Data", "Surface", first)):
-        if isinstance(found, h5py.Dataset):
-            return found
-    raise ValueError("it holds no surface")
 
 
 def _number(attribute: Any) -> float:

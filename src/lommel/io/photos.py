@@ -36,17 +36,8 @@ _RAW_SUFFIXES = (
 )
 
 _FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
-# EXIF's Orientation, from stored rows and columns to those of the scene.
-_TURNS = {
-    1: lambda a: a,
-    2: lambda a: a[:, ::-1],
-    3: lambda a: a[::-1, ::-1],
-    4: lambda a: a[::-1],
-    5: lambda a: a.swapaxes(0, 1),
-    6: lambda a: a[::-1].swapaxes(0, 1),
-    7: lambda a: a[::-1, ::-1].swapaxes(0, 1),
-    8: lambda a: a[:, ::-1].swapaxes(0, 1),
-}
+# EXIF's Orientation, from 1 on: steps along the stored rows and columns, and whether these are then exchanged.
+_TURNS = ((1, 1, 0), (1, -1, 0), (-1, -1, 0), (-1, 1, 0), (1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))
 
 
 class PhotoError(ValueError):
@@ -214,10 +205,12 @@ def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
         warnings.simplefilter("error")
         values, tags, profile = form.read(data)
         orientation = tags.get(0x0112, 1)
-        if orientation not in _TURNS:
+        if orientation not in range(1, 9):
             raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
+        down, across, exchanged = _TURNS[int(orientation) - 1]
+        values = values[::down, ::across].swapaxes(0, exchanged)
         exif = _exif(tags.get_ifd(0x8769))
-    return np.ascontiguousarray(_TURNS[orientation](values)), exif, profile
+    return np.ascontiguousarray(values), exif, profile
 
 
 def _exif(tags: dict[int, Any]) -> Exif:

@@ -156,7 +156,10 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     """Return the PSF of the arrays of a file and their sealed description."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
-    pupil, method = _pupil(description["pupil"]), method_from_dict(description["method"])
+    said = dict(description["pupil"])  # without a kind that of a lens
+    kinds = {one.__name__: one for one in (Pupil, ObjectivePupil, FieldPupil)}
+    pupil: BasePupil = kinds[validation.choice("kind", said.pop("kind", "Pupil"), kinds)].from_dict(said)
+    method = method_from_dict(description["method"])
     method.require(pupil)
     bound, picture = description["error_bound"], description.get("png")
     if bound is not None:
@@ -182,9 +185,9 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
         error_bound=bound,
         scale=scale,
         derivatives={
-            derivative_name(said.removeprefix(SLOPE)): _values(slope, dtype).reshape(shape)
-            for said, slope in arrays.items()
-            if said.startswith(SLOPE)
+            derivative_name(name.removeprefix(SLOPE)): _values(slope, dtype).reshape(shape)
+            for name, slope in arrays.items()
+            if name.startswith(SLOPE)
         },
         blur=blurs_from_dicts(description.get("blur", ())),
         derivative_bounds={derivative_name(k): bound for k, bound in description["derivative_bounds"].items()},
@@ -198,13 +201,6 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
     if description["checksum"] != checksum(description, arrays):
         raise ValueError(DAMAGED)
     return made
-
-
-def _pupil(description: Description) -> BasePupil:
-    """Return the pupil of a description; without a kind it is that of a lens."""
-    plain = dict(description)
-    kinds = {kind.__name__: kind for kind in (Pupil, ObjectivePupil, FieldPupil)}
-    return kinds[validation.choice("kind", plain.pop("kind", "Pupil"), kinds)].from_dict(plain)
 
 
 def _values(stored: Values, kind: str, picture: Description | None = None) -> Values:

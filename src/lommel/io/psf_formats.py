@@ -419,7 +419,8 @@ def read_hdf5(data: bytes) -> tuple[Arrays, str]:
     with _opened(data) as file:
         said = bytes(_array(file, "description", data)).decode()
         names = ["values", *(name for name in file if name.startswith(SLOPE))]
-        if (total := sum(file[name].nbytes for name in names if _plain(file, name))) > len(data):
+        stored = [reading.hdf5_below(file, name) for name in names]
+        if (total := sum(getattr(one, "nbytes", 0) for one in stored)) > len(data):
             raise ValueError(f"its arrays take {total} bytes of {len(data)}")
         return {name: _array(file, name, data) for name in names}, said
 
@@ -488,17 +489,11 @@ def _opened(data: bytes) -> Any:
     return reading.hdf5(data)
 
 
-def _plain(file: Any, name: str) -> bool:
-    import h5py
-
-    return isinstance(file.get(name, getlink=True), h5py.HardLink) and isinstance(file[name], h5py.Dataset)
-
-
 def _array(file: Any, name: str, data: bytes) -> Values:
     """Return an array that is stored contiguously in the file itself."""
-    if not _plain(file, name):
+    found = reading.hdf5_below(file, name)
+    if not hasattr(found, "chunks"):  # a group, or nothing
         raise ValueError(f"no array {name!r}")
-    found = file[name]
     if found.chunks is not None or found.nbytes > 8 * validation.MAX_VALUES:
         raise ValueError(f"{name!r} must be stored in one piece, got {found.nbytes} bytes of {len(data)}")
     if name == "description" and found.nbytes > 2 * reading.MAX_PIXELS:

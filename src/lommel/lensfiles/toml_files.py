@@ -56,11 +56,16 @@ def finite(value: float) -> float:
     return value
 
 
-def _shape(value: Any) -> tuple[int, int]:
-    try:
-        return validation.image_shape(value)
-    except TypeError as error:
-        raise ValueError(str(error)) from None
+def _checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
+    """Return a check whose every error is a ValueError, as pydantic collects them."""
+
+    def checked(value: Any) -> _Made:
+        try:
+            return check(value)
+        except TypeError as error:
+            raise ValueError(str(error)) from None
+
+    return checked
 
 
 Distance = Annotated[float, BeforeValidator(parse_length), AfterValidator(_positive)]
@@ -108,7 +113,7 @@ class Sensor(Section):
     """The section [sensor]: pixels and window."""
 
     pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
-    shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
+    shape: Annotated[tuple[int, int], BeforeValidator(_checked_by(validation.image_shape))] | None = None
     integrate: Annotated[bool, Field(strict=True)] | None = None
 
 
@@ -119,18 +124,11 @@ def _pitch(value: Any) -> float | tuple[float, float]:
     return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
 
 
-def _fill(value: Any) -> tuple[float, float]:
-    try:
-        return validation.fill("fill", value)
-    except TypeError as error:
-        raise ValueError(str(error)) from None
-
-
 class PhotoSensor(Sensor):
     """The section [sensor] of a lens, whose pixels may be rectangular and have a fill factor."""
 
     pixel: Annotated[float | tuple[float, float], PlainValidator(_pitch)]  # type: ignore[assignment]
-    fill: Annotated[tuple[float, float], PlainValidator(_fill)] = (1.0, 1.0)
+    fill: Annotated[tuple[float, float], PlainValidator(_checked_by(partial(validation.fill, "fill")))] = (1.0, 1.0)
 
 
 class LensFileError(ValueError):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from lommel.io import depthmaps, field_files, opd_files, photos, registry, zernike_tables  # noqa: F401 (formats)
+from lommel.io import field_files, opd_files, photos, registry, zernike_tables  # noqa: F401 (formats)
 
 # What a file holds, and what writes and reads it.
 CONTENTS = (

@@ -29,7 +29,7 @@ from lommel.estimation.phase_retrieval import Retrieval as Retrieval, retrieve a
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd
-from lommel.field.vignetting import Shading as Shading, Vignetting as Vignetting
+from lommel.field.maps import Shading as Shading, Vignetting as Vignetting
 from lommel.io.zernike_tables import (
     ZernikeTable as ZernikeTable,
     load_zernike as load_zernike,

@@ -72,7 +72,8 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
 @pytest.mark.parametrize(
     ("ask", "message"),
     [
-        (lambda: lm.Vignetting([0.0], [0.0]), "height must rise from 0"),
+        (lambda: lm.Vignetting([0.0], [0.0]), r"height must be of shape \(n,\) with n at least 2"),
+        (lambda: lm.Vignetting([0.0, 0.0], [0.0, 0.0]), "height must rise, got 0 followed by 0"),
         (lambda: lm.Vignetting([0.0, 1.0], [0.1, 0.2]), "shift must be one for each height"),
         (lambda: lm.Vignetting([0.0, 1.0], [0.0, 0.1], [1.0, 1.0, 1.0]), "radius must be one number"),
         (lambda: lm.Vignetting([0.0, 1.0], [0.0, 3.0]), "shift"),

@@ -63,7 +63,7 @@ def test_positions_anywhere_make_a_scattered_map():
         (["height", "4"], [[0, 1]], "column '4' must be a Zernike index such as Z4"),
         (["height", "Z0"], [[0, 1]], "a Zernike index in the order 'noll' must be from 1 to 1891, got 0"),
         (["height", "Z4", "Z4"], [[0, 1, 1]], "column Z4 comes twice"),
-        (["height", "Z4"], [], "there must be a row for each position, got none"),
+        (["height", "Z4"], [], "there must be a row for each position or wavelength, got none"),
         (["height", "Z4"], [[0]], "row 1 must have 2 cells, as there are columns, got 1"),
         (["height", "Z4"], [[0, 1], ["5 kg", 2]], "row 2, height: '5 kg' has the unknown unit 'kg'"),
         (["height", "Z4"], [["inf", 2]], "row 1, height: a position must be finite, got inf"),

@@ -36,7 +36,7 @@ def test_places_of_a_lens_file_see_what_its_field_says(tmp_path, lenses):
     ("section", "message"),
     [
         (VIGNETTING.replace("0.2", "4.0"), "field.vignetting"),
-        (VIGNETTING.replace('"0 mm", ', ""), "height must rise from 0"),
+        (VIGNETTING.replace('"0 mm", ', ""), "height must begin with 0, the axis"),
         ("[field.shading]\n", "needs distance"),
         (TABLE + 'distance = "5 mm"\n', "one of the two"),
         (TABLE.replace("1.0", "0.9"), "1 for the first"),

@@ -102,11 +102,6 @@ def afford(memory: float, size: int, times: int = _COMPRESSED) -> None:
         )
 
 
-def text(path: Path, most: int = MAX_TEXT) -> str:
-    """Return a text in UTF-8 of at most so many bytes; ValueError if it is another."""
-    return decoded(contents(path, most))
-
-
 def decoded(data: bytes) -> str:
     """Return a text in UTF-8 with plain ends of lines; ValueError if it is another."""
     try:
@@ -249,10 +244,17 @@ def jpeg(data: bytes) -> Any:
 
 @contextmanager
 def tiff(data: bytes) -> Iterator[Any]:
-    """Open a TIFF file by tifffile, whose pages, tags and compressed parts claim no more than it holds."""
+    """Open a TIFF file by tifffile; ValueError if pages are too large, or parts claim more than the file holds."""
     import tifffile
 
-    check_tiff(data)
+    count, memory = 0, 0
+    for tags in _tiff_pages(data):
+        count += 1
+        memory += _tiff_page(data, tags)
+        afford(_TIFF_PAGE * count, len(data), _TIMES)
+        afford(memory, len(data))
+    if not count:
+        raise ValueError("it has no page")
     with quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
         yield file
 
@@ -270,18 +272,6 @@ def _larger_below(data: bytes, first: Tags) -> bool:
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
     below = [_tiff_tags(data, int(at), order, big)[0] for at in first.get(330, ())[:16]]
     return any(_one(page, 256, 0) * _one(page, 257, 0) > _one(first, 256, 0) * _one(first, 257, 0) for page in below)
-
-
-def check_tiff(data: bytes) -> None:
-    """Refuse a TIFF file whose pages are too large or whose tags and compressed parts claim more than it holds."""
-    count, memory = 0, 0
-    for tags in _tiff_pages(data):
-        count += 1
-        memory += _tiff_page(data, tags)
-        afford(_TIFF_PAGE * count, len(data), _TIMES)
-        afford(memory, len(data))
-    if not count:
-        raise ValueError("it has no page")
 
 
 def _tiff_pages(data: bytes) -> Iterator[Tags]:

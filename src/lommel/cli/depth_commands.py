@@ -20,7 +20,6 @@ from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.estimation.noise import Noise
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
-from lommel.io import depthmaps
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 
@@ -103,7 +102,7 @@ def depth(
     if len(outputs) > 2:
         raise ValueError(f"--output takes the depth map and its standard deviation, got {len(outputs)} files")
     for path in outputs:
-        depthmaps.find(path, "--output")
+        photo_files.find_depth(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
     instrument = instrument_of(lens, pixel=pixel)

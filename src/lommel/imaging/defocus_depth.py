@@ -22,7 +22,7 @@ from lommel.estimation.pixel_transfer import half_window, pixel_of, texture_freq
 from lommel.imaging.photograph import fill_missing, require_image
 from lommel.imaging.sensor_light import sensor_transfer
 from lommel.imaging.settings import Settings, Spectrum
-from lommel.io.depthmaps import write_depth
+from lommel.io.photos import write_depth
 from lommel.optics.lens import Lens
 from lommel.show import estimates
 

@@ -16,8 +16,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, fie
 from lommel.base import optional, reading, validation
 from lommel.base.encoding import to_light
 from lommel.base.units import parse_radius
-from lommel.field.maps import FieldMap
-from lommel.field.vignetting import Shading, Vignetting
+from lommel.field.maps import FieldMap, Shading, Vignetting
 from lommel.io import fits_images, text_files, zernike_tables
 from lommel.io.photos import PhotoError, read_raster
 from lommel.io.registry import Values
@@ -48,12 +47,11 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
 
-def _radius(value: Any) -> str | float:
+def _radius(value: str | float) -> str | float:
     """Return a length or an angle as it was written, checked."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
         raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
-    found: str | float = value
-    return found
+    return value
 
 
 def _amplitude(value: Any) -> float | Apodization | str:
@@ -216,10 +214,9 @@ class ShadingSection(MadeSection):
 
 def _read_transmission(path: Path) -> Values:
     """Read a square of transmissions from 0 to 1: an array (.npy), a FITS image, or a grey picture with white = 1."""
-    suffix = path.suffix.lower()
     if not path.name.lower().endswith(_SUFFIXES):
         raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
-    if suffix == ".npy":
+    if path.suffix.lower() == ".npy":
         try:
             return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
         except ValueError as error:

@@ -130,7 +130,7 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     source = validation.path("path", path)
     validation.choice("order", order, ("noll", "ansi", "fringe"))
     try:
-        numbered = text_files.rows(reading.text(source))
+        numbered = text_files.rows(reading.decoded(reading.contents(source, reading.MAX_TEXT)))
         _, columns = next(numbered, (0, None))
         if columns is None:
             raise ValueError(f"{source.name} is empty; its first line must name the columns")
@@ -201,8 +201,6 @@ def _table(
     count = len(places)
     kinds = [*[_length] * count, *[_coefficient] * (len(columns) - count)]
     whole = [tuple(values) for values in _cells(columns, rows, kinds, called, errors)]
-    if not whole[0]:
-        raise ValueError("there must be a row for each position, got none")
     return FieldTable(
         dict(zip(places, whole[:count], strict=True)), dict(zip(indices, whole[count:], strict=True)), order
     )
@@ -217,7 +215,7 @@ def _cells(
 ) -> list[array[float]]:
     """Return the numbers in each column of numbered rows; ValueError with the `errors` before and those of cells."""
     # Compact arrays: Python numbers would take thirty times the memory.
-    read = [array("d") for _ in columns]
+    read, number = [array("d") for _ in columns], 0
     for number, row in rows:
         if len(errors) > text_files.MANY:
             break
@@ -229,6 +227,8 @@ def _cells(
                 values.append(convert(cell))
             except ValueError as error:
                 errors.append(f"{called} {number}, {name}: {error}")
+    if not number:
+        errors.append("there must be a row for each position or wavelength, got none")
     text_files.refuse(errors)
     return read
 
@@ -330,7 +330,7 @@ def _curves(path: _PATH) -> tuple[list[str], Array, Array]:
     """Return names of columns, rising wavelengths in metres, and values, shape (columns, wavelengths)."""
     source = validation.path("path", path)
     try:
-        text = reading.text(source, reading.MAX_LIST)
+        text = reading.decoded(reading.contents(source, reading.MAX_LIST))
         if ";" in text:
             text = text.replace(",", ".").replace(";", ",")
         return _columns(text_files.rows(text.replace("\t", ",")))

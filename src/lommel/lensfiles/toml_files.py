@@ -138,7 +138,7 @@ class LensFileError(ValueError):
 def parsed(source: Path) -> tuple[str, Toml]:
     """Return the text of a TOML file and its contents."""
     try:
-        text = reading.text(source, reading.MAX_TOML)
+        text = reading.decoded(reading.contents(source, reading.MAX_TOML))
         return text, reading.toml(text)
     except ValueError as error:
         raise LensFileError(f"{validation.line(source)}: not valid TOML: {reading.reason(error)}") from None

@@ -319,10 +319,17 @@ class Hdf5Store(Store):
 
         # The HDF5 library writes to memory, without the arrays: a full disk would end the process.
         made, offsets = _Sparse(), {}
+        wanted, parents = (h5py.h5p.create(of) for of in (h5py.h5p.DATASET_CREATE, h5py.h5p.LINK_CREATE))
+        wanted.set_layout(h5py.h5d.CONTIGUOUS)
+        wanted.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
+        wanted.set_fill_time(h5py.h5d.FILL_TIME_NEVER)
+        parents.set_create_intermediate_group(True)
         with h5py.File(made, "w", userblock_size=max(512, 1 << most.bit_length())) as file:
             file[KEY] = json.dumps(sealed(said, {}))
             for name, layout in found.items():
-                data = _contiguous(h5py, file, name, layout)
+                space, of = h5py.h5s.create_simple(layout.shape), h5py.h5t.py_create(np.dtype(layout.dtype))
+                h5py.h5d.create(file.id, name.encode(), of, space, dcpl=wanted, lcpl=parents)
+                data = file[name]
                 data.attrs.update(units(said, name))
                 if layout.dimensions == (name,):
                     data.make_scale(name)
@@ -439,19 +446,6 @@ class _Sparse(io.RawIOBase):
                 taken[first - self._at : end - self._at] = piece[first - start : end - start]
         self._at += len(taken)
         return len(taken)
-
-
-def _contiguous(h5py: Any, file: Any, name: str, layout: Layout) -> Any:
-    """Return a new data set, allocated at once and not filled."""
-    wanted = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
-    wanted.set_layout(h5py.h5d.CONTIGUOUS)
-    wanted.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
-    wanted.set_fill_time(h5py.h5d.FILL_TIME_NEVER)
-    parents = h5py.h5p.create(h5py.h5p.LINK_CREATE)
-    parents.set_create_intermediate_group(True)
-    space, of = h5py.h5s.create_simple(layout.shape), h5py.h5t.py_create(np.dtype(layout.dtype))
-    h5py.h5d.create(file.id, name.encode(), of, space, dcpl=wanted, lcpl=parents)
-    return file[name]
 
 
 _KINDS: dict[str, type[Store]] = {".zarr": ZarrStore, ".h5": Hdf5Store, ".hdf5": Hdf5Store}

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import io
 import math
 from array import array
-from collections.abc import Mapping
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -282,7 +280,7 @@ def _write_fits(opd: OPDMap) -> bytes:
 
 def _read_csv(data: bytes) -> Measured:
     text = reading.decoded(data)
-    said = _settings(text)
+    said = {key: value for _, key, value in text_files.settings(text)}
     if others := [key for key in said if key not in ("unit", "spacing", "wavelength")]:
         raise ValueError(f"it states {', '.join(map(validation.shown, others[:3]))}, which is unknown")
     values, width, wrong = array("d"), 0, False
@@ -297,11 +295,6 @@ def _read_csv(data: bytes) -> Measured:
         raise ValueError("it must hold rows of equally many numbers")
     spacing, wavelength = (parse_length(said[name]) if name in said else None for name in ("spacing", "wavelength"))
     return Measured(np.array(values).reshape(-1, width), _unit(said.get("unit", "")), spacing, wavelength)
-
-
-def _settings(text: str) -> Mapping[str, str]:
-    lines = (line.lstrip()[1:].partition(":") for line in io.StringIO(text) if line.lstrip().startswith("#"))
-    return {key.strip(): value.strip() for key, colon, value in lines if colon}
 
 
 def _write_csv(opd: OPDMap) -> bytes:

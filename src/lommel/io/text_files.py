@@ -29,6 +29,14 @@ def rows(text: str, between: str = ",") -> Iterator[tuple[int, list[str]]]:
             yield place, cells
 
 
+def settings(text: str) -> Iterator[tuple[int, str, str]]:
+    """Yield the line, the name and the value of each comment such as ``# unit: nm``."""
+    for place, text_line in enumerate(io.StringIO(text), 1):
+        comment, colon, value = text_line.partition(":")
+        if colon and comment.lstrip().startswith("#"):
+            yield place, comment.strip().removeprefix("#").strip(), value.strip()
+
+
 def number(text: str) -> float | str:
     """Return the number in a cell, or its text, for the error message."""
     try:

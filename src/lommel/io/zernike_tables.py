@@ -312,14 +312,11 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     settings: dict[str, str] = {}
     lines: dict[str, int] = {}
     found: list[str] = []
-    for place, line in enumerate(io.StringIO(text), 1):
-        comment, colon, value = line.partition(":")
-        key = comment.strip().removeprefix("#").strip()
-        if colon and comment.lstrip().startswith("#"):
-            if key in settings:
-                found.append(f"{validation.key(key)} (line {place}): is given twice, first in line {lines[key]}")
-            else:
-                settings[key], lines[key] = value.strip(), place
+    for place, key, value in text_files.settings(text):
+        if key in settings:
+            found.append(f"{validation.key(key)} (line {place}): is given twice, first in line {lines[key]}")
+        else:
+            settings[key], lines[key] = value, place
 
     def stated(key: str, value: str, place: int) -> None:
         if settings.setdefault(key, value) != value:

@@ -101,8 +101,8 @@ def test_the_product_of_two_images_does_not_tell_which_was_blurred(seed, border,
     assert np.abs(both - forth).max() <= allowed * 30.0
 
 
-def points_of(shares):
-    return [points for group in shares.groups for _, points in group.sources]
+def points_of(groups):
+    return [points for group in groups for _, points in group.sources]
 
 
 def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
@@ -122,8 +122,8 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     assert np.abs(operator.forward(light) - first).max() > 0.1
     # No more is kept than is said.
     edges, shares = operator._made[2:]
-    arrays = {id(array): array for found in shares for array in (found.seen, found.total)}
-    arrays |= {id(a): a for found in shares for points in points_of(found) for a in points if a is not None}
+    arrays = {id(array): array for seen, total, _ in shares for array in (seen, total)}
+    arrays |= {id(a): a for *_, groups in shares for points in points_of(groups) for a in points if a is not None}
     own = {id(blur.positions(channel)) for channel in range(3)}
     kept = sum(array.nbytes for name, array in arrays.items() if name not in own) + sum(a.nbytes for a in edges)
     assert kept <= (16 + 3 * 24) * one.size + 16 * edges.points.size

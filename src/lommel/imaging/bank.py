@@ -281,13 +281,18 @@ class Remainder:
         some, others, all_ = (math.hypot(a, b) / (a * b) for a, b in (known, sides, (reach + 0.5,) * 2))
         return near + self.rings * (some - others) / all_ + self.held
 
-    def factors(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> Values:
-        """Return the a_r, shape (rank, ...), at positions in the bank."""
-        return _between(self.knots, positions, 0, dtype)
-
-    def slopes(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> Values:
-        """Return the derivatives of the a_r by defocus, per radian, at positions in the bank."""
-        return _between(self.knots / self.spacing, positions, 1, dtype)
+    def factors(self, positions: ArrayLike, dtype: DTypeLike = np.float64, *, order: int = 0) -> Values:
+        """Return the a_r, or their derivatives of an `order` by defocus (radians), at positions: (rank, ...)."""
+        at = np.clip(np.asarray(positions, dtype=np.float64), 0.0, len(self.knots) - 1.0)
+        first = np.clip(at.astype(np.int32) - 1, 0, len(self.knots) - 4)
+        at = at - first
+        weights = [weight.deriv(order)(at).astype(dtype) for weight in _lagrange()]
+        rows = np.ascontiguousarray((self.knots / self.spacing**order).T, dtype=dtype)
+        out = np.zeros((len(rows), *at.shape), dtype=dtype)
+        for r, row in enumerate(rows):
+            for j, weight in enumerate(weights):
+                out[r, ...] += weight * row[j:][first]
+        return out
 
     def values(self, half: int) -> Array:
         """Return the g_r from the middle row and column on, up to `half` pixels, which may exceed the reach."""
@@ -443,20 +448,6 @@ def smooth_transforms(frequency: Array, scale: float) -> Array:
 
 def _halfway(knots: Array) -> Array:
     return (9.0 * (knots[1:-2] + knots[2:-1]) - knots[:-3] - knots[3:]) / 16.0
-
-
-def _between(knots: Array, positions: ArrayLike, order: int, dtype: DTypeLike) -> Values:
-    """Return cubics through four windows each, or their derivatives by the position; shape (rank, ...)."""
-    at = np.clip(np.asarray(positions, dtype=np.float64), 0.0, len(knots) - 1.0)
-    first = np.clip(at.astype(np.int32) - 1, 0, len(knots) - 4)
-    at = at - first
-    weights = [weight.deriv(order)(at).astype(dtype) for weight in _lagrange()]
-    rows = np.ascontiguousarray(knots.T, dtype=dtype)
-    out = np.zeros((len(rows), *at.shape), dtype=dtype)
-    for r, row in enumerate(rows):
-        for j, weight in enumerate(weights):
-            out[r, ...] += weight * row[j:][first]
-    return out
 
 
 @lru_cache(maxsize=1)

@@ -41,8 +41,28 @@ class Method(Protocol):
         """Return the sharp light behind an observation."""
 
 
+class Counts:
+    """Known pixels and gain of what a sensor counted, and the discrepancies that follow from sums over them."""
+
+    known: NDArray[np.int64]  # number of pixels of each channel, or plane, that are known and not saturated
+    white: float  # mean gain, electrons a unit of light
+
+    @property
+    def slack(self) -> float:
+        """Three standard deviations of the discrepancy of the true scene, by which it may exceed 1."""
+        return 3.0 * math.sqrt(2.0 / float(self.known.sum()))
+
+    def per_pixel(self, sums: Array) -> Array:
+        """Return the Poisson deviance per known pixel from its sums over each channel, in units of light."""
+        return np.asarray(2.0 * self.white * sums / np.maximum(self.known, 1))
+
+    def mean(self, discrepancies: Array) -> float:
+        """Return the discrepancy of all channels together."""
+        return float((discrepancies * self.known).sum() / self.known.sum())
+
+
 @dataclass(frozen=True, eq=False)
-class Observed:
+class Observed(Counts):
     r"""Counts of a blurred scene and what is known of their noise, all in units of light.
 
     A pixel whose gain is g electrons a unit of light has ``g y + read^2`` close to ``Poisson(g (A x) + read^2)``
@@ -78,13 +98,12 @@ class Observed:
         parts = counts.astype(blur.dtype), image(added), (weight / white).astype(blur.dtype), white
         return cls(blur, *parts, full if full.any() else None)
 
-    @cached_property
-    def known(self) -> NDArray[np.int64]:
-        """Number of pixels of each channel that are known and not saturated."""
+    def __post_init__(self) -> None:
         known = self.weight > 0.0
         if self.full is not None:
             known &= ~self.full
-        return np.asarray(np.count_nonzero(known.reshape(*self.blur.shape, -1), axis=(0, 1)))
+        count = np.count_nonzero(known.reshape(*self.blur.shape, -1), axis=(0, 1))
+        object.__setattr__(self, "known", np.asarray(count))
 
     @cached_property
     def seen(self) -> Values:
@@ -100,11 +119,6 @@ class Observed:
     def smallest(self) -> float:
         """Light that replaces zeros, so that it may grow."""
         return 1e-6 * max(float(self._means(self.counts).max()), TINY)
-
-    @property
-    def slack(self) -> float:
-        """Amount by which the discrepancy of the true scene may exceed 1."""
-        return slack_of(self.known)
 
     @property
     def image(self) -> Values:
@@ -134,8 +148,7 @@ class Observed:
         terms += 1.0 - ratio
         terms *= model
         terms *= self.weight
-        sums = terms.reshape(*self.blur.shape, -1).sum(axis=(0, 1), dtype=np.float64)
-        return np.asarray(2.0 * self.white * sums / np.maximum(self.known, 1))
+        return self.per_pixel(terms.reshape(*self.blur.shape, -1).sum(axis=(0, 1), dtype=np.float64))
 
     def discrepancy(self, model: Values, ratio: Values) -> float:
         """Return the Poisson deviance per pixel (Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004)."""
@@ -146,10 +159,6 @@ class Observed:
         model = self.model(light)
         return self.discrepancies(model, self.ratio(model))
 
-    def mean(self, discrepancies: Array) -> float:
-        """Return the discrepancy of all channels together."""
-        return float((discrepancies * self.known).sum() / self.known.sum())
-
     def _means(self, image: Values) -> Values:
         """Return the weighted mean of each channel; of an unknown one the mean of the others."""
         planes = (image * self.weight).reshape(*self.blur.shape, -1)
@@ -159,11 +168,6 @@ class Observed:
         each = np.where(seen > 0.0, total / np.maximum(seen, TINY), total.sum() / seen.sum())
         means = np.asarray(each, dtype=self.counts.dtype)
         return means if image.ndim == 3 else means.reshape(())
-
-
-def slack_of(known: NDArray[np.int64]) -> float:
-    """Return three standard deviations of the discrepancy of the true scene, of so many known pixels per channel."""
-    return 3.0 * math.sqrt(2.0 / float(known.sum()))
 
 
 _FIRST = 20  # steps after which a misfit can be told

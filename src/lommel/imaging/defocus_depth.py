@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -591,15 +591,6 @@ _CLEAR = 100.0  # from so much on there is no doubt of a minimum
 _NOISIER = 2.0  # more than this is no noise stated too low, but depth that changes, or edges
 
 
-class Found(NamedTuple):
-    """The depth of a tile, each array of shape (height, width)."""
-
-    position: Values  # of the least cost among the candidates; NaN at either end, where there is none
-    variance: Values  # of the position, in candidates squared; infinite where nothing is known
-    misfit: Values  # energy left over that of noise, 1 where the model holds
-    level: Values  # power of the texture at 1 cycle a pixel over that of noise
-
-
 def _least(cost: Values) -> NDArray[np.int64]:
     """Return the place of the least along the first axis, as argmin does ten times as slowly."""
     at, least = np.zeros(cost.shape[1:], dtype=np.int64), cost[0].copy()
@@ -699,9 +690,9 @@ class Tiling:
         known = valid if valid.all() else distance_transform_edt(valid) > blur + 1.0
         self._own, self._trusted = (np.pad(part.astype(np.float32), around) for part in (np.ones(self._shape), known))
 
-    def search(self, progress: Callable[[int, int], object] | None = None) -> Found:
-        """Return the depth of all tiles."""
-        out = Found(*(np.empty(self._shape, dtype=np.float64) for _ in Found._fields))
+    def search(self, progress: Callable[[int, int], object] | None = None) -> list[Array]:
+        """Return the maps of :meth:`_found` of all tiles."""
+        out = [np.empty(self._shape, dtype=np.float64) for _ in range(4)]
         tiles = list(self._tiles())
         for done, (inside, at) in enumerate(tiles, 1):
             for whole, part in zip(out, self._found(at), strict=True):
@@ -711,8 +702,11 @@ class Tiling:
                 progress(done, len(tiles))
         return out
 
-    def _found(self, at: Places) -> Found:
-        """Return the depth of each pixel that a tile answers for."""
+    def _found(self, at: Places) -> tuple[Values, Values, Values, Values]:
+        """Return position, variance, misfit and power of texture of each pixel that a tile answers for."""
+        # The position of the least cost among the candidates is NaN at either end, where there is none; its variance,
+        # in candidates squared, is infinite where nothing is known; the misfit is the energy left over that of noise,
+        # 1 where the model holds; the power of the texture is that at 1 cycle a pixel over that of noise.
         channels = [
             Costs(images, variances, self._trusted[at], transfer, self._weigh)
             for images, variances, transfer in self._channels(at)
@@ -753,7 +747,7 @@ class Tiling:
         variance[~known] = np.inf
         outside = (best == 0) | (best == len(cost) - 1)
         variance[outside], position[outside] = np.inf, np.nan
-        return Found(position, variance, misfit, power)
+        return position, variance, misfit, power
 
     def sharp(self, position: Array, level: float) -> Array:
         """Return the electrons of the scene in focus, (channels, height, width), at positions of candidates."""

@@ -420,11 +420,6 @@ class FarLight:
     error: float  # largest sum of absolute differences to the light of points, with room for points not looked at
     lost: float  # largest share of light beyond the kernel, which is within it instead
 
-    @property
-    def reach(self) -> int:
-        """Pixels from the middle of the kernel to its edge."""
-        return len(self.kernel) // 2
-
 
 def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int, farthest: int) -> FarLight:
     """Return the smallest windows beyond which all points spread their light alike to `tol`, and that light."""
@@ -519,7 +514,7 @@ class FieldBank:
         made = next(_mixed(self.axes, self.coefficients, np.array([[y, x, defocus]])))
         if self.far is None:
             return made
-        middle = self.far.reach - self.half
+        middle = len(self.far.kernel) // 2 - self.half
         whole = np.asarray((1.0 - made.sum()) * self.far.kernel)
         whole[middle : middle + len(made), middle : middle + len(made)] += made
         return whole

@@ -61,12 +61,9 @@ class _Edges(NamedTuple):
         return behind
 
 
-class _Shares(NamedTuple):
-    """The occlusion of one channel, which depends on the depth alone."""
-
-    seen: Values  # layers that each pixel sees, from the front: of the last one in part, of those behind it nothing
-    total: Values  # the image of a white scene
-    groups: list[Group]
+# Of one channel, from the depth alone: the layers that each pixel sees, from the front (of the last one in part, of
+# those behind it nothing); the image of a white scene; the groups of points.
+_Shares = tuple[Values, Values, list[Group]]
 
 
 class Occlusion(LinearBlur):
@@ -144,8 +141,7 @@ class Occlusion(LinearBlur):
         """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
 
         def make(channel: int, plane: Values) -> Values:
-            edges, shares = self._looked()
-            seen, total, groups = shares[channel]
+            edges, (seen, total, groups) = self._looked(channel)
             spread = spread_groups(self.blur, channel, (plane, edges.behind(plane)), seen, groups)
             spread += _TRACE * plane
             spread /= total + _TRACE
@@ -157,8 +153,7 @@ class Occlusion(LinearBlur):
         """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
 
         def make(channel: int, plane: Values) -> Values:
-            edges, shares = self._looked()
-            seen, total, groups = shares[channel]
+            edges, (seen, total, groups) = self._looked(channel)
             even = plane / (total + _TRACE)
             # The transpose of `spread_groups`: for the scene, and for the light behind it.
             taken = np.zeros((2, *self.shape), dtype=self.dtype)
@@ -177,8 +172,8 @@ class Occlusion(LinearBlur):
 
         return self.by_channel(image, make)
 
-    def _looked(self) -> tuple[_Edges, tuple[_Shares, ...]]:
-        """Return the edges and the shares of each channel, kept for one depth map."""
+    def _looked(self, channel: int) -> tuple[_Edges, _Shares]:
+        """Return the edges and the shares of a channel, kept for one depth map."""
         blur, made = self.blur, self._made
         if made is None or made[0] is not blur.defocus or made[1] is not blur.banks:
             layer, radius = _layers(blur, self._reach)
@@ -188,10 +183,10 @@ class Occlusion(LinearBlur):
             # Of the layers that there are, from their middle: what is seen of them is then rounded less.
             levels, number = np.unique(layer, return_inverse=True)
             centred = (number.reshape(layer.shape) - levels.size // 2).astype(blur.dtype)
-            channels = {bank: channel for channel, bank in enumerate(blur.banks)}
-            shares = {bank: _shares(blur, channel, centred, edges) for bank, channel in channels.items()}
+            channels = {bank: index for index, bank in enumerate(blur.banks)}
+            shares = {bank: _shares(blur, index, centred, edges) for bank, index in channels.items()}
             self._made = made = blur.defocus, blur.banks, edges, tuple(shares[bank] for bank in blur.banks)
-        return made[2:]
+        return made[2], made[3][channel]
 
 
 def _shares(blur: DepthBlur, channel: int, layer: Values, edges: _Edges) -> _Shares:
@@ -230,7 +225,7 @@ def _shares(blur: DepthBlur, channel: int, layer: Values, edges: _Edges) -> _Sha
         groups = _groups_of_whole(blur, channel, sources, seen)
         whites = [(points.positions >= 0.0).astype(blur.dtype) for points in sources]
         total = spread_groups(cover, channel, whites, seen, groups)
-    return _Shares(seen, total, groups)
+    return seen, total, groups
 
 
 def _groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:

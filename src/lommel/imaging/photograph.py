@@ -375,9 +375,8 @@ def depth_of_field(
         return _lazy(image, depth, lens, pixel, encoding, tile, depths, Settings(**given))
     if tile is None and any(isinstance(part, np.memmap) for part in (image, depth, out)):
         tile = TILE
-    values, distances = (
-        validation.array(name, cast("ArrayLike", part)) for name, part in (("image", image), ("depth", depth))
-    )
+    values = validation.array("image", cast("ArrayLike", image))
+    distances = validation.array("depth", cast("ArrayLike", depth))
     if tile is None and depths is None:
         made = FocusPlan(values, distances, lens, pixel, encoding=encoding, **options)(out=out)
         if progress is not None:

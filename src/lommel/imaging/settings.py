@@ -108,8 +108,7 @@ class Settings:
         for name, most in (("largest", 2048), ("threads", 1024)):
             if (value := getattr(self, name)) is not None:
                 checked[name] = validation.integer(name, value, least=1, most=most)
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        vars(self).update(checked)
 
     @classmethod
     def of(cls, door: Callable[..., Any], given: Mapping[str, Any], keywords: type) -> Self:

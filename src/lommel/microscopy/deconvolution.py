@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
-from lommel.imaging.deconvolution import MISFIT, TINY, Course, RichardsonLucy, Tell, slack_of
+from lommel.imaging.deconvolution import MISFIT, TINY, Counts, Course, RichardsonLucy, Tell
 from lommel.imaging.restoration import Restoration, shown
 from lommel.microscopy.stack_blur import Part, Piece, TiledBlur, overlap
 from lommel.psf import PSF
@@ -104,13 +104,13 @@ def deconvolve(
     values, found = walk.inside(planes, pixels), counted.mean(each)
     if stopped == MISFIT:
         stopped = STACK_MISFIT
-    elif steps == 0 and counted.electrons >= 1.0 and found < 1.0 - 4.0 * slack_of(counted.known):
+    elif steps == 0 and counted.electrons >= 1.0 and found < 1.0 - 4.0 * counted.slack:
         stopped = TOO_QUIET
     unknown = 1.0 - float(counted.known.sum()) / recorded.size
     return Restoration(values, values, found, tuple(map(float, each)), before, steps, stopped, unknown=unknown)
 
 
-class _Counted:
+class _Counted(Counts):
     """A stack as counts, in units of light as :class:`lommel.imaging.deconvolution.Observed`, by parts."""
 
     def __init__(self, recorded: Values, noise: Noise) -> None:
@@ -132,12 +132,12 @@ class _Counted:
             total += float((gain[known] * np.maximum(seen - self._added[known], 0.0)).sum())
         if not self.known.any():
             raise ValueError("stack must have voxels that are known, got NaN everywhere")
-        self._white = weights / float(self.known.sum())
-        self._weight = np.asarray(gain / self._white, dtype=np.float32)
+        self.white = weights / float(self.known.sum())
+        self._weight = np.asarray(gain / self.white, dtype=np.float32)
         self.most_weight = float(self._weight.max())
         self.level = total / weights  # mean light
         # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
-        self.electrons = self._white * counts / weights
+        self.electrons = self.white * counts / weights
         self.smallest = 1e-6 * max(counts / weights, TINY)
 
     def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
@@ -174,11 +174,7 @@ class _Counted:
                 misfit[plane, rows, columns] = weight * (ratio - 1.0)
             terms = ratio * np.log(np.maximum(ratio, TINY)) + (1.0 - ratio)
             sums[plane] += float((terms * model * weight).sum(dtype=np.float64))
-        return np.asarray(2.0 * self._white * sums / np.maximum(self.known, 1))
-
-    def mean(self, discrepancies: Array) -> float:
-        """Return the discrepancy of all planes."""
-        return float((discrepancies * self.known).sum() / self.known.sum())
+        return self.per_pixel(sums)
 
 
 class _Walk:
@@ -193,7 +189,7 @@ class _Walk:
 
     def solve(self, method: RichardsonLucy, tell: Tell) -> tuple[int, str, Array]:
         """Iterate until there is a reason to stop; return number of steps, reason and discrepancies of the planes."""
-        course = Course(method, slack_of(self._counted.known), tell)
+        course = Course(method, self._counted.slack, tell)
         earlier = np.zeros([-(-side // _EVERY) for side in self._blur.whole], dtype=np.float32)
         while True:
             self._pace = course.pace

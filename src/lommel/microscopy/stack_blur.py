@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike
@@ -86,18 +85,11 @@ Plane = tuple[slice, slice]
 """Rows and columns of part of a plane."""
 # Takes the number of a plane, rows and columns, and returns its values there.
 Part = Callable[[int, slice, slice], Values]
+# The number of a plane, rows and columns, and its values there.
+Piece = tuple[int, slice, slice, Values]
 
 _SHARE = 1.5  # of the recording that the two transforms of a tile take, in memory
 _SMALL = 2**21  # values that they may have in any case
-
-
-class Piece(NamedTuple):
-    """Part of a plane: its number, its rows and columns, and its values there."""
-
-    plane: int
-    rows: slice
-    columns: slice
-    values: Values
 
 
 class TiledBlur:
@@ -149,7 +141,7 @@ class TiledBlur:
             self._along_planes(light)
             inside = _inside(core, self._upper)
             for plane in range(planes):
-                yield Piece(plane, *core, irfft2(light[margin + plane], self._tile)[inside])
+                yield plane, *core, irfft2(light[margin + plane], self._tile)[inside]
 
     def adjoint(self, recording: Part) -> Iterator[Piece]:
         """Yield the transpose of :meth:`forward` applied to a recording, each part of the specimen once."""
@@ -165,7 +157,7 @@ class TiledBlur:
                 seen[0] += seen[self._depth - self._before :].sum(axis=0)
             inside = _inside(core, self._lower)
             for plane in range(planes):
-                yield Piece(plane, *core, irfft2(seen[plane], self._tile)[inside])
+                yield plane, *core, irfft2(seen[plane], self._tile)[inside]
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""

@@ -202,13 +202,13 @@ def test_of_the_whole_psf_nothing_is_lost(deep):
     more = {"depth": depth, "lens": LENS} if deep else {}
     blur = FieldBlur(OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=4e-3, largest=60, **more)
     bank, rng = blur.banks[0], np.random.default_rng(4)
-    assert bank.half < bank.far.reach
+    assert bank.half < len(bank.far.kernel) // 2
     rows, columns = rng.integers(0, SHAPE[0], 60), rng.integers(0, SHAPE[1], 60)
     pupil = OF_LENS.pupil(PIXEL * (columns - 19.5), PIXEL * (rows - 11.5))
     if deep:
         there = pupil.wavefront + LENS.pupil(depth[rows, columns]).wavefront
         pupil = lm.Pupil(there, wavelength=550e-9, f_number=LENS.working_f_number)
-    reach = bank.far.reach
+    reach = len(bank.far.kernel) // 2
     whole = lm.psf(pupil, 2 * reach + 1, PIXEL, dtype=np.float64).values
     made = np.stack([blur.window(row, column) for row, column in zip(rows, columns, strict=True)])
     assert np.abs(made.sum(axis=(1, 2)) - 1.0).max() < 1e-12

@@ -47,7 +47,12 @@ _ARGUMENTS = [
 ]
 _FOCUS = Option("--focus", type=LENGTH, help="Focus distance, such as 1.5m or inf; overrides the lens file.")
 NOISE = [
-    Option("--white", type=float, required=True, help="Electrons at white, the largest integer or 1.0 in floats, such as 5000."),
+    Option(
+        "--white",
+        type=float,
+        required=True,
+        help="Number of electrons at white, such as 5000. White is the largest integer, or 1.0 in floats.",
+    ),
     documented(Noise, "read", type=float, required=True),
     Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
 ]

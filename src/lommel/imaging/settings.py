@@ -56,7 +56,7 @@ class Settings:
         :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel. By
         default that of the lens for a grey image, and 600, 540 and 460 nm for one of three channels.
     missing : {"raise", "nearest", "infinity"}, default "raise"
-        Depth of a point whose depth is NaN: an error, that of the nearest known point, or infinity.
+        Pixels whose depth is NaN: an error, the depth of the nearest pixel in the image that has one, or infinity.
     border : {"reflect", "extend", "zero"}, default "reflect"
         Continuation of the image beyond its edges: mirrored, the last pixels repeated, or dark. Depth is mirrored or
         extended alike; light that leaves the image is lost.

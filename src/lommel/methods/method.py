@@ -75,11 +75,8 @@ class Method(ABC, Generic[P]):
 
     def __post_init__(self) -> None:
         if self._has_tol:
-            self._check_tol()
-
-    def _check_tol(self) -> None:
-        tol = validation.real("tol", self.tol, least=self.least_tol, below=self.most_tol)
-        object.__setattr__(self, "tol", tol)
+            tol = validation.real("tol", self.tol, least=self.least_tol, below=self.most_tol)
+            object.__setattr__(self, "tol", tol)
 
     def unsupported(self, pupil: P) -> str | None:
         """Return the reason why `pupil` is not supported, or None; here None for every pupil."""

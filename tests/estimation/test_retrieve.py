@@ -393,6 +393,8 @@ def test_what_does_not_fit_is_told():
     assert wide.chi2 > 2.0
     quiet = lm.retrieve(images, lm.Pupil(), **options | {"noise": lm.Noise(read=60.0)})
     assert "less noisy" in quiet.message
+    assert not quiet.reliable
+    assert "defocus of an image (unit, order)" in wide.message
     dark = lm.retrieve(NOISE.record(np.full((3, 33, 33), 5.0), 1), lm.Pupil(), **options)
     assert not dark.converged
     assert dark.message.startswith("no star: ")

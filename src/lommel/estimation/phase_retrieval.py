@@ -449,11 +449,13 @@ def _retrieval(
     visible = own[-2] / own_errors["flux"]
     converged = bool(settled and chi2 < limit and visible.min() >= _VISIBLE)
     doubt = _doubt(model, x, inverse) if converged else ""
+    if chi2 < 2.0 - limit:
+        doubt = "the images are less noisy than white, read and offset state, so that standard errors do not hold"
     work = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     if chi2 >= limit:
         message = (
-            f"misfit: {work}; pupil, pixel or noise are wrong, terms are missing, or all starts converged to local "
-            "minima"
+            f"misfit: {work}; pupil, pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
+            "or all starts converged to local minima"
         )
     elif visible.min() < _VISIBLE:
         message = f"no star: {work}, but the flux of image {int(np.argmin(visible))} is within the noise"
@@ -461,8 +463,6 @@ def _retrieval(
         message = f"the steps did not settle: {work}"
     else:
         message = f"converged, but {doubt}; {work}" if doubt else f"converged: {work}"
-    if chi2 < 2.0 - limit:
-        message += "; the images are less noisy than white, read and offset of the noise say"
     if model.sign_ambiguous:
         message += "; one defocus of all images leaves the common sign of the even terms open: add a second one"
     if not np.isfinite(errors).all():

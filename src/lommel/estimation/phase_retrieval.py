@@ -454,8 +454,8 @@ def _retrieval(
     work = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     if chi2 >= limit:
         message = (
-            f"misfit: {work}; pupil, pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
-            "or all starts converged to local minima"
+            f"misfit: {work}; pupil, pixel, noise or the defocus of an image (unit, order) are wrong, terms are "
+            "missing, or all starts converged to local minima"
         )
     elif visible.min() < _VISIBLE:
         message = f"no star: {work}, but the flux of image {int(np.argmin(visible))} is within the noise"

@@ -448,9 +448,10 @@ def _retrieval(
     chi2, limit = float(scores.chi2[0]), float(model.limit(scores)[0])
     visible = own[-2] / own_errors["flux"]
     converged = bool(settled and chi2 < limit and visible.min() >= _VISIBLE)
-    doubt = _doubt(model, x, inverse) if converged else ""
+    quiet = ""
     if chi2 < 2.0 - limit:
-        doubt = "the images are less noisy than white, read and offset state, so that standard errors do not hold"
+        quiet = "the images are less noisy than white, read and offset state, so that standard errors do not hold"
+    doubt = (quiet or _doubt(model, x, inverse)) if converged else ""
     work = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     if chi2 >= limit:
         message = (
@@ -463,6 +464,8 @@ def _retrieval(
         message = f"the steps did not settle: {work}"
     else:
         message = f"converged, but {doubt}; {work}" if doubt else f"converged: {work}"
+    if quiet and not converged:
+        message += f"; {quiet}"
     if model.sign_ambiguous:
         message += "; one defocus of all images leaves the common sign of the even terms open: add a second one"
     if not np.isfinite(errors).all():

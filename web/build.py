@@ -102,9 +102,12 @@ def module(entry: str) -> str:
     made["shipped.js"] = constants(SHIPPED=presets())
     terms = [{"name": name, "n": n, "m": m, "powers": powers(n, m)} for name, (n, m) in DIRECTED.items()]
     fields = {name: field.told() for name, field in FIELDS.items()}
-    made["fields.js"] = constants(FIELDS=fields, DIRECTED=terms, WHITE=WHITE.tolist())
-    # The worker gets its own text, and the compiled core from the page.
-    worker = joined("worker.js", {**made, "packed.js": constants(wasmText="")}, exports=False)
+    other = {"DIRECTED": terms, "WHITE": WHITE.tolist()}
+    made["fields.js"] = constants(FIELDS=fields, **other)
+    # The worker gets its own text, without rows and help, and the compiled core from the page.
+    bare = {name: {k: v for k, v in field.items() if k not in ("row", "about")} for name, field in fields.items()}
+    without = {"packed.js": constants(wasmText=""), "fields.js": constants(FIELDS=bare, **other)}
+    worker = joined("worker.js", {**made, **without}, exports=False)
     made["workertext.js"] = constants(workerText=packed(worker.encode()))
     return BANNER + joined(entry, made, exports=True)
 

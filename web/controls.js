@@ -5,10 +5,10 @@ import { short } from "./plots.js";
 import { FIELDS } from "./fields.js";
 import { LENGTH_UNITS, WAVES_UNITS, wavesUnit } from "./units.js";
 
-// [title, rows or pairs of a size and its direction], in the order of FIELDS. What a row says, lommel.page.state lists.
+// [title, rows or pairs of a size and its direction], in the order of FIELDS. lommel.page.state lists the contents of rows.
 const GROUPS = [];
 for (const [key, { row }] of Object.entries(FIELDS)) {
-  if (!row || key.endsWith("_angle")) continue;
+  if (!row || (key.endsWith("_angle") && Object.hasOwn(FIELDS, key.slice(0, -6)))) continue;
   if (GROUPS.at(-1)?.[0] !== row.group) GROUPS.push([row.group, []]);
   GROUPS.at(-1)[1].push(Object.hasOwn(FIELDS, `${key}_angle`) ? [key, `${key}_angle`] : key);
 }
@@ -96,8 +96,8 @@ export class Controls {
     for (const row of this.rows.values()) this.show(row, state, row.spec.waves ? waves : { factor: 1, name: row.spec.unit });
     const menus = { waves_unit: this.waves, light: this.light, length_unit: this.length };
     for (const [key, node] of Object.entries(menus)) if (node) node.value = state[key];
-    const focal = this.rows.get("focal_length");
-    if (focal) focal.box.closest("[data-row]").hidden = state.length_unit !== "arcsec";
+    for (const { spec, box } of this.rows.values())
+      box.closest("[data-row]").hidden = spec.when.length > 0 && !spec.when.some(([key, ...values]) => values.includes(state[key]));
   }
 
   show(row, state, { factor, name }) {

@@ -1,5 +1,5 @@
-// The state of a page: one flat object of numbers and short words. What differs from the defaults goes into links. What there is,
-// {initial, low, high} or {initial, choices}, lommel.page.state lists.
+// The state of a page: one flat object of numbers and texts. What differs from the defaults goes into links. lommel.page.state lists
+// the fields: {initial, low, high}, {initial, choices}, or {initial, terms} of a text of Zernike terms.
 
 import { FIELDS } from "./fields.js";
 
@@ -10,11 +10,25 @@ export function accepted(key, value) {
   if (typeof key !== "string" || !Object.hasOwn(FIELDS, key)) return undefined;
   const field = FIELDS[key];
   if (field.choices) return field.choices.includes(value) ? value : undefined;
+  if (field.terms) return furtherTerms(value, field) && value;
   if (typeof value === "string" && (value.length > 40 || !/^\s*[-+.\d]/.test(value))) return undefined;
   const number = typeof value === "string" ? Number(value) : value;
   if (typeof number !== "number" || Number.isNaN(number)) return undefined;
   const inside = Math.min(field.high, Math.max(field.low, number));
-  return key === "side" ? Math.round(inside) : inside === 0 ? 0 : inside; // no -0
+  return field.whole ? Math.round(inside) : inside === 0 ? 0 : inside; // no -0
+}
+
+// "4,2:0.05;6,0:-0.01" -> terms [n, m, waves rms]; undefined where one is invalid or occurs twice.
+export function furtherTerms(text, { terms, degree, waves } = FIELDS.zernike) {
+  if (typeof text !== "string" || text.length > 40 * terms) return undefined;
+  const parts = text.split(";").filter(Boolean);
+  const found = parts.flatMap((part) => {
+    const match = /^(\d{1,2}),(-?\d{1,2}):([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d{1,3})?)$/.exec(part);
+    const [n, m, c] = (match ?? []).slice(1).map(Number);
+    return n >= 1 && n <= degree && Math.abs(m) <= n && (n - m) % 2 === 0 && Math.abs(c) <= waves ? [[n, m, c]] : [];
+  });
+  const different = new Set(found.map(([n, m]) => `${n},${m}`)).size;
+  return parts.length <= terms && different === parts.length ? found : undefined;
 }
 
 export function changed(state, change) {
@@ -29,7 +43,7 @@ export function changed(state, change) {
 // "defocus=1&coma=.5" -> change. Of repeated keys the last counts.
 export function fromText(text) {
   const change = Object.create(null);
-  for (const part of String(text).slice(0, 4000).replace(/^[#?]/, "").split("&")) {
+  for (const part of String(text).slice(0, 8000).replace(/^[#?]/, "").split("&")) {
     const [key, value] = part.split("=", 2);
     if (Object.hasOwn(FIELDS, key) && value !== undefined) change[key] = decoded(value);
   }
@@ -47,6 +61,6 @@ function decoded(text) {
 export function toText(state) {
   return Object.keys(FIELDS)
     .filter((key) => state[key] !== FIELDS[key].initial)
-    .map((key) => `${key}=${encodeURIComponent(state[key])}`)
+    .map((key) => `${key}=${encodeURIComponent(state[key]).replace(/%2C|%3A|%3B/g, decodeURIComponent)}`)
     .join("&");
 }

@@ -7,17 +7,18 @@ from collections.abc import Callable
 from typing import Any
 
 from live_page import PIXELS, REALS, WORDS, default_state, fragment, rest, state
+from lommel.page.state import FIELDS, Whole
 
 
 def random_state(dice: random.Random) -> dict[str, Any]:
     chosen: dict[str, Any] = {"side": dice.choice((64, 96, 128))}
     for key in dice.sample([key for key in REALS if key != "side"], 5):
-        low, high = REALS[key]
         near = {"defocus": (-4, 4), "spherical": (-4, 4), "coma": (0, 2), "astigmatism": (0, 2), "trefoil": (0, 2)}
-        low, high = near.get(key, (low, high))
-        if key in ("f_number", "pixel", "wavelength"):
-            low, high = {"f_number": (1, 20), "pixel": (0.5, 10), "wavelength": (400, 700)}[key]
-        chosen[key] = round(dice.uniform(low, high), 4)
+        near |= {"f_number": (1, 20), "pixel": (0.5, 10), "wavelength": (400, 700), "focal_length": (10, 60)}
+        near |= {"focus_distance": (1.99, 2.01), "object_distance": (1.99, 2.01), "photons": (10, 1e5)}
+        low, high = near.get(key, REALS[key])
+        value = dice.uniform(low, high)
+        chosen[key] = round(value) if isinstance(FIELDS[key], Whole) else round(value, 4)
     for key in dice.sample(list(WORDS), 3):
         chosen[key] = dice.choice([word for word in WORDS[key] if word != "own"])
     return chosen

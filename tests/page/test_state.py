@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.page.state import FIELDS, complete, link, psf_of, pupil_of, state_of
+from lommel.page.state import FIELDS, complete, further_terms, link, psf_of, pupil_of, state_of
 
 LENSES = sorted((Path(__file__).parents[2] / "examples" / "lenses").glob("*.toml"))
 ROUND = [path for path in LENSES if path.stem != "newtonian-off-axis"]
@@ -55,8 +55,8 @@ def test_a_state_is_whole_and_checked():
     assert complete({"side": 64, "view": "averaged"}) | {} == {
         name: {"side": 64, "view": "averaged"}.get(name, field.initial) for name, field in FIELDS.items()
     }
-    with pytest.raises(ValueError, match=r"must be one of 'defocus', .* got 'focus'"):
-        complete({"focus": 1.0})
+    with pytest.raises(ValueError, match=r"must be one of 'focus', .* got 'field'"):
+        complete({"field": 1.0})
     with pytest.raises(ValueError, match=r"coma must be from 0 to 10, got 11"):
         complete({"coma": 11})
     with pytest.raises(ValueError, match=r"map must be one of 'inferno'"):
@@ -68,10 +68,33 @@ def test_a_state_is_whole_and_checked():
             complete({"defocus": wrong})
 
 
+def test_further_zernike_terms_are_checked_one_by_one():
+    text = "4,2:0.05;6,0:-.01;5,-5:1e-3"
+    assert complete({"zernike": text})["zernike"] == text
+    assert further_terms(text) == {(4, 2): 0.05, (6, 0): -0.01, (5, -5): 1e-3}
+    for wrong in ("4,1:1", "0,0:1", "2,4:1", "21,1:1", "4,0:11", "4,0:nan", "4,0:1;4,0:2", "4,0", "x", "4,0:1e999"):
+        with pytest.raises(ValueError, match=r"zernike must be up to 100 different terms 'n,m:waves'"):
+            complete({"zernike": wrong})
+    with pytest.raises(TypeError, match="zernike"):
+        complete({"zernike": 3})
+
+
+def test_every_control_has_one_sentence_of_help():
+    for name, field in FIELDS.items():
+        assert field.about.endswith("."), name
+        assert ". " not in field.about, name
+
+
+def test_rows_shown_with_another_setting_name_values_it_can_have():
+    for name, field in FIELDS.items():
+        for key, *values in getattr(field, "row", None).when if hasattr(field, "row") else ():
+            assert [FIELDS[key].accepted(key, value) for value in values] == values, name
+
+
 def test_a_link_says_what_differs_and_says_it_exactly():
     assert link({}) == ""
-    state = {"defocus": 0.1 + 0.2, "f_number": 2.0, "view": "sampled", "focal_length": 1e6}
-    assert link(state) == "defocus=0.30000000000000004&f_number=2&view=sampled&focal_length=1000000"
+    state = {"defocus": 0.1 + 0.2, "f_number": 2.0, "view": "sampled", "focal_length": 1e6, "zernike": "4,2:.1"}
+    assert link(state) == ("defocus=0.30000000000000004&zernike=4,2:.1&focal_length=1000000&f_number=2&view=sampled")
     assert dict(parse_qsl(link(state))).keys() == state.keys()
 
 

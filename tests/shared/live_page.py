@@ -8,8 +8,10 @@ from lommel.page.state import FIELDS, Real, Word
 
 IDLE = ".lommel-live-host:not([data-busy])"
 REALS = {name: (field.low, field.high) for name, field in FIELDS.items() if isinstance(field, Real)}
-WORDS = {name: tuple(field) for name, field in FIELDS.items() if isinstance(field, Word)}
-SLIDERS = [key for key in REALS if key != "focal_length"]
+WORDS = {name: field.choices for name, field in FIELDS.items() if isinstance(field, Word)}
+SLIDERS = [name for name, field in FIELDS.items() if isinstance(field, Real) and not field.row.when] + ["defocus"]
+# Settings in which every slider but that of defocus is shown.
+ALL_SHOWN = "focus=distances&vanes=1&noise=on"
 PIXELS = """() => document.querySelector(".lommel-live-host").shadowRoot.querySelector(".now canvas").toDataURL()"""
 
 

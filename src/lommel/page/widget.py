@@ -11,7 +11,7 @@ from lommel.base.optional import library
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.lens_files import load_instrument
 from lommel.page import module
-from lommel.page.state import FIELDS, Real, Whole, complete, psf_of, state_of
+from lommel.page.state import FIELDS, Terms, Whole, Word, complete, psf_of, state_of
 from lommel.psf import PSF
 
 
@@ -73,9 +73,20 @@ def _kind() -> type:
     anywidget: Any = library("anywidget", "lm.live() needs", "live")
     traitlets: Any = library("traitlets", "lm.live() needs", "live")
 
+    class Text(traitlets.Unicode):  # type: ignore[misc]
+        """A text of Zernike terms."""
+
+        def validate(self, owner: Any, value: object) -> str:
+            try:
+                return str(FIELDS[self.name].accepted(self.name, value))
+            except (TypeError, ValueError) as error:
+                raise traitlets.TraitError(str(error)) from None
+
     def trait(field: Any) -> Any:
-        if not isinstance(field, Real):
-            return traitlets.Enum(field, default_value=field.initial).tag(sync=True)
+        if isinstance(field, Word):
+            return traitlets.Enum(field.choices, default_value=field.initial).tag(sync=True)
+        if isinstance(field, Terms):
+            return Text(field.initial).tag(sync=True)
         kind = traitlets.CInt if isinstance(field, Whole) else traitlets.CFloat
         return kind(field.initial, min=field.low, max=field.high).tag(sync=True)
 

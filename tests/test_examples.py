@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli import reports
+from lommel.cli import lens_report, reports
 from lommel.methods import METHODS
 
 
@@ -91,7 +91,8 @@ def test_the_microscope_is_two_micrometres_out_of_focus_with_a_quarter_wave_of_s
 
 
 def test_what_the_other_model_would_change_is_told_of_every_example(lenses):
-    told = {name: reports.other_model(lm.load_instrument(lenses[name])) for name in ("nifty-fifty", "microscope-20x")}
+    names = ("nifty-fifty", "microscope-20x")
+    told = {name: lens_report.other_model(lm.load_instrument(lenses[name])) for name in names}
     assert told["nifty-fifty"]["reason"] is None
     assert 0.2 < told["nifty-fifty"]["peak_error"] < 0.6
     assert told["nifty-fifty"]["geometric_radius"] == pytest.approx(123.4e-6, rel=1e-3)
@@ -99,7 +100,7 @@ def test_what_the_other_model_would_change_is_told_of_every_example(lenses):
     assert told["microscope-20x"]["peak_error"] > 0.3
     oil = dataclasses.replace(lm.load_instrument(lenses["microscope-20x"]))
     wide = dataclasses.replace(oil.lens, model="paraxial", aperture_diameter=29.4e-3)
-    refused = reports.other_model(dataclasses.replace(oil, lens=wide))
+    refused = lens_report.other_model(dataclasses.replace(oil, lens=wide))
     assert "the sine of the angle of its rim would be 1.4" in refused["reason"]
     # A paraxial objective is no flat thin lens, which is what the reference would take it for.
     plain = dataclasses.replace(oil, lens=dataclasses.replace(oil.lens, model="paraxial"), shape=(7, 7))
@@ -153,7 +154,7 @@ def test_every_method_has_a_row_in_the_comparison_of_every_example(lens_file):
 
 
 def test_the_description_of_every_example_can_be_written_as_json_numbers(lens_file):
-    facts = reports.describe_lens(lm.load_instrument(lens_file)).facts
+    facts = lens_report.describe_lens(lm.load_instrument(lens_file)).facts
     assert 0 < facts["strehl"] < 1
     for row in facts["encircled_energy"]:
         assert 0 < row["unaberrated"] < 1

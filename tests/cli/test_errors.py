@@ -226,12 +226,12 @@ def test_without_a_command_the_usage_is_shown(run_lommel, tmp_path):
 def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     traced, call_lommel, lenses, tmp_path, monkeypatch
 ):
-    from lommel.cli import reports
+    from lommel.cli import lens_report
 
     def broken(*_):
         raise AttributeError("'int' object\nhas no attribute")
 
-    monkeypatch.setattr(reports, "describe_lens", broken)
+    monkeypatch.setattr(lens_report, "describe_lens", broken)
     monkeypatch.delenv("LOMMEL_TRACEBACK", raising=False)
     if traced:
         monkeypatch.setenv("LOMMEL_TRACEBACK", "1")
@@ -277,3 +277,14 @@ def test_what_is_long_is_told_in_short(call_lommel, arguments, tmp_path):
     assert result.returncode == 2
     (error,) = [line for line in result.stderr.splitlines() if line.startswith("Error: ")]
     assert len(error) <= 320
+
+
+@pytest.mark.parametrize("name", ["phone", "phone.toml", "lenses/phone.toml"])
+def test_the_name_of_an_example_that_is_not_there_is_told_with_the_command_that_copies_it(
+    name, call_lommel, tmp_path
+):
+    result = call_lommel("info", name, folder=tmp_path)
+    assert (result.returncode, result.stdout) == (2, "")
+    said = "`lommel examples phone` copies phone.toml to this folder"
+    assert result.stderr == f"Error: {name}: No such file or directory; {said}\n"
+    assert "examples" not in call_lommel("info", "mine.toml", folder=tmp_path).stderr

@@ -12,7 +12,7 @@ from rich.text import Text
 
 from lommel.cli.instruments import DEPTH, INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, instrument_of, microscope_of
 from lommel.cli.options import JSON, WINDOW, Option, command, plot_option
-from lommel.cli.output import Report, save_figure, table_of, written
+from lommel.cli.output import Report, pitch_in_words, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.show.drawing import HOW
@@ -46,12 +46,12 @@ def info(lens: Path, depth: float | None, **given: object) -> Report:
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
-    from lommel.cli import reports  # what it needs takes longer to import than the list of commands
+    from lommel.cli import lens_report, reports  # what these need takes longer to import than the list of commands
 
     microscope = microscope_of(lens, depth=depth, **given)
     if microscope is not None:
         return reports.describe_microscope(microscope)
-    return reports.describe_lens(instrument_of(lens, **given))
+    return lens_report.describe_lens(instrument_of(lens, **given))
 
 
 @command(
@@ -77,7 +77,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     Example:
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.cli import reports  # what it needs takes longer to import than the list of commands
+    from lommel.cli import lens_report, reports  # what these need takes longer to import than the list of commands
 
     instrument = instrument_of(lens, **given)
     pupil = instrument.pupil()
@@ -96,7 +96,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
             from lommel.show import plot
 
             save_figure(plot.compare(answers, reference), figure)
-    other = reports.other_model(instrument)
+    other = lens_report.other_model(instrument)
     table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
     table.add_column("")
     for row in rows:
@@ -111,7 +111,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
         errors = ("-" if row[key] is None else f"{row[key]:.2g}" for key in ("mse", "peak_error", "error_bound"))
         table.add_row(row["method"], spent, *errors, note)
     height, width = instrument.window
-    size = f"{height} x {width} pixels of {reports.pitch_in_words(instrument.pixel)}, {HOW[sampling]}"
+    size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {HOW[sampling]}"
     if all(row["method"] != reference for row in rows):  # which is then not marked in the table
         size += f"; reference {reference}"
     facts = {
@@ -121,7 +121,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
         "rows": rows,
         "other_model": other,
     }
-    model = f"model: {instrument.lens.model}; {reports.model_in_words(other)}"
+    model = f"model: {instrument.lens.model}; {lens_report.model_in_words(other)}"
     files = written([figure], lambda _: ": square root of the values, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Text(size), table, Text(model), *files])
 

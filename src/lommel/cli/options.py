@@ -170,13 +170,26 @@ _CAUSED = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryE
 
 def _message(error: Exception) -> str:
     if isinstance(error, OSError) and error.strerror:
-        return f"{brief(line(error.filename), 240)}: {error.strerror}" if error.filename else error.strerror
+        if not error.filename:
+            return error.strerror
+        return f"{brief(line(error.filename), 240)}: {error.strerror}{_hint(error)}"
     if isinstance(error, _CAUSED):
         return _with_options(str(error) or type(error).__name__)
     return (
         f"this is a bug in lommel, not in your input: {type(error).__name__}: {brief(line(error), 200)}; please "
         "report it with the traceback that LOMMEL_TRACEBACK=1 shows"
     )
+
+
+def _hint(error: OSError) -> str:
+    """Return how to get a missing file that comes with the package."""
+    name = Path(os.fsdecode(error.filename)).name.removesuffix(".toml")
+    if isinstance(error, FileNotFoundError):
+        from lommel.cli.examples_command import files
+
+        if name in files():
+            return f"; `lommel examples {name}` copies {name}.toml to this folder"
+    return ""
 
 
 # Arguments whose options have other names.

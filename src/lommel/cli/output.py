@@ -5,8 +5,10 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 import sys
-from collections.abc import Callable, Iterable, Sequence
+import textwrap
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -14,12 +16,14 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from lommel.base import atomic, optional
+from lommel.base.units import format_length
 from lommel.base.validation import shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.console import RenderableType
+    from rich.console import Console, ConsoleOptions, RenderableType
     from rich.table import Table
+    from rich.text import Text
 
 Facts: TypeAlias = dict[str, Any]
 """Plain data as JSON has it: texts, numbers, lists and dictionaries of these, None."""
@@ -43,13 +47,30 @@ class Report:
         from rich.console import Console
 
         # A pipe has no width; tables are then as wide as they need to be. Brackets in names are no markup.
-        width = None if sys.stdout.isatty() else 160
+        width = None if sys.stdout.isatty() or "COLUMNS" in os.environ else 160
         console = Console(width=width, markup=False, emoji=False, highlight=False)
-        for part in self.parts:
-            if isinstance(part, str):  # which is not wrapped, for programs to read
-                click.echo(part)
-            else:
-                console.print(part)
+        with console.capture() as captured:
+            for part in self.parts:
+                console.print(Wrapped(part) if isinstance(part, str) else part)
+        # Tables fill their columns with blanks.
+        click.echo(re.sub(r" +$", "", captured.get(), flags=re.MULTILINE), nl=False)
+
+
+@dataclass(frozen=True)
+class Wrapped:
+    """A line that is broken between words only, with the rest indented."""
+
+    text: str
+    style: str = ""
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text]:
+        from rich.text import Text
+
+        lines = textwrap.wrap(
+            self.text, options.max_width, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
+        )
+        # Words longer than a line, as paths are, stay whole.
+        yield from (Text(line, self.style, no_wrap=True, overflow="ignore") for line in lines or [""])
 
 
 def written(paths: Iterable[Path | None], note: Callable[[Path], str] = lambda _: "") -> Report:
@@ -88,6 +109,37 @@ def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
         if value is not None:
             table.add_row(name, value)
     return table
+
+
+def number(value: float) -> str:
+    """Return a number with four significant digits, without an exponent where it is large."""
+    text = f"{value:.4g}"
+    return f"{value:.0f}" if "e+" in text else text
+
+
+def known(value: float | None, form: str) -> str:
+    """Return a number in a form, or "-" where it is not known."""
+    return "-" if value is None else format(value, form)
+
+
+def strehl_ratio(value: float | None) -> str:
+    """Return a Strehl ratio with four significant digits, or as below its own error."""
+    return known(value, ".4g") if value is None or value > 1e-10 else "< 1e-10"
+
+
+def per_mm(frequency: float) -> str:
+    """Return a spatial frequency (cycles per metre) with its unit."""
+    return f"{1e-3 * frequency:.4g} cycles/mm"
+
+
+def pitch_in_words(pixel: float | tuple[float, ...]) -> str:
+    """Return the pixel pitch with its unit, or height x width."""
+    return " x ".join(format_length(side) for side in ([pixel] if isinstance(pixel, float) else pixel))
+
+
+def refused(facts: Facts) -> list[RenderableType]:
+    """Return the reasons why some results are missing."""
+    return [Wrapped(f"not computed: {reason}", "dim") for reason in facts["refused"]]
 
 
 def figure_format(path: Path) -> str:

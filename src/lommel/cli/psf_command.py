@@ -16,6 +16,7 @@ from lommel.base.validation import shown
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
 from lommel.cli.instruments import INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, STACK, instrument_of, microscope_of
+from lommel.cli.lens_report import summarize_lens
 from lommel.cli.options import FILE, JSON, WINDOW, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
@@ -169,7 +170,7 @@ def _of_lens(instrument: Instrument, mtf: bool, options: Facts) -> _Product[PSF]
         find=psf_files.find,
         make=lambda: compute(instrument.pupil(), instrument.window, instrument.pixel, **options),
         report=lambda made, seconds: (
-            reports.describe_lens(instrument) + reports.describe_psf(made, seconds) + _mtf(mtf, instrument)
+            summarize_lens(instrument) + reports.describe_psf(made, seconds) + _mtf(mtf, instrument)
         ),
         entitle=lambda axes: axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9),
         note=_picture_note,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -14,330 +13,27 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.channel_psf import ColourPSF
-from lommel.cli.options import Pitch
-from lommel.cli.output import Facts, Report, list_of, table_of
-from lommel.core.answers import ToleranceError
+from lommel.cli.lens_report import magnifies
+from lommel.cli.output import Facts, Report, Wrapped, known, list_of, per_mm, pitch_in_words, refused, table_of
 from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
-from lommel.measures import aperture_means, errors, spot, transfer
-from lommel.measures.energy import MAX_RADIUS, encircled, optics
+from lommel.measures import errors, transfer
 from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
 from lommel.methods import HuygensFresnel, Method, Polychromatic
-from lommel.methods.choice import of_profiles, reference
-from lommel.optics.aperture.apodization import Apodization
+from lommel.methods.choice import reference
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.layers.emitter import Dipole, Scalar
 from lommel.optics.layers.stratified import Layer
-from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF, psf
 from lommel.show.drawing import HOW, MEANING
-from lommel.special import zernike
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-_OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
-            "model", "corrected_for")  # fmt: skip
 _OF_OBJECTIVE = ("NA", "magnification", "working_distance", "immersion")
-
-
-def describe_lens(instrument: Instrument) -> Report:
-    """Return the report of a lens and its object; facts are None for infinity and for what cannot be computed.
-
-    Lengths in metres, phases in radians, frequencies in cycles per metre along x; "refused" has the reasons.
-    """
-    lens, pupil = instrument.lens, instrument.pupil()
-    radii = dict(instrument.radii)
-    airy, blur = pupil.airy_radius, float(pupil.geometric_radius())
-    radii.setdefault("Airy radius", airy)
-    if blur > 0:
-        radii.setdefault("geometric blur radius", blur)
-    refused: dict[str, None] = {}
-    at = list(radii.values())
-
-    def known(work: Callable[[], Any]) -> Any:
-        try:
-            return work()
-        except (ValueError, ArithmeticError) as reason:
-            refused[str(reason)] = None
-            return None
-
-    def of_circle(work: Callable[[], Any]) -> Any:
-        return known(work) if pupil.circular else None
-
-    nothing: list[None] = [None] * len(at)
-    seen, error = known(lambda: _energies(pupil, at)) or (nothing, None)
-    ideal, other_error = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None)
-    # Along columns, whose pitch is the width of a pixel.
-    nyquist = 0.5 / instrument.pitch[1]
-    sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill}
-    facts = {
-        "name": instrument.name,
-        "source": instrument.source,
-        **{name: getattr(lens, name) for name in _OF_LENS},
-        "apodization": light.to_dict() if isinstance(light := lens.apodization, Apodization) else light,
-        "rim_amplitude": float(np.divide(*lens.illumination.value([1.0, 0.0]))),
-        "other_model": other_model(instrument),
-        "focus_distance": _finite(lens.focus_distance),
-        "sensor_distance": lens.sensor_distance,
-        "object_distance": _finite(instrument.object_distance),
-        "pixel": instrument.pixel,
-        "defocus": float(pupil.wavefront.defocus),
-        "spherical": float(pupil.wavefront.spherical),
-        "higher": [float(c) for c in pupil.wavefront.higher],
-        "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
-        "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
-        "airy_radius": airy,
-        "geometric_radius": blur,
-        "strehl": known(lambda: float(aperture_means.strehl(pupil))),
-        "marechal": float(aperture_means.marechal(pupil)),
-        "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
-        "fwhm": known(
-            lambda: float(spot.radial_fwhm(of_profiles(), pupil) if pupil.radial else spot.width(optics(pupil)))
-        ),
-        "cutoff": pupil.cutoff,
-        "mtf50": of_circle(lambda: float(transfer.mtf_frequency(pupil))),
-        "nyquist": nyquist,
-        "mtf_at_nyquist": of_circle(lambda: float(transfer.mtf(pupil, nyquist))),
-        "mtf_at_nyquist_with_pixel": of_circle(lambda: float(transfer.mtf(pupil, nyquist, **sensor))),
-        "aperture": {
-            "spider": None if lens.spider is None else lens.spider.to_dict(),
-            "vignetting": None if lens.vignetting is None else lens.vignetting.to_dict(),
-            "mask": None if lens.mask is None else {"side": lens.mask.side},
-        },
-        "clear_area": pupil.area,
-        "field": None if instrument.aberrations_of_field is None else _field(instrument),
-        "encircled_energy": [
-            {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
-            for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
-        ],
-        "encircled_energy_error": max((e for e in (error, other_error) if e is not None), default=None),
-        "refused": list(refused),
-    }
-    return Report(facts, _lens_parts(facts))
-
-
-def _lens_parts(facts: Facts) -> list[RenderableType]:
-    """Return the tables of a lens."""
-    focused, seen = _distinct(facts["focus_distance"], facts["object_distance"])
-    obscured = f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else ""
-    nyquist, with_pixel = facts["mtf_at_nyquist"], facts["mtf_at_nyquist_with_pixel"]
-    lines = [
-        ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}{obscured}"),
-        *_aperture(facts),
-        ("focus distance", focused),
-        ("object distance", seen),
-        ("wavelength", format_length(facts["wavelength"])),
-        ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
-         f" (working f/{facts['working_f_number']:.4g})"),
-        ("pixel", pitch_in_words(facts["pixel"])),
-        ("model", _model(facts)),
-        ("amplitude", None if facts["apodization"] == 0.0 else _amplitude(facts)),
-        ("other model", None if _identical(facts["other_model"]) else model_in_words(facts["other_model"])),
-        ("defocus C_d", f"{facts['defocus']:.4g} rad"),
-        ("spherical C_s", f"{facts['spherical']:.4g} rad"),
-        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
-        ("in waves", ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())),
-        ("Airy radius", format_length(facts["airy_radius"])),
-        ("geometric blur radius", format_length(facts["geometric_radius"])),
-        ("rms wavefront error", f"{facts['rms_waves']:.4g} waves"),
-        ("Strehl ratio (on axis)", _known(facts["strehl"], ".4g")),
-        ("Marechal's estimate", f"{facts['marechal']:.4g}"
-         + (" (valid above 0.3)" if facts["marechal"] < 0.3 else "")),
-        ("FWHM", "-" if facts["fwhm"] is None else format_length(facts["fwhm"])),
-        ("MTF50", None if facts["mtf50"] is None else
-         f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
-        ("MTF at Nyquist", None if with_pixel is None else
-         f"{nyquist:.4g} at {_per_mm(facts['nyquist'])}, pixel included {with_pixel:.4g}"),
-    ]  # fmt: skip
-    parts: list[RenderableType] = [Text(facts["name"], "bold"), list_of(lines)]
-    if any(term["m"] for term in facts["zernike"]):
-        rows = [(t["name"], f"({t['n']}, {t['m']})", f"{t['waves_rms']:+.4g}") for t in facts["zernike"]]
-        parts += ["", table_of(("name", "(n, m)", "waves rms"), rows, title="Zernike terms")]
-    if facts["field"] is not None:
-        parts += _field_parts(facts["field"])
-    energies = [
-        (
-            row["within"],
-            format_length(row["radius"]),
-            *(_known(row[name], ".1%") for name in ("fraction", "unaberrated")),
-        )
-        for row in facts["encircled_energy"]
-    ]
-    names = ("within", "radius", "this lens", "unaberrated")
-    parts += ["", table_of(names, energies, title="Encircled energy")]
-    if facts["encircled_energy_error"] is not None:
-        parts.append(Text(f"error bound {facts['encircled_energy_error']:.1g}", "dim"))
-    elif any(facts["aperture"].values()):
-        parts.append(Text("no error bound", "dim"))
-    return [*parts, *_refused(facts)]
-
-
-def _known(value: float | None, form: str) -> str:
-    return "-" if value is None else format(value, form)
-
-
-def _refused(facts: Facts) -> list[Text]:
-    return [Text(f"not computed: {reason}", "dim") for reason in facts["refused"]]
-
-
-def _distinct(*distances: float | None) -> list[str]:
-    """Return lengths with enough digits for different ones to look different."""
-    for digits in range(4, 13):
-        texts = ["infinity" if d is None else format_length(d, digits=digits) for d in distances]
-        if len(set(texts)) == len(set(distances)):
-            break
-    return texts
-
-
-def _amplitude(facts: Facts) -> str:
-    kind = facts["apodization"]
-    if isinstance(kind, float):
-        name = f"Gaussian, exp(-{kind:.4g} rho^2)"
-    else:
-        name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "exponential of a polynomial in rho^2"
-    return f"{name}: {facts['rim_amplitude']:.4g} at the edge of the pupil"
-
-
-def _model(facts: Facts) -> str:
-    side = f", corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else ""
-    return f"{facts['model']}{side}"
-
-
-def model_in_words(other: Facts) -> str:
-    """Return the difference of the paraxial and the aplanatic model in one line."""
-    if other["reason"] is not None:
-        return f"{other['model']}: {other['reason']}"
-    if _identical(other):
-        return f"{_model(other)}: identical"
-    return (
-        f"{_model(other)}: differs by {other['peak_error']:.2g} of the peak, geometric blur radius "
-        f"{format_length(other['geometric_radius'])}"
-    )
-
-
-def _identical(other: Facts) -> bool:
-    """Return whether the other model makes the same PSF within the tolerance of both, 1e-6."""
-    return other["reason"] is None and bool(other["peak_error"] < 1e-6)
-
-
-def _aperture(facts: Facts) -> list[tuple[str, str]]:
-    """Return rows for the spider, the vignetting and the mask, if there are any."""
-    spider, edge, mask = (facts["aperture"][name] for name in ("spider", "vignetting", "mask"))
-    rows = []
-    if spider is not None:
-        angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
-        width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
-        rows.append(("vanes", f"{width} wide, at {angles} degrees from x towards y"))
-    if edge is not None and edge["name"] == "Ellipse":
-        rows.append(
-            ("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {math.degrees(edge['angle']):.4g} degrees")
-        )
-    elif edge is not None:
-        x, y = edge["shift"]
-        rows.append(("cat's eye", f"a circle of {edge['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
-    if mask is not None:
-        rows.append(("mask", f"{mask['side']} x {mask['side']} samples"))
-    return [*rows, ("clear area", f"{facts['clear_area']:.2%} of the full aperture")] if rows else []
-
-
-def _per_mm(frequency: float) -> str:
-    return f"{1e-3 * frequency:.4g} cycles/mm"
-
-
-def pitch_in_words(pixel: Pitch) -> str:
-    """Return the pixel pitch with its unit, or height x width."""
-    return " x ".join(format_length(side) for side in ([pixel] if isinstance(pixel, float) else pixel))
-
-
-def _field(instrument: Instrument) -> Facts:
-    """Return the description of the field, from the axis to a corner of the sensor."""
-    assert instrument.sensor is not None  # as long as there is a map
-    field, (height, width) = instrument.field(), instrument.sensor
-    places = []
-    for part in (0.0, 0.5, 0.7, 1.0):
-        x, y = 0.5 * part * width, 0.5 * part * height
-        try:
-            pupil = field.pupil(x, y)
-        except ValueError:  # beyond the map
-            continue
-        terms = pupil.wavefront.to_zernike(unit="waves")
-        places.append(
-            {
-                "part": part,
-                "distance": math.hypot(x, y),
-                "strehl": float(aperture_means.strehl(pupil)),
-                "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
-                "zernike": _terms({term: c for term, c in terms.items() if term[0] > 1}),
-            }
-        )
-    seidel = {name: waves for name, waves in field.seidel.items() if waves}
-    return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
-
-
-def _field_parts(field: Facts) -> list[RenderableType]:
-    """Return the table of the field."""
-    seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
-    if seidel:
-        seidel = f": {seidel} waves at an image height of {format_length(field['reach'])}"
-    rows = []
-    for place in field["places"]:
-        largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:3]
-        terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
-        distance = format_length(place["distance"], like=field["reach"])
-        rows.append((distance, f"{place['strehl']:.4g}", f"{place['rms_waves']:.4g}", terms))
-    names = ("image height", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
-    note = Text("along a diagonal of the sensor; all other values are on the axis", "dim")
-    return ["", table_of(names, rows, left=3, title=f"Field{seidel}"), note]
-
-
-def _terms(terms: dict[tuple[int, int], Any]) -> list[Facts]:
-    return [
-        {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
-        for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(item[0][0], item[0][1], "noll")))
-    ]
-
-
-def other_model(instrument: Instrument) -> Facts:
-    """Return how the PSF changes with the other model of the lens, paraxial or aplanatic; or the "reason" why not.
-
-    "peak_error" is the largest difference of the two PSFs in the window over the peak of the aplanatic one.
-    """
-    lens = instrument.lens
-    model = "aplanatic" if lens.model == "paraxial" else "paraxial"
-    # Where the lens magnifies, as an objective does, the sensor is in its design position and the object is not.
-    side = "focus" if model == "aplanatic" and _magnifies(lens) else lens.corrected_for
-    found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
-    try:
-        # The amplitude stays, also where it is made of angles that a paraxial lens does not have.
-        changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
-        other = changed.pupil(instrument.object_distance)
-        pupils = {lens.model: instrument.pupil(), model: other}
-        seen = {
-            name: psf(p, instrument.window, instrument.pixel, dtype="float64", **instrument.sensor_options)
-            for name, p in pupils.items()
-        }
-    except ToleranceError:
-        return found | {"reason": "cannot be computed to the tolerance"}
-    except (ValueError, ArithmeticError, ImportError) as error:
-        return found | {"reason": str(error)}
-    blur, difference = other.geometric_radius(), errors.peak_error(seen["paraxial"], seen["aplanatic"])
-    return found | {"geometric_radius": float(blur), "peak_error": difference}
-
-
-def _magnifies(lens: Lens) -> bool:
-    return 0.0 < lens.focus_distance < lens.sensor_distance
-
-
-def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None]:
-    """Return encircled energies, None for circles that are too wide, and the bound on their error."""
-    most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
-    found = encircled(pupil, [r for r in radii if r <= most])
-    within = iter(found.fraction.tolist())
-    return [next(within) if r <= most else None for r in radii], found.error
 
 
 def describe_psf(answer: PSF, seconds: float) -> Report:
@@ -349,7 +45,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
         ("method", repr(answer.method)),
         ("values", _values(facts)),
         ("pixels", f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"),
-        ("largest value", f"{facts['peak']:.4g}"),
+        ("largest value", f"{facts['peak']:.{_digits(answer.error_bound)}g}"),
         ("energy in the window", f"{energy:.2%}"),
         *_error_and_time(facts),
     ]
@@ -359,11 +55,16 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
             f"The values sum to {facts['sum']:.4g}, not to the light in the window: point samples this far apart "
             "miss some of it. Use --integrate for pixel-integrated values."
         )
-        parts.append(Text(text))
+        parts.append(Wrapped(text))
     if not enough:
         text = f"The window holds {energy:.0%} of the light; --shape {side} would hold about 98 %."
-        parts.append(Text(text))
+        parts.append(Wrapped(text))
     return Report({"psf": facts}, parts)
+
+
+def _digits(bound: float | None) -> int:
+    """Return the significant digits of the peak that an error bound relative to it leaves, at most four."""
+    return 4 if not bound else min(4, max(1, math.floor(-math.log10(bound))))
 
 
 def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Report:
@@ -435,7 +136,7 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
         waves = one["wavelengths"]
         ends = " to ".join(dict.fromkeys(format_length(end) for end in (min(waves), max(waves))))
         ends = ends if len(waves) == 1 else f"{len(waves)} from {ends}"
-        rows.append((one["name"], ends, f"{one['light']:.3g}", f"{one['peak']:.4g}", _known(one["energy"], ".2%")))
+        rows.append((one["name"], ends, f"{one['light']:.3g}", f"{one['peak']:.4g}", known(one["energy"], ".2%")))
     table = table_of(("channel", "wavelengths", "light", "largest value", "sum of values"), rows)
     return Report(facts, [Text(instrument.name, "bold"), list_of(lines), "", table])
 
@@ -446,7 +147,9 @@ def _values(facts: Facts) -> str:
 
 def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
     """Return rows for the error bound and the time."""
-    bound = "none" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak{channel}"
+    bound = "none proven"
+    if facts["error_bound"] is not None:
+        bound = f"each value within {facts['error_bound']:.2g} of the peak{channel}"
     return [("error bound", bound), ("time", f"{1e3 * facts['seconds']:.1f} ms")]
 
 
@@ -483,7 +186,7 @@ def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channe
         cells.append([*where, *(f"{value:.4f}" for part in at for value in row[part])])
     names = (*heads, "x, Nyquist", "y, Nyquist", "x, half", "y, half")
     table = table_of(names, cells, left=0 if heads else -1, title="MTF, pixel included")
-    across, down = (_per_mm(frequency) for frequency in nyquist)
+    across, down = (per_mm(frequency) for frequency in nyquist)
     along = across if across == down else f"{across} along x and {down} along y"
     note = Text(f"Nyquist frequency: {along}; x: vertical lines", "dim")
     return Report({"mtf": {"frequency": list(nyquist), "rows": rows}}, ["", table, note])
@@ -532,7 +235,7 @@ def compare(
         row: Facts = {"method": name, "options": method.to_dict(), "reason": None}
         row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
         rows.append(row)
-        if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and _magnifies(instrument.lens):
+        if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and magnifies(instrument.lens):
             row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike any objective'
             continue
         if method != judge:
@@ -570,10 +273,6 @@ def timed(work: Callable[[], PSF]) -> tuple[PSF, float]:
         if seconds > 1.0:
             break
     return answer, seconds
-
-
-def _finite(value: float) -> float | None:
-    return None if math.isinf(value) else value
 
 
 DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
@@ -657,8 +356,8 @@ def _microscope_parts(facts: Facts) -> list[RenderableType]:
 
 
 _ORIGINS = {
-    "brightest": "the brightest focus of the emitter",
-    "paraxial": "the paraxial focus of the emitter",
+    "brightest": "the brightest focus",
+    "paraxial": "the paraxial focus",
     "coverslip": "the surface of the cover glass",
 }
 
@@ -695,7 +394,7 @@ def _focus_parts(facts: Facts) -> list[RenderableType]:
         (
             f"{1e6 * row['depth']:.4g}",
             *(f"{1e6 * row[name]:.3f}" for name in ("paraxial", "brightest")),
-            _known(row["ratio"], ".3f"),
+            known(row["ratio"], ".3f"),
             *(f"{1e9 * row[name]:.0f}" for name in ("axial_fwhm", "lateral_fwhm")),
             *(f"{row[name]:.3f}" for name in ("peak", "peak_of_surface", "collected")),
         )
@@ -706,9 +405,10 @@ def _focus_parts(facts: Facts) -> list[RenderableType]:
         column.overflow = "fold"  # or digits would be cut off
     note = (
         "paraxial, best (brightest): stage travel from the focus on the surface of the cover glass; axial, lateral: "
-        "full width at half maximum; light: collected light relative to an emitter far from the glass"
+        "full width at half maximum of the optics alone, without the pixel; light: "
+        "collected light relative to an emitter far from the glass"
     )
-    return ["", table, Text(note, "dim"), *_refused(facts)]
+    return ["", table, Wrapped(note, "dim"), *refused(facts)]
 
 
 def describe_stack(answer: PSF, seconds: float) -> Report:

@@ -9,6 +9,7 @@ many nodes; oscillating integrands are refined until the result converges.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -53,6 +54,19 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
     validation.choice("unit", unit, ("radians", "waves"))
     of = Pupil(pupil) if isinstance(pupil, Wavefront) else checked(pupil)
     return numbers(np.sqrt(_variance(of)) / (1.0 if unit == "radians" else 2.0 * math.pi), of.shape)
+
+
+def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]) -> Array:
+    """Return the coefficients (radians) of functions of rho and theta that fit the phase of a single pupil best.
+
+    Fitted together with a constant, over the clear aperture, weighted by amplitude: without these terms the rms is
+    least. Exact but for rounding for polynomials of no higher degree and order than tilt, defocus and the phase.
+    """
+    rho, theta, weight = _polynomial_rule(checked(pupil), 1.0)
+    columns = np.stack([np.ones(rho.shape), *(term(rho, theta) for term in terms)], axis=-1)
+    root = np.sqrt(weight)
+    phase = pupil.wavefront.phase(rho, theta)
+    return np.asarray(np.linalg.lstsq(columns * root[:, None], phase * root, rcond=1e-12)[0][1:])
 
 
 def marechal(pupil: Pupil) -> Numbers:

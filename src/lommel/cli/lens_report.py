@@ -1,0 +1,505 @@
+"""The report of ``lommel info`` on a lens: sharpness, wavefront, model, and what its field of science measures by."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from rich.text import Text
+
+from lommel.base.units import format_length
+from lommel.cli.output import (
+    Facts,
+    Report,
+    Wrapped,
+    known,
+    list_of,
+    number,
+    per_mm,
+    pitch_in_words,
+    refused,
+    strehl_ratio,
+    table_of,
+)
+from lommel.core.answers import ToleranceError
+from lommel.lensfiles.instrument import Instrument
+from lommel.measures import aperture_means, errors, spot, transfer
+from lommel.measures.energy import MAX_RADIUS, encircled, optics
+from lommel.methods.choice import of_profiles
+from lommel.optics.aperture.apodization import Apodization
+from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import PSF, psf
+from lommel.special import zernike
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+_OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
+            "model", "corrected_for")  # fmt: skip
+
+IN_FOCUS = 2.0
+"""Largest geometric blur of what counts as in focus, in pixels."""
+
+_ARCSEC = math.pi / 648000.0
+_SHARE = 0.8
+# Pixels change diameters of more pixels than this by less than their last digit, at the cost of seconds.
+_WIDE = 60.0
+# An image whose circle of 80 % of the light is so many times its FWHM has a bright centre within a wide blur.
+_SPIKE = 4.0
+
+
+def introduce_lens(instrument: Instrument) -> Report:
+    """Return the description of a lens, its object and its sensor, without measures of its images."""
+    lens = instrument.lens
+    focal, height, width = lens.focal_length, *instrument.pitch
+    telescope = math.isinf(lens.focus_distance) and math.isinf(instrument.object_distance)
+    near, far, hyperfocal = _depth_of_field(instrument)
+    sharp = {"near": near, "far": _finite(far), "blur": IN_FOCUS * max(height, width)}
+    facts = {
+        "name": instrument.name,
+        "source": instrument.source,
+        **{name: getattr(lens, name) for name in _OF_LENS},
+        "apodization": light.to_dict() if isinstance(light := lens.apodization, Apodization) else light,
+        "focus_distance": _finite(lens.focus_distance),
+        "sensor_distance": lens.sensor_distance,
+        "object_distance": _finite(instrument.object_distance),
+        "pixel": instrument.pixel,
+        "arcsec_per_pixel": width / focal / _ARCSEC if telescope else None,
+        "pixel_in_object": width * lens.focus_distance / lens.sensor_distance if magnifies(lens) else None,
+        "in_focus": None if near is None else sharp,
+        "hyperfocal_distance": hyperfocal,
+        "aperture": {
+            "spider": None if lens.spider is None else lens.spider.to_dict(),
+            "vignetting": None if lens.vignetting is None else lens.vignetting.to_dict(),
+            "mask": None if lens.mask is None else {"side": lens.mask.side},
+        },
+        "clear_area": instrument.pupil().area,
+    }
+    return Report(facts, [Text(instrument.name, "bold"), list_of(_setup(facts))])
+
+
+def summarize_lens(instrument: Instrument) -> Report:
+    """Return the same with one line for people."""
+    setup = introduce_lens(instrument)
+    focused, seen = _distinct(setup.facts["focus_distance"], setup.facts["object_distance"])
+    lens = instrument.lens
+    line = (
+        f"f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}, {format_length(lens.wavelength)}; "
+        f"focus {focused}, object {seen}; `lommel info` has its image quality"
+    )
+    return Report(setup.facts, [setup.parts[0], Wrapped(line)])
+
+
+def _depth_of_field(instrument: Instrument) -> tuple[float | None, float, float | None]:
+    """Return the nearest and the farthest distance in focus and the hyperfocal distance; None for other fields.
+
+    Geometric, of a lens without aberration: ``blur = D d abs(1/s - 1/s0)`` at the distance s, D being the aperture
+    diameter, d the distance of the sensor and s0 the distance in focus.
+    """
+    lens, blur = instrument.lens, IN_FOCUS * max(instrument.pitch)
+    diameter = lens.aperture_diameter
+    # Of telescopes and microscopes nobody asks.
+    if lens.focus_distance < 0.0 or magnifies(lens) or lens.obscuration or lens.focal_length > 1.0:
+        return None, math.nan, None
+    reach = blur / (diameter * lens.sensor_distance)
+    near, far = 1.0 / lens.focus_distance + reach, 1.0 / lens.focus_distance - reach
+    return 1.0 / near, 1.0 / far if far > 0.0 else math.inf, lens.focal_length * (1.0 + diameter / blur)
+
+
+def _setup(facts: Facts) -> list[tuple[str, str | None]]:
+    """Return the rows of lens, object and sensor."""
+    focused, seen = _distinct(facts["focus_distance"], facts["object_distance"])
+    obscured = f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else ""
+    pixel, sharp = pitch_in_words(facts["pixel"]), facts["in_focus"]
+    if facts["arcsec_per_pixel"]:
+        pixel += f", {number(facts['arcsec_per_pixel'])} arcsec"
+    if facts["pixel_in_object"]:
+        pixel += f", {format_length(facts['pixel_in_object'])} in the sample"
+    if sharp is not None:
+        near, far = _distinct(sharp["near"], sharp["far"])
+        sharp = f"{near} to {far} (geometric blur up to {IN_FOCUS:g} pixels)"
+    hyperfocal = facts["hyperfocal_distance"]
+    return [
+        ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
+         f" (working f/{facts['working_f_number']:.4g}){obscured}"),
+        *_aperture(facts),
+        ("wavelength", format_length(facts["wavelength"])),
+        ("focus distance", focused),
+        ("object distance", seen),
+        ("depth of field", sharp),
+        ("hyperfocal distance", None if hyperfocal is None else f"{format_length(hyperfocal)} (same blur)"),
+        ("pixel", pixel),
+    ]  # fmt: skip
+
+
+def describe_lens(instrument: Instrument) -> Report:
+    """Return the report of a lens and its object; facts are None for infinity and for what cannot be computed.
+
+    Lengths in metres, phases in radians, frequencies in cycles per metre along x; "refused" has the reasons.
+    """
+    lens, pupil, setup = instrument.lens, instrument.pupil(), introduce_lens(instrument)
+    radii = dict(instrument.radii)
+    airy, blur = pupil.airy_radius, float(pupil.geometric_radius())
+    radii.setdefault("Airy radius", airy)
+    if blur > 0:
+        radii.setdefault("geometric blur radius", blur)
+    reasons: dict[str, None] = {}
+    at = list(radii.values())
+
+    def tried(work: Callable[[], Any]) -> Any:
+        try:
+            return work()
+        except (ValueError, ArithmeticError) as reason:
+            reasons[str(reason)] = None
+            return None
+
+    def of_circle(work: Callable[[], Any]) -> Any:
+        return tried(work) if pupil.circular else None
+
+    nothing: list[None] = [None] * len(at)
+    seen, error = tried(lambda: _energies(pupil, at)) or (nothing, None)
+    ideal, other_error = tried(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None)
+    # Along columns, whose pitch is the width of a pixel.
+    nyquist = 0.5 / instrument.pitch[1]
+    sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill}
+    facts = setup.facts | {
+        "rim_amplitude": float(np.divide(*lens.illumination.value([1.0, 0.0]))),
+        "other_model": other_model(instrument),
+        "defocus": float(pupil.wavefront.defocus),
+        "spherical": float(pupil.wavefront.spherical),
+        "higher": [float(c) for c in pupil.wavefront.higher],
+        "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
+        "balancing_W020": _balancing(pupil),
+        "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
+        "airy_radius": airy,
+        "geometric_radius": blur,
+        "strehl": tried(lambda: float(aperture_means.strehl(pupil))),
+        "strehl_at_peak": tried(lambda: _brightest(pupil)),
+        "marechal": float(aperture_means.marechal(pupil)),
+        "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
+        "rms_waves_without_tilt": float(aperture_means.rms(_level(pupil), unit="waves")),
+        **_widths(instrument, pupil, tried),
+        "cutoff": pupil.cutoff,
+        "mtf50": of_circle(lambda: float(transfer.mtf_frequency(pupil))),
+        "nyquist": nyquist,
+        "mtf_at_nyquist": of_circle(lambda: float(transfer.mtf(pupil, nyquist))),
+        "mtf_at_nyquist_with_pixel": of_circle(lambda: float(transfer.mtf(pupil, nyquist, **sensor))),
+        "field": None if instrument.aberrations_of_field is None else _field(instrument),
+        "encircled_energy": [
+            {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
+            for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
+        ],
+        "encircled_energy_error": max((e for e in (error, other_error) if e is not None), default=None),
+        "refused": list(reasons),
+    }
+    return Report(facts, [*setup.parts, *_image_parts(facts, instrument.pitch), *_wavefront_parts(facts)])
+
+
+def _across(rho: Any, theta: Any) -> Any:
+    return rho * np.cos(theta)
+
+
+def _down(rho: Any, theta: Any) -> Any:
+    return rho * np.sin(theta)
+
+
+def _tilted(pupil: Pupil, x: float, y: float) -> Pupil:
+    """Return a pupil with another tilt, radians at the edge of the pupil along x and y."""
+    # A Zernike tilt is normalised to an rms of 1 over the disc: 2 at its edge.
+    tilt = Wavefront.zernike({(1, 1): 0.5 * x, (1, -1): 0.5 * y})
+    return replace(pupil, wavefront=pupil.wavefront + tilt, geometry=None)
+
+
+def _level(pupil: Pupil) -> Pupil:
+    """Return a pupil less the tilt without which the rms is least: its image is that of `pupil`, elsewhere."""
+    return _tilted(pupil, *-aperture_means.least_squares(pupil, [_across, _down]))
+
+
+def _balancing(pupil: Pupil) -> float | None:
+    """Return the W020 (waves) that leaves the least rms beside the other terms; None where there are none."""
+    if not (pupil.wavefront.spherical or any(pupil.wavefront.higher)):
+        return None
+    excess = aperture_means.least_squares(pupil, [lambda rho, _: rho**2, _across, _down])[0]
+    return float(pupil.wavefront.waves["W020"] - excess / (2.0 * math.pi))
+
+
+def _brightest(pupil: Pupil) -> float:
+    """Return the Strehl ratio at the brightest point of the image."""
+    if not pupil.radial:
+        # Where the image is brightest is the axis of a wavefront with another tilt.
+        x, y = spot.brightest_place(optics(pupil))
+        return float(aperture_means.strehl(_tilted(pupil, -math.pi * x, -math.pi * y)))
+    method, far = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
+    v = np.linspace(0.0, far, 64 + math.ceil(10.0 * far))
+    best = v[np.argmax(method.profile(pupil, v).values[0])]
+    near = np.abs(best + np.linspace(-v[1], v[1], 101))
+    top = method.profile(pupil, np.append(0.0, near)).values.max()
+    return float(top / method.unaberrated_peak(pupil))
+
+
+def _widths(instrument: Instrument, pupil: Pupil, tried: Callable[[Callable[[], Any]], Any]) -> Facts:
+    """Return FWHM and diameter of 80 % of the light, of the optics alone and, where that differs, with the pixel."""
+    # One pixel, integrated: measures are of the continuous image.
+    image: PSF = psf(pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill)
+    measures: dict[str, Callable[[str], float]] = {
+        "fwhm": lambda of: float(spot.fwhm(image, of=of)),
+        "diameter_80": lambda of: float(spot.energy_diameter(image, _SHARE, about="centroid", of=of)),
+    }
+    found: Facts = {name: tried(partial(measure, "optics")) for name, measure in measures.items()}
+    for name, value in list(found.items()):
+        wide = found["diameter_80"] or math.inf
+        found[f"{name}_with_pixel"] = None
+        if value is None or wide > _WIDE * min(instrument.pitch):
+            continue
+        found[f"{name}_with_pixel"] = tried(partial(measures[name], "image"))
+    return found
+
+
+def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableType]:
+    """Return the tables of the image of a point."""
+    on_axis, top = facts["strehl"], facts["strehl_at_peak"]
+    strehl = strehl_ratio(on_axis)
+    if top is not None and on_axis is not None and top > 1.005 * on_axis:
+        strehl += f" on the axis, {strehl_ratio(top)} at the brightest point"
+    at_nyquist, with_pixel = facts["mtf_at_nyquist"], facts["mtf_at_nyquist_with_pixel"]
+    resolved = at_nyquist is not None and facts["nyquist"] < facts["cutoff"]
+    lines = [
+        ("Strehl ratio", strehl),
+        ("Marechal's estimate", strehl_ratio(facts["marechal"]) if facts["marechal"] >= 0.3 else None),
+        ("MTF at Nyquist", f"{with_pixel:.4f} with the pixel, {at_nyquist:.4f} optics alone,"
+         f" at {per_mm(facts['nyquist'])}" if resolved else None),
+        ("MTF50", None if facts["mtf50"] is None else
+         f"{per_mm(facts['mtf50'])}, optics alone (cutoff {per_mm(facts['cutoff'])})"),
+    ]  # fmt: skip
+    energies = [
+        (
+            row["within"],
+            format_length(row["radius"]),
+            *(known(row[name], ".1%") for name in ("fraction", "unaberrated")),
+        )
+        for row in facts["encircled_energy"]
+    ]
+    names = ("within", "radius", "this lens", "unaberrated")
+    parts: list[RenderableType] = ["", list_of(lines, title="Image of a point"), "", _diameters(facts, pitch[1])]
+    parts += ["", table_of(names, energies, title="Encircled energy about the axis, optics alone")]
+    if facts["encircled_energy_error"] is not None:
+        parts.append(Text(f"error of these fractions at most {facts['encircled_energy_error']:.1g}", "dim"))
+    elif any(facts["aperture"].values()):
+        parts.append(Text("no proven error bound for this aperture", "dim"))
+    if facts["field"] is not None:
+        parts += _field_parts(facts["field"])
+    return parts
+
+
+def _diameters(facts: Facts, pixel: float) -> RenderableType:
+    """Return the table of the diameters of the blur, in the units of the field of the lens."""
+    fwhm, circle = facts["fwhm"], facts["diameter_80"]
+    centre = fwhm is not None and circle is not None and circle > _SPIKE * fwhm
+    rows = [
+        ("FWHM" + (" of the central peak" if centre else ""), fwhm),
+        ("FWHM with the pixel", facts["fwhm_with_pixel"]),
+        ("80 % of the light", circle),
+        ("80 % of the light with the pixel", facts["diameter_80_with_pixel"]),
+        ("Airy disc (first dark ring)", 2.0 * facts["airy_radius"]),
+        ("geometric blur (circle of confusion)", 2.0 * facts["geometric_radius"] or None),
+    ]
+    units = {"um": 1e-6, "pixels": pixel}
+    if facts["arcsec_per_pixel"]:
+        units["arcsec"] = pixel / facts["arcsec_per_pixel"]
+    if facts["pixel_in_object"]:
+        units["nm in the sample"] = 1e-9 * pixel / facts["pixel_in_object"]
+    cells = [(name, *(number(value / unit) for unit in units.values())) for name, value in rows if value is not None]
+    return table_of(("diameter", *units), cells)
+
+
+def _wavefront_parts(facts: Facts) -> list[RenderableType]:
+    """Return the tables of the wavefront and of the model."""
+    rms, level = facts["rms_waves"], facts["rms_waves_without_tilt"]
+    where = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
+    tilted = f" ({number(level)} without tilt)" if rms - level > 5e-5 * rms else ""
+    best, higher = facts["balancing_W020"], facts["higher"]
+    listed = [f"{name} = {value:.4g}" for name, value in facts["waves"].items()]
+    rest = f", ... ({len(listed)} terms; see --json)" if len(listed) > 4 else ""
+    lines = [
+        ("rms wavefront error", f"{number(rms)} waves {where}{tilted}"),
+        ("defocus C_d", f"{facts['defocus']:.4g} rad"),
+        ("spherical C_s", f"{facts['spherical']:.4g} rad"),
+        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(higher if len(higher) < 4 else [])],
+        ("in waves at the edge", ", ".join(listed[: 2 if rest else 4]) + rest),
+        ("least rms would be at", None if best is None else f"W020 = {best:.4g}, which balances the other terms"),
+    ]
+    parts: list[RenderableType] = ["", list_of(lines, title="Wavefront")]
+    if any(term["m"] for term in facts["zernike"]):
+        rows = [(t["name"], f"({t['n']}, {t['m']})", f"{t['waves_rms']:+.4g}") for t in facts["zernike"]]
+        parts += ["", table_of(("Zernike term", "(n, m)", "waves rms over the full disc"), rows)]
+    unit = facts["wavelength"] * facts["working_f_number"]
+    models = [
+        ("model", _model(facts)),
+        ("amplitude", None if facts["apodization"] == 0.0 else _amplitude(facts)),
+        ("lambda*N", format_length(unit)),
+        ("other model", None if _identical(facts["other_model"]) else model_in_words(facts["other_model"])),
+    ]
+    return [*parts, "", list_of(models, title="Model"), *refused(facts)]
+
+
+def _finite(value: float) -> float | None:
+    return None if math.isinf(value) else value
+
+
+def _distinct(*distances: float | None) -> list[str]:
+    """Return lengths with enough digits for different ones to look different."""
+    for digits in range(4, 13):
+        texts = ["infinity" if d is None else format_length(d, digits=digits) for d in distances]
+        if len(set(texts)) == len(set(distances)):
+            break
+    return texts
+
+
+def _amplitude(facts: Facts) -> str:
+    kind = facts["apodization"]
+    if isinstance(kind, float):
+        name = f"Gaussian, exp(-{kind:.4g} rho^2)"
+    else:
+        name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "exponential of a polynomial in rho^2"
+    return f"{name}: {facts['rim_amplitude']:.4g} at the edge of the pupil"
+
+
+def _model(facts: Facts) -> str:
+    side = f", corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else ""
+    return f"{facts['model']}{side}"
+
+
+def model_in_words(other: Facts) -> str:
+    """Return the difference of the paraxial and the aplanatic model in one line."""
+    if other["reason"] is not None:
+        return f"{other['model']}: {other['reason']}"
+    if _identical(other):
+        return f"{_model(other)}: identical"
+    side = f" for the {other['corrected_for']}" if other["model"] == "aplanatic" else ""
+    return f"{other['model']}{side}: PSF differs by {other['peak_error']:.2g} of the peak"
+
+
+def _identical(other: Facts) -> bool:
+    """Return whether the other model makes the same PSF within the tolerance of both, 1e-6."""
+    return other["reason"] is None and bool(other["peak_error"] < 1e-6)
+
+
+def _aperture(facts: Facts) -> list[tuple[str, str]]:
+    """Return rows for the spider, the vignetting and the mask, if there are any."""
+    spider, edge, mask = (facts["aperture"][name] for name in ("spider", "vignetting", "mask"))
+    rows = []
+    if spider is not None:
+        angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
+        width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
+        rows.append(("vanes", f"{width} wide, at {angles} degrees from x towards y"))
+    if edge is not None and edge["name"] == "Ellipse":
+        rows.append(
+            ("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {math.degrees(edge['angle']):.4g} degrees")
+        )
+    elif edge is not None:
+        x, y = edge["shift"]
+        rows.append(("cat's eye", f"a circle of {edge['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
+    if mask is not None:
+        rows.append(("mask", f"{mask['side']} x {mask['side']} samples"))
+    return [*rows, ("clear area", f"{facts['clear_area']:.2%} of the full aperture")] if rows else []
+
+
+def _field(instrument: Instrument) -> Facts:
+    """Return the description of the field, from the axis to a corner of the sensor."""
+    assert instrument.sensor is not None  # as long as there is a map
+    field, (height, width) = instrument.field(), instrument.sensor
+    places = []
+    for part in (0.0, 0.5, 0.7, 1.0):
+        x, y = 0.5 * part * width, 0.5 * part * height
+        try:
+            pupil = field.pupil(x, y)
+        except ValueError:  # beyond the map
+            continue
+        terms, level = pupil.wavefront.to_zernike(unit="waves"), _level(pupil)
+        places.append(
+            {
+                "part": part,
+                "distance": math.hypot(x, y),
+                "strehl": float(aperture_means.strehl(pupil)),
+                "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
+                "strehl_at_peak": _brightest(pupil),
+                "rms_waves_without_tilt": float(aperture_means.rms(level, unit="waves")),
+                "zernike": _terms({term: c for term, c in terms.items() if term[0] > 1}),
+            }
+        )
+    seidel = {name: waves for name, waves in field.seidel.items() if waves}
+    return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
+
+
+def _field_parts(field: Facts) -> list[RenderableType]:
+    """Return the table of the field."""
+    seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
+    if seidel:
+        seidel = f": {seidel} waves at an image height of {format_length(field['reach'])}"
+    rows = []
+    for place in field["places"]:
+        largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:2]
+        terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
+        distance = format_length(place["distance"], like=field["reach"])
+        rows.append(
+            (distance, *(f"{place[name]:.4g}" for name in ("strehl_at_peak", "rms_waves_without_tilt")), terms)
+        )
+    names = ("image height", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
+    text = (
+        "along a diagonal of the sensor, without tilt, which only shifts the image; all other values are on the axis"
+    )
+    note = Wrapped(text, "dim")
+    return ["", table_of(names, rows, left=3, title=f"Field{seidel}"), note]
+
+
+def _terms(terms: dict[tuple[int, int], Any]) -> list[Facts]:
+    return [
+        {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
+        for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(item[0][0], item[0][1], "noll")))
+    ]
+
+
+def other_model(instrument: Instrument) -> Facts:
+    """Return how the PSF changes with the other model of the lens, paraxial or aplanatic; or the "reason" why not.
+
+    "peak_error" is the largest difference of the two PSFs in the window over the peak of the aplanatic one.
+    """
+    lens = instrument.lens
+    model = "aplanatic" if lens.model == "paraxial" else "paraxial"
+    # Where the lens magnifies, as an objective does, the sensor is in its design position and the object is not.
+    side = "focus" if model == "aplanatic" and magnifies(lens) else lens.corrected_for
+    found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
+    try:
+        # The amplitude stays, also where it is made of angles that a paraxial lens does not have.
+        changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
+        other = changed.pupil(instrument.object_distance)
+        pupils = {lens.model: instrument.pupil(), model: other}
+        seen = {
+            name: psf(p, instrument.window, instrument.pixel, dtype="float64", **instrument.sensor_options)
+            for name, p in pupils.items()
+        }
+    except ToleranceError:
+        return found | {"reason": "cannot be computed to the tolerance"}
+    except (ValueError, ArithmeticError, ImportError) as error:
+        return found | {"reason": str(error)}
+    blur, difference = other.geometric_radius(), errors.peak_error(seen["paraxial"], seen["aplanatic"])
+    return found | {"geometric_radius": float(blur), "peak_error": difference}
+
+
+def magnifies(lens: Lens) -> bool:
+    """Return whether the image of the object in focus is larger than it, as that of a microscope objective is."""
+    return 0.0 < lens.focus_distance < lens.sensor_distance
+
+
+def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None]:
+    """Return encircled energies, None for circles that are too wide, and the bound on their error."""
+    most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
+    found = encircled(pupil, [r for r in radii if r <= most])
+    within = iter(found.fraction.tolist())
+    return [next(within) if r <= most else None for r in radii], found.error

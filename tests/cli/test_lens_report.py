@@ -1,0 +1,162 @@
+"""What ``lommel info`` says of a lens: its numbers are those of the library, in the units of its field."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import re
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.base.units import format_length
+from lommel.cli.lens_report import IN_FOCUS, describe_lens, introduce_lens
+
+LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
+
+
+@pytest.fixture(scope="module")
+def phone(lenses):
+    return dataclasses.replace(lm.load_instrument(lenses["phone"]), object_distance=1.2, pixel=2e-6)
+
+
+@pytest.fixture(scope="module")
+def facts(phone):
+    return describe_lens(phone).facts
+
+
+def test_the_numbers_are_those_of_the_library(facts, phone):
+    lens, psf = phone.lens, lm.psf(phone.pupil(), 8, 2e-6)
+    c = float(lens.defocus(1.2))
+    assert facts["waves"]["W020"] == pytest.approx(c / np.pi)
+    assert facts["strehl"] == pytest.approx((np.sin(c) / c) ** 2)
+    for key, value in {
+        "defocus": c,
+        "rms_waves": lm.rms(psf.pupil, unit="waves"),
+        "marechal": lm.marechal(psf.pupil),
+        "fwhm": psf.fwhm(of="optics"),
+        "fwhm_with_pixel": psf.fwhm(),
+        "diameter_80": psf.energy_diameter(0.8, of="optics"),
+        "diameter_80_with_pixel": psf.energy_diameter(0.8),
+        "cutoff": 1 / (lens.wavelength * lens.working_f_number),
+        "mtf50": lm.mtf_frequency(psf.pupil),
+        "nyquist": 250e3,
+        "mtf_at_nyquist": lm.mtf(psf.pupil, 250e3),
+        "mtf_at_nyquist_with_pixel": lm.mtf(psf.pupil, 250e3) * 2 / np.pi,
+    }.items():
+        assert facts[key] == pytest.approx(float(value), rel=1e-5), key
+    ideal = lm.psf(psf.pupil.unaberrated(), 1, 2e-6)
+    for row in facts["encircled_energy"]:
+        assert row["fraction"] == pytest.approx(psf.encircled_energy(row["radius"], of="optics"), abs=1e-6)
+        assert row["unaberrated"] == pytest.approx(ideal.encircled_energy(row["radius"], of="optics"), abs=1e-6)
+
+
+def test_the_tables_show_what_the_json_says(call_lommel, lenses, tmp_path):
+    arguments = ("info", lenses["phone"], "--object-distance", "1.2 m", "--pixel", "2um")
+    text = call_lommel(*arguments, folder=tmp_path).stdout
+    p = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
+    titles = ["Image of a point", "Encircled energy about the axis, optics alone", "Wavefront", "Model"]
+    assert [line.strip() for line in text.splitlines() if line.strip() in titles] == titles
+    rows = dict(LINE.findall(text))
+    assert text.startswith(p["name"] + "\n")
+    assert rows["focus distance"] == format_length(p["focus_distance"]) == "500 mm"
+    assert rows["object distance"] == format_length(p["object_distance"]) == "1.2 m"
+    assert rows["wavelength"] == format_length(p["wavelength"]) == "530 nm"
+    assert rows["pixel"] == format_length(p["pixel"]) == "2 um"
+    assert rows["Strehl ratio"] == f"{p['strehl']:.4g}"
+    assert rows["MTF at Nyquist"].startswith(f"{p['mtf_at_nyquist_with_pixel']:.4f} with the pixel, ")
+    assert rows["MTF50"].startswith(f"{p['mtf50'] / 1e3:.4g} cycles/mm")
+    assert rows["rms wavefront error"] == f"{p['rms_waves']:.4g} waves over the pupil"
+    assert rows["defocus C_d"] == f"{p['defocus']:.4g} rad"
+    assert rows["spherical C_s"] == f"{p['spherical']:.4g} rad"
+    assert rows["in waves at the edge"] == f"W020 = {p['waves']['W020']:.4g}, W040 = 0"
+    for name, value in {
+        "FWHM": p["fwhm"],
+        "FWHM with the pixel": p["fwhm_with_pixel"],
+        "80 % of the light": p["diameter_80"],
+        "80 % of the light with the pixel": p["diameter_80_with_pixel"],
+        "Airy disc (first dark ring)": 2 * p["airy_radius"],
+        "geometric blur (circle of confusion)": 2 * p["geometric_radius"],
+    }.items():
+        assert rows[name].split() == [f"{1e6 * value:.4g}", f"{value / 2e-6:.4g}"]
+    for row in p["encircled_energy"]:
+        columns = re.split(r"\s{2,}", rows[row["within"]])
+        assert columns == [format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"]
+
+
+@pytest.mark.parametrize("focus", [0.5, 3.0, math.inf])
+def test_at_the_ends_of_the_depth_of_field_the_blur_is_of_two_pixels(phone, focus):
+    lens = phone.lens.focused(focus)
+    found = introduce_lens(dataclasses.replace(phone, lens=lens)).facts
+    ends = [found["in_focus"]["near"], math.inf if found["in_focus"]["far"] is None else found["in_focus"]["far"]]
+    assert found["in_focus"]["blur"] == IN_FOCUS * phone.pixel
+    for end in ends:
+        blur = 2 * float(lens.pupil(end).geometric_radius())
+        # Beyond the hyperfocal distance all that is far is sharper than that.
+        assert blur == pytest.approx(IN_FOCUS * phone.pixel) or (math.isinf(end) and blur < IN_FOCUS * phone.pixel)
+    far = phone.lens.focused(found["hyperfocal_distance"])
+    assert 2 * float(far.pupil(math.inf).geometric_radius()) == pytest.approx(IN_FOCUS * phone.pixel)
+
+
+def test_each_field_of_science_has_its_units(call_lommel, lenses, tmp_path):
+    telescope, microscope, camera = (
+        call_lommel("info", lenses[name], folder=tmp_path).stdout
+        for name in ("hubble-1990", "microscope-20x", "nifty-fifty")
+    )
+    # 2.5 um at 57.6 m, and 6.5 um over a magnification of 20.
+    assert dict(LINE.findall(telescope))["pixel"] == "2.5 um, 0.008952 arcsec"
+    assert dict(LINE.findall(microscope))["pixel"] == "6.5 um, 325 nm in the sample"
+    for text, unit in ((telescope, "arcsec"), (microscope, "nm in the sample"), (camera, None)):
+        head = next(line for line in text.splitlines() if line.startswith("diameter "))
+        assert re.split(r"\s{2,}", head.strip()) == ["diameter", "um", "pixels", *([unit] if unit else [])]
+        assert ("depth of field" in text) == ("hyperfocal distance" in text) == (text is camera)
+    assert "FWHM of the central peak" in telescope
+    assert "FWHM of the central peak" not in camera + microscope
+
+
+def test_what_means_nothing_is_left_out(call_lommel, lenses, tmp_path):
+    hubble = call_lommel("info", lenses["hubble-1990"], folder=tmp_path).stdout
+    # Its pixels resolve more than its aperture passes, and its estimate of the Strehl ratio is 1e-20.
+    assert "Nyquist" not in hubble
+    assert "Marechal" not in hubble
+    sharp = call_lommel("info", lenses["camera-field"], folder=tmp_path).stdout
+    assert dict(LINE.findall(sharp))["Marechal's estimate"] == "0.9655"
+
+
+def test_tilt_moves_the_image_and_is_told_apart(lenses):
+    instrument = lm.load_instrument(lenses["newtonian-off-axis"])
+    tilted = instrument.lens.aberrations + lm.Wavefront.zernike({(1, 1): 5.0, (1, -1): -3.0})
+    lens = dataclasses.replace(instrument.lens, aberrations=tilted, focus_distance=math.inf, sensor_distance=None)
+    before, after = (describe_lens(one).facts for one in (instrument, dataclasses.replace(instrument, lens=lens)))
+    for name in ("strehl_at_peak", "rms_waves_without_tilt"):
+        assert after[name] == pytest.approx(before[name], rel=1e-6)
+    assert after["rms_waves"] != pytest.approx(before["rms_waves"], rel=0.1)
+    assert before["rms_waves_without_tilt"] < 0.5 * before["rms_waves"]
+    image = lm.psf(instrument.pupil(), 201, 0.1 * instrument.pupil().scale, integrate=False)
+    assert before["strehl_at_peak"] == pytest.approx(image.peak_strehl, rel=1e-2)
+
+
+def test_the_balancing_defocus_leaves_the_least_rms(lenses):
+    facts = describe_lens(lm.load_instrument(lenses["hubble-1990"])).facts
+    pupil = lm.load_instrument(lenses["hubble-1990"]).pupil()
+    away = (facts["balancing_W020"] - facts["waves"]["W020"]) * np.pi
+    at = [lm.rms(dataclasses.replace(pupil, wavefront=pupil.wavefront + lm.Wavefront(away + more), geometry=None))
+          for more in (-0.1, 0.0, 0.1)]  # fmt: skip
+    assert at[1] < min(at[0], at[2])
+    # Over an annulus it balances (1 + obscuration^2) times the spherical aberration.
+    assert facts["balancing_W020"] == pytest.approx(-(1 + 0.33**2) * facts["waves"]["W040"])
+
+
+def test_a_ring_is_brighter_than_the_axis():
+    lens = lm.Lens(focal_length=50e-3, f_number=8, focus_distance=2.0, wavelength=550e-9)
+    # Two waves of defocus: nothing on the axis.
+    near = 1 / (1 / 2.0 + 16 * lens.wavelength / lens.aperture_diameter**2)
+    assert float(lens.defocus(near)) == pytest.approx(2 * np.pi, rel=1e-3)
+    from lommel.lensfiles.instrument import Instrument
+
+    facts = describe_lens(Instrument("ring", "", lens, near, 1e-6, None, {})).facts
+    profile = lm.psf(lens.pupil(near), 121, 0.5e-6, integrate=False)
+    assert facts["strehl"] < 1e-4
+    assert facts["strehl_at_peak"] == pytest.approx(profile.peak_strehl, rel=1e-2)

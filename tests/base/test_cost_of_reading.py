@@ -42,6 +42,7 @@ ARGUED = {
     ("page/server.py", "read_bytes"): "the package's own live page",
     ("cli/main.py", "read_text"): "the package's own commands",
     ("cli/examples_command.py", "read_bytes"): "the package's own examples",
+    ("cli/examples_command.py", "loads"): "the package's own notebooks",
     ("cli/options.py", "open"): "the null device, to write to",
     ("cli/live_command.py", "open"): "a browser",
     ("base/atomic.py", "open"): "to write, and a store to lock it",

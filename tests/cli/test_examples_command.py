@@ -10,17 +10,27 @@ import pytest
 from lommel.cli import examples_command as examples
 
 ROOT = Path(__file__).resolve().parents[2] / "examples"
-THERE = {path.stem: path for kind in ("lenses", "objectives") for path in (ROOT / kind).glob("*.toml")}
+KINDS = {"lenses": ("lens", ".toml"), "objectives": ("objective", ".toml"), "class": ("notebook", ".ipynb")}
+THERE = {path.stem: path for kind, (_, end) in KINDS.items() for path in (ROOT / kind).glob(f"*{end}")}
 
 
 def test_all_examples_are_listed_with_what_they_are(call_lommel, tmp_path):
     rows = json.loads(call_lommel("examples", "--json", folder=tmp_path).stdout)["examples"]
     assert {row["name"]: row["kind"] for row in rows} == {
-        name: {"lenses": "lens", "objectives": "objective"}[path.parent.name] for name, path in THERE.items()
+        name: KINDS[path.parent.name][0] for name, path in THERE.items()
     }
     told = call_lommel("examples", folder=tmp_path).stdout
     assert all(row["name"] in told and row["what"][:20] in told for row in rows)
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("given", ["exercises", "exercises.ipynb"])
+def test_notebooks_of_exercises_are_among_them(call_lommel, tmp_path, given):
+    rows = json.loads(call_lommel("examples", "--json", folder=tmp_path).stdout)["examples"]
+    (row,) = (row for row in rows if row["name"] == "exercises")
+    assert row == {"name": "exercises", "kind": "notebook", "what": "Exercises: PSF, Strehl ratio, MTF"}
+    assert call_lommel("examples", given, folder=tmp_path).stdout == "wrote exercises.ipynb\n"
+    assert (tmp_path / "exercises.ipynb").read_bytes() == THERE["exercises"].read_bytes()
 
 
 @pytest.mark.parametrize("given", ["phone", "phone.toml"])

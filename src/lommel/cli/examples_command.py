@@ -1,8 +1,9 @@
-"""The command ``lommel examples``: list and copy the example files of lenses and objectives."""
+"""The command ``lommel examples``: list and copy example files: lenses, objectives and exercises for class."""
 
 from __future__ import annotations
 
 import errno
+import json
 from pathlib import Path
 
 import click
@@ -14,7 +15,7 @@ from lommel.cli.options import JSON, Option, command
 from lommel.cli.output import Report, written
 from lommel.lensfiles import toml_files
 
-_KINDS = {"lenses": "lens", "objectives": "objective"}
+_KINDS = {"lenses": ("lens", "*.toml"), "objectives": ("objective", "*.toml"), "class": ("notebook", "*.ipynb")}
 
 
 @command(
@@ -25,15 +26,16 @@ _KINDS = {"lenses": "lens", "objectives": "objective"}
     JSON,
 )  # fmt: skip
 def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
-    """List example files of lenses and objectives, or copy them.
+    """List or copy example lenses, objectives and exercises.
 
-    NAMES are the names of the files to copy. The files describe real instruments and state the source of their
-    numbers. Existing files are not overwritten.
+    NAMES are the names of the files to copy. Exercises are notebooks; the lens and objective files describe real
+    instruments and state the source of their numbers. Existing files are not overwritten.
 
     Examples
     --------
       lommel examples                      # list them
       lommel examples phone                # copy phone.toml to the current folder
+      lommel examples exercises            # a Jupyter notebook for class
       lommel examples --all -o lenses
     """
     there = files()
@@ -42,11 +44,11 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
         table = Table(*columns, box=None, pad_edge=False)
         rows = []
         for name, path in there.items():
-            kind, what = _KINDS[path.parent.name], str(toml_files.parsed(path)[1]["name"])
+            kind, what = _KINDS[path.parent.name][0], _title(path)
             rows.append({"name": name, "kind": kind, "what": what})
             table.add_row(name, kind, what)
         return Report({"examples": rows}, [table])
-    wanted = list(there) if everything else [name.removesuffix(".toml") for name in names]
+    wanted = list(there) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
     for name in wanted:
         if name not in there:
             raise ValueError(f"NAMES must be among {', '.join(there)}, got {shown(name)}")
@@ -62,11 +64,19 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
 
 
 def files() -> dict[str, Path]:
-    """Return the example files by their names without suffix, lenses first."""
+    """Return the example files by their names without suffix: lenses, objectives, notebooks."""
     here = Path(__file__).resolve()
     # A wheel has them within the package; in the sources they stand at the top.
     for folder in (here.parents[1] / "examples", here.parents[3] / "examples"):
-        found = [path for kind in _KINDS for path in sorted((folder / kind).glob("*.toml"))]
+        found = [path for kind, (_, ending) in _KINDS.items() for path in sorted((folder / kind).glob(ending))]
         if found:
             return {path.stem: path for path in found}
     raise FileNotFoundError(f"the examples are missing ({here.parents[1] / 'examples'}): wheels bring them")
+
+
+def _title(path: Path) -> str:
+    """Return the name in a lens or objective file, or the heading of a notebook."""
+    if path.suffix == ".toml":
+        return str(toml_files.parsed(path)[1]["name"])
+    heading: str = json.loads(path.read_bytes())["cells"][0]["source"][0]
+    return heading.lstrip("# ").rstrip()

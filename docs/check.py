@@ -1,4 +1,4 @@
-"""What made pages must hold: axes that show something, links that lead somewhere, no page wider than a phone."""
+"""Checks of built pages: axes that show something, links, width on a phone, and WCAG AA by axe-core."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 import shutil
 import sys
 from html.parser import HTMLParser
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -13,6 +14,15 @@ from urllib.parse import unquote, urlsplit
 import numpy as np
 
 PHONE = 390  # pixels, as phones count them
+# Of the pages in `api` examined with axe-core.
+REFERENCE_PAGES = 4
+# Sets the theme, runs axe-core and returns pairs of rule and selector.
+AXE = """async ([theme, rules]) => {
+  Object.assign(document.documentElement.dataset, { theme, mode: theme });
+  await new Promise((done) => setTimeout(done, 50));
+  const { violations } = await axe.run({ exclude: ["mjx-container"] }, { ...rules, resultTypes: ["violations"] });
+  return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => [id, target.join(" ")]));
+}"""
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 
 
@@ -98,8 +108,9 @@ def browser() -> str | None:
 
 def launched(play: Any) -> Any:
     """Return that Chromium, started by Playwright."""
-    # Root has no sandbox, as in containers.
-    return play.chromium.launch(executable_path=browser(), args=["--no-sandbox"] if os.geteuid() == 0 else [])
+    # Pages load modules from beside them; root has no sandbox, as in containers.
+    options = ["--allow-file-access-from-files", *["--no-sandbox"] * (os.geteuid() == 0)]
+    return play.chromium.launch(executable_path=browser(), args=options)
 
 
 def wide_pages(folder: Path, width: int = PHONE) -> list[str] | None:
@@ -133,14 +144,60 @@ def wide_pages(folder: Path, width: int = PHONE) -> list[str] | None:
     return found
 
 
+def sample(folder: Path) -> list[Path]:
+    """Return the pages to examine with axe-core: all, but only the largest in `api`, which two templates make."""
+    made = _made(folder)
+    reference = [path for path in made if path.parent.name == "api"]
+    largest = sorted(reference, key=lambda path: path.stat().st_size)[-REFERENCE_PAGES:]
+    return [path for path in made if path not in reference or path in largest]
+
+
+def inaccessible(folder: Path) -> list[str] | None:
+    """Return which elements break WCAG 2.2 level AA in the light or the dark theme; None where there is no browser.
+
+    Parameters
+    ----------
+    folder : Path
+        Of pages in HTML; see `sample`.
+
+    Returns
+    -------
+    list of str or None
+        Page, theme, rule of axe-core and selector.
+    """
+    if not browser():
+        return None
+    from playwright.sync_api import sync_playwright
+
+    axe = (files("axe_playwright_python") / "axe.min.js").read_text(encoding="utf-8")
+    found = []
+    with sync_playwright() as play:
+        made = launched(play)
+        view = made.new_page(viewport={"width": 1280, "height": 900}, reduced_motion="reduce")
+        for path in sample(folder):
+            view.goto(path.resolve().as_uri())
+            live = view.locator(".live").count() > 0
+            if live:
+                view.wait_for_selector(".live .lommel-live")
+            view.evaluate(axe)
+            rules: dict[str, Any] = {"runOnly": ["wcag2a", "wcag2aa"]}
+            if live:
+                rules["rules"] = {"target-size": {"enabled": True}}
+            # Only the rules on colour depend on the theme.
+            for theme, chosen in ("light", rules), ("dark", {"runOnly": ["color-contrast", "link-in-text-block"]}):
+                for rule, selector in view.evaluate(AXE, [theme, chosen]):
+                    found.append(f"{path.relative_to(folder)}, {theme}: {rule}: {selector}")
+        made.close()
+    return found
+
+
 def main(folder: Path) -> int:
     """Check a folder of pages, say what is wrong, and return the exit status."""
-    wide = wide_pages(folder)
+    wide, barriers = wide_pages(folder), inaccessible(folder)
     if wide is None:
-        print(
-            f"no Chromium on PATH nor LOMMEL_BROWSER: whether pages fit a phone of {PHONE} pixels was not looked at"
-        )
-    faults = [f"broken link: {each}" for each in broken_links(folder)] + [f"too wide: {each}" for each in wide or ()]
+        print(f"no Chromium on PATH nor LOMMEL_BROWSER: width on a phone of {PHONE} pixels and WCAG AA not checked")
+    faults = [f"broken link: {each}" for each in broken_links(folder)]
+    faults += [f"too wide: {each}" for each in wide or ()] + [f"WCAG AA: {each}" for each in barriers or ()]
     print("\n".join(faults), end="\n" if faults else "")
     return 1 if faults else 0
 

@@ -92,12 +92,14 @@ html_theme_options = {
     "navbar_align": "left",
     "navbar_end": ["theme-switcher"],
     "navigation_with_keys": False,
+    "collapse_navigation": True,
     "header_links_before_dropdown": 10,
     "footer_start": ["copyright"],
     "footer_end": [],
     "secondary_sidebar_items": ["page-toc"],
     "show_prev_next": False,
-    "pygments_light_style": "tango",
+    "pygments_light_style": "a11y-high-contrast-light",
+    "pygments_dark_style": "a11y-high-contrast-dark",
 }
 
 # What a script warns of is an error here as in the tests.
@@ -127,7 +129,21 @@ def index_again(*_: Any) -> list[str]:
     return ["inside"]
 
 
+def name_summaries(_app: Any, _page: str, _template: str, context: dict[str, Any], _doctree: Any) -> None:
+    """Name the buttons that open lists in the sidebar, which the theme leaves without a text."""
+    made = context.get("generate_toctree_html")
+
+    def named(*arguments: Any, **options: Any) -> Any:
+        tree = made(*arguments, **options)
+        for summary in tree.find_all("summary") if hasattr(tree, "find_all") else ():
+            summary["aria-label"] = f"Pages of {summary.find_previous('a').get_text()}"
+        return tree
+
+    context["generate_toctree_html"] = named
+
+
 def setup(app: Any) -> None:
     """Connect to Sphinx."""
+    app.connect("html-page-context", name_summaries, priority=900)  # after the theme
     app.connect("env-get-outdated", index_again)
     app.connect("source-read", leave_out)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lommel.cli import examples_command as examples
+from lommel.cli import example_files as examples
 
 ROOT = Path(__file__).resolve().parents[2] / "examples"
 KINDS = {"lenses": ("lens", ".toml"), "objectives": ("objective", ".toml"), "class": ("notebook", ".ipynb")}
@@ -64,7 +64,7 @@ def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):
     place = tmp_path / "lommel" / "examples" / "lenses"
     place.mkdir(parents=True)
     (place / "one.toml").write_text('name = "One"')
-    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "cli" / "examples_command.py"))
+    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "cli" / "example_files.py"))
     assert examples.files() == {"one": place / "one.toml"}
     (place / "one.toml").unlink()
     with pytest.raises(FileNotFoundError, match="wheels bring them"):

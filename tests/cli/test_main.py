@@ -17,7 +17,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.units import format_length
-from lommel.cli.examples_command import files
+from lommel.cli.example_files import files
 from lommel.cli.main import commands, main
 from lommel.methods import METHODS
 from lommel.show.drawing import HOW

@@ -11,11 +11,10 @@ from rich.table import Column, Table
 
 from lommel.base import atomic
 from lommel.base.validation import shown
+from lommel.cli.example_files import KINDS, files
 from lommel.cli.options import JSON, Option, command
 from lommel.cli.output import Report, written
 from lommel.lensfiles import toml_files
-
-_KINDS = {"lenses": ("lens", "*.toml"), "objectives": ("objective", "*.toml"), "class": ("notebook", "*.ipynb")}
 
 
 @command(
@@ -44,7 +43,7 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
         table = Table(*columns, box=None, pad_edge=False)
         rows = []
         for name, path in there.items():
-            kind, what = _KINDS[path.parent.name][0], _title(path)
+            kind, what = KINDS[path.parent.name][0], _title(path)
             rows.append({"name": name, "kind": kind, "what": what})
             table.add_row(name, kind, what)
         return Report({"examples": rows}, [table])
@@ -61,17 +60,6 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
         for name, path in zip(wanted, copies, strict=True):
             put(path, there[name].read_bytes())
     return written(copies)
-
-
-def files() -> dict[str, Path]:
-    """Return the example files by their names without suffix: lenses, objectives, notebooks."""
-    here = Path(__file__).resolve()
-    # A wheel has them within the package; in the sources they stand at the top.
-    for folder in (here.parents[1] / "examples", here.parents[3] / "examples"):
-        found = [path for kind, (_, ending) in _KINDS.items() for path in sorted((folder / kind).glob(ending))]
-        if found:
-            return {path.stem: path for path in found}
-    raise FileNotFoundError(f"the examples are missing ({here.parents[1] / 'examples'}): wheels bring them")
 
 
 def _title(path: Path) -> str:

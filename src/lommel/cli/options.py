@@ -9,6 +9,7 @@ import os
 import re
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
@@ -18,6 +19,7 @@ from click.core import ParameterSource
 from lommel.base import options
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
+from lommel.cli.example_files import files
 from lommel.cli.output import Report, figure_format
 from lommel.methods import METHODS
 
@@ -184,11 +186,9 @@ def _message(error: Exception) -> str:
 def _hint(error: OSError) -> str:
     """Return how to get a missing file that comes with the package."""
     name = Path(os.fsdecode(error.filename)).name.removesuffix(".toml")
-    if isinstance(error, FileNotFoundError):
-        from lommel.cli.examples_command import files
-
-        if name in files():
-            return f"; `lommel examples {name}` copies {name}.toml to this folder"
+    with suppress(FileNotFoundError):  # where these are missing too
+        if isinstance(error, FileNotFoundError) and name in files():
+            return f"; `lommel examples {name}` copies {files()[name].name} to this folder"
     return ""
 
 

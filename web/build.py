@@ -19,7 +19,7 @@ from pathlib import Path
 
 from presets import presets  # beside this file
 
-from lommel.page.state import DIRECTED, FIELDS, WHITE, powers
+from lommel.page.state import DIRECTED, FIELDS, WHITE
 
 HERE = Path(__file__).resolve().parent
 # Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said
@@ -100,7 +100,7 @@ def module(entry: str) -> str:
     made = {"packed.js": constants(wasmText=packed(compiled()))}
     made["style.js"] = constants(styleText=(HERE / "live.css").read_text(encoding="utf-8"))
     made["shipped.js"] = constants(SHIPPED=presets())
-    terms = [{"name": name, "n": n, "m": m, "powers": powers(n, m)} for name, (n, m) in DIRECTED.items()]
+    terms = [{"name": name, "n": n, "m": m} for name, (n, m) in DIRECTED.items()]
     fields = {name: field.told() for name, field in FIELDS.items()}
     other = {"DIRECTED": terms, "WHITE": WHITE.tolist()}
     made["fields.js"] = constants(FIELDS=fields, **other)

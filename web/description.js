@@ -2,7 +2,7 @@
 
 import { crc32 } from "./checksum.js";
 import { WHITE } from "./fields.js";
-import { linesOf, termsOf, unitOfLength } from "./optics.js";
+import { focused, linesOf, termsOf, unitOfLength } from "./optics.js";
 
 // JSON as Python writes it, with keys in order and the digits of its floats, so that checksums agree.
 export function pythonJson(value, sorted) {
@@ -28,7 +28,8 @@ class Float {
 const decimal = (value, power) => (power < 0 ? value.toFixed(Math.min(100, digitsOf(value) - 1 - power)) : String(value));
 const digitsOf = (value) => value.toExponential().split("e")[0].replace(/[-.]/g, "").length;
 
-export function describedPsf(state, psf) {
+export function describedPsf(given, psf) {
+  const state = focused(given);
   const float = (value) => new Float(value);
   const { side, pixel, bound, values } = psf;
   const terms = termsOf(state).map(([n, m, c]) => [n, m, float(c)]);

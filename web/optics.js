@@ -1,13 +1,34 @@
-// From what the controls say to what the core is asked: the only place with physics. Lengths in micrometres. White light is lines
-// of equal energy, whose paths of light are the same.
+// Physics of a state: from the settings to the arguments of the core. Lengths in micrometres. White light is lines of equal energy
+// with the same optical paths.
 
 import { DIRECTED, WHITE } from "./fields.js";
+import { furtherTerms } from "./state.js";
 
 const TURN = 2 * Math.PI;
+const FARTHEST = 1000; // waves of defocus
+
+// The state with defocus in waves and the working f-number: as lm.Lens(...).pupil(object_distance) has them.
+export function focused(state) {
+  if (state.focus !== "distances") return state;
+  const { focal_length, focus_distance, object_distance, wavelength } = state;
+  const focal = focal_length * 1e-3;
+  if (focus_distance <= focal) {
+    throw new RangeError(`the focus distance must exceed the focal length of ${focal_length} mm, and is ${focus_distance} m`);
+  }
+  const sensor = 1 / (1 / focal - 1 / focus_distance);
+  const diameter = focal / state.f_number;
+  const defocus = ((1 / sensor - 1 / focal + 1 / object_distance) * (0.5 * diameter) ** 2) / (2e-9 * wavelength);
+  if (Math.abs(defocus) > FARTHEST) {
+    throw new RangeError(
+      `the defocus at these distances is ${Math.round(defocus)} waves, beyond the page's ${FARTHEST}: stop down, or bring focus and object together`,
+    );
+  }
+  return { ...state, focus: "waves", defocus, f_number: sensor / diameter };
+}
 
 // One lambda*N of the reference.
 export function unitOfLength(state) {
-  return state.wavelength * 1e-3 * state.f_number;
+  return state.wavelength * 1e-3 * focused(state).f_number;
 }
 
 // What a length is in v.
@@ -29,71 +50,102 @@ export function linesOf(state) {
   return state.light === "white" ? WHITE.map((w) => [state.wavelength / w, 1 / WHITE.length]) : [[1, 1]];
 }
 
-// Terms that depend on the direction, {n, m, powers, size, angle}, waves at the edge and degrees; powers of rho with factors.
-export function directed(state) {
+// Zernike terms besides defocus and spherical: {n, m, along, across}, waves at the edge of the cosine and the sine.
+export function further(state) {
+  const turned = directed(state).map(({ n, m, size, angle }) => {
+    const turn = (m * angle * Math.PI) / 180;
+    return { n, m, along: size * Math.cos(turn), across: size * Math.sin(turn) };
+  });
+  const listed = furtherTerms(state.zernike).map(([n, m, rms]) => {
+    const edge = rms * Math.sqrt((m === 0 ? 1 : 2) * (n + 1));
+    return { n, m: Math.abs(m), along: m < 0 ? 0 : edge, across: m < 0 ? edge : 0 };
+  });
+  return [...turned, ...listed].filter(({ along, across }) => along !== 0 || across !== 0);
+}
+
+// Those of the sliders, {n, m, size, angle}, waves at the edge and degrees.
+function directed(state) {
   return DIRECTED.map((term) => ({ ...term, size: state[term.name], angle: state[`${term.name}_angle`] })).filter(
     (term) => term.size !== 0,
   );
 }
 
-// The radial part of a term at rho, over rho, and its derivative.
-function radialOf({ powers }, rho) {
+// The radial part of a term at rho without its constant, over rho, and its derivative.
+function radialOf({ n, m }, rho) {
+  const [p, q] = [(n + m) / 2, (n - m) / 2];
+  let factor = 1;
+  for (let k = 1; k <= q; k++) factor *= (p + k) / k;
   let over = 0;
   let slope = 0;
-  for (const [power, factor] of powers) {
+  for (let k = 0, power = n; power > 0 && k <= q; k++, power -= 2) {
     const part = factor * rho ** (power - 1);
     over += part;
     slope += power * part;
+    factor *= -((p - k) * (q - k)) / ((k + 1) * (n - k));
   }
   return { over, slope };
 }
 
 // Zernike terms [n, m, radians at the edge].
-export function termsOf(state) {
+export function termsOf(given) {
+  const state = focused(given);
   const { defocus, spherical } = state;
-  const terms = [
-    [2, 0, TURN * 0.5 * (defocus + spherical)],
-    [4, 0, (TURN * spherical) / 6],
-  ];
-  for (const { n, m, size, angle } of directed(state)) {
-    const turn = (m * angle * Math.PI) / 180;
-    terms.push([n, m, TURN * size * Math.cos(turn)], [n, -m, TURN * size * Math.sin(turn)]);
+  const terms = new Map();
+  const add = (n, m, c) => terms.set(`${n},${m}`, [n, m, (terms.get(`${n},${m}`)?.[2] ?? 0) + TURN * c]);
+  add(2, 0, 0.5 * (defocus + spherical));
+  add(4, 0, spherical / 6);
+  for (const { n, m, along, across } of further(state)) {
+    add(n, m, along);
+    if (m) add(n, -m, across);
   }
-  return terms.filter(([, , c]) => c !== 0);
+  return [...terms.values()].filter(([, , c]) => c !== 0);
 }
 
 // Waves at points of the pupil, rho and theta; 0 in the middle.
-export function waves(state) {
-  const others = directed(state).map((term) => ({ ...term, turn: (term.angle * Math.PI) / 180 }));
+export function waves(given) {
+  const state = focused(given);
+  const others = further(state);
   return (rho, theta) => {
     const t = rho * rho;
     let sum = (state.defocus + state.spherical * t) * t;
-    for (const term of others) sum += term.size * radialOf(term, rho).over * rho * Math.cos(term.m * (theta - term.turn));
+    for (const term of others) sum += radialOf(term, rho).over * rho * around(term, theta)[0];
     return sum;
+  };
+}
+
+// The angular part of a term, and its derivative.
+function around({ m, along, across }, theta) {
+  const [c, s] = [Math.cos(m * theta), Math.sin(m * theta)];
+  return [along * c + across * s, m * (across * c - along * s)];
+}
+
+// The gradient of the phase at points of the pupil, in v: outward and around.
+export function slopes(given) {
+  const state = focused(given);
+  const others = further(state);
+  return (rho, theta) => {
+    let outward = (2 * state.defocus + 4 * state.spherical * rho * rho) * rho;
+    let across = 0;
+    for (const term of others) {
+      const { over, slope } = radialOf(term, rho);
+      const [value, turning] = around(term, theta);
+      outward += slope * value;
+      across += over * turning;
+    }
+    return [TURN * outward, TURN * across];
   };
 }
 
 // How far from the axis rays arrive at most, in v: the longest gradient of the phase, by samples, a little too small.
 export function rayReach(state) {
+  const slope = slopes(state);
+  const angles = further(state).some(({ m }) => m) ? 48 : 1;
   let most = 0;
-  const terms = directed(state).map((term) => ({ ...term, turn: (term.angle * Math.PI) / 180 }));
-  const angles = terms.length ? 48 : 1;
   for (let i = 0; i <= 24; i++) {
     const rho = state.obscuration + ((1 - state.obscuration) * i) / 24;
-    const t = rho * rho;
-    const others = terms.map((term) => ({ ...term, ...radialOf(term, rho) }));
-    for (let k = 0; k < angles; k++) {
-      const theta = (TURN * k) / angles;
-      let outward = (2 * state.defocus + 4 * state.spherical * t) * rho;
-      let around = 0;
-      for (const { m, size, turn, over, slope } of others) {
-        outward += size * slope * Math.cos(m * (theta - turn));
-        around -= size * over * m * Math.sin(m * (theta - turn));
-      }
-      most = Math.max(most, outward * outward + around * around);
-    }
+    for (let k = 0; k < angles; k++) most = Math.max(most, Math.hypot(...slope(rho, (TURN * k) / angles)));
   }
-  return TURN * Math.sqrt(most);
+  return most;
 }
 
 // Half the width of a window that holds what is to be seen, in steps of sqrt(2) so that it does not breathe.
@@ -122,18 +174,28 @@ export function pixelOf(state, side) {
 // The call of the package that makes the same array.
 export function pythonOf(state, side, pixel) {
   const lines = ["import lommel as lm", ""];
+  const distances = state.focus === "distances";
   const seidel = [];
-  if (state.defocus) seidel.push(`W020=${state.defocus}`);
+  if (state.defocus && !distances) seidel.push(`W020=${state.defocus}`);
   if (state.spherical) seidel.push(`W040=${state.spherical}`);
   lines.push(seidel.length ? `wavefront = lm.Wavefront.from_seidel(${seidel.join(", ")})` : "wavefront = lm.Wavefront()");
   for (const { n, m, size, angle } of directed(state)) {
     const term = `lm.Wavefront.zernike({(${n}, ${m}): ${size}}, unit="waves", normalization="edge")`;
     lines.push(`wavefront += ${term}${angle ? `.rotated(${(angle * Math.PI) / 180})` : ""}`);
   }
-  const pupil = ["wavefront"];
-  if (state.obscuration) pupil.push(`obscuration=${state.obscuration}`);
-  pupil.push(`wavelength=${metres(state.wavelength, -9)}`, `f_number=${state.f_number}`);
-  lines.push(`pupil = lm.Pupil(${pupil.join(", ")})`);
+  const listed = furtherTerms(state.zernike).map(([n, m, rms]) => `(${n}, ${m}): ${rms}`);
+  if (listed.length) lines.push(`wavefront += lm.Wavefront.zernike({${listed.join(", ")}}, unit="waves")`);
+  const light = [`wavelength=${metres(state.wavelength, -9)}`];
+  if (state.obscuration) light.push(`obscuration=${state.obscuration}`);
+  if (distances) {
+    // Of a focal length above 1 m the package takes the diameter for granted, and warns of an f-number.
+    const { focal_length, f_number } = state;
+    const stop = focal_length > 1000 ? `aperture_diameter=${metres(focal_length / f_number, -3)}` : `f_number=${f_number}`;
+    const lens = [`focal_length=${metres(focal_length, -3)}`, stop, `focus_distance=${state.focus_distance}`, ...light];
+    if (lines.length > 3 || seidel.length) lens.push("aberrations=wavefront");
+    else lines.pop();
+    lines.push(`lens = lm.Lens(${lens.join(", ")})`, `pupil = lens.pupil(object_distance=${state.object_distance})`);
+  } else lines.push(`pupil = lm.Pupil(${["wavefront", ...light, `f_number=${state.f_number}`].join(", ")})`);
   const asked = ["pupil", String(side), `pixel=${metres(pixel, -6)}`];
   if (state.light === "white") {
     const list = WHITE.map((w) => metres(w, -9)).join(", ");
@@ -148,5 +210,5 @@ export function pythonOf(state, side, pixel) {
 // A number of another unit as Python writes it in metres, to the last digit.
 function metres(value, exponent) {
   const [digits, power] = value.toExponential().split("e");
-  return `${digits}e${Number(power) + exponent}`;
+  return String(Number(`${digits}e${Number(power) + exponent}`));
 }

@@ -25,8 +25,9 @@ const MAP_SIDE = 160;
 const SEEN = 128;
 // Keys that change how answers are shown, not the answers.
 const LOOKS = new Set(["stretch", "map", "waves_unit", "length_unit", "focal_length", "picture"]);
-// Those that no wavefront depends on.
-const BESIDE_PUPIL = new Set([...LOOKS, "f_number", "wavelength", "light", "pixel", "view", "side"]);
+// Those that no wavefront depends on, by distances and in waves.
+const LOOKS_OF_PUPIL = new Set(["stretch", "map", "waves_unit", "length_unit", "picture", "light", "pixel", "view", "side"]);
+const BESIDE_PUPIL = new Set([...LOOKS_OF_PUPIL, "focal_length", "f_number", "wavelength"]);
 
 export class View {
   constructor(element, { state, onchange, url = false, controls = [], theme = "auto" } = {}) {
@@ -79,7 +80,7 @@ export class View {
     this.state = next;
     this.redraw = true;
     if (keys.includes("picture")) this.wanted ??= "picture";
-    if (keys.some((key) => !LOOKS.has(key))) {
+    if (keys.some((key) => !LOOKS.has(key) || (key === "focal_length" && next.focus === "distances"))) {
       this.wanted = moving ? "drag" : "settled";
       clearTimeout(this.settling);
       this.settling = moving ? setTimeout(() => this.settle(), SETTLE) : 0;
@@ -146,7 +147,8 @@ export class View {
       const side = quality === "drag" && state.view !== "fine" ? Math.min(state.side, SEEN) : state.side;
       jobs.push(client.call("psf", { ...state, side }, quality).then((psf) => this.got({ psf })));
       jobs.push(client.call("measures", { ...state, side }, quality).then((measures) => this.got({ measures })));
-      const pupil = Object.keys(state).map((key) => !BESIDE_PUPIL.has(key) && state[key]).join();
+      const beside = state.focus === "distances" ? LOOKS_OF_PUPIL : BESIDE_PUPIL;
+      const pupil = Object.keys(state).map((key) => !beside.has(key) && state[key]).join();
       if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => this.got({ wavefront })));
       this.pupil = pupil;
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import math
+import re
 import shutil
 import subprocess
 import sys
@@ -15,8 +16,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from disk_quadrature import exact_lattice
 from lommel.measures.energy import encircled
 from lommel.page.state import psf_of
+from lommel.page.state import pupil_of as stated_pupil
 
 WHITE = [450e-9, 1450e-9 / 3, 1550e-9 / 3, 550e-9, 1750e-9 / 3, 1850e-9 / 3, 650e-9]
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -284,7 +287,8 @@ def test_a_failure_is_a_sentence_and_the_next_call_works(engine):
     # Of the core itself, which is then another instance: what was thrown left things undone.
     failed, anew = engine.page.evaluate(
         """() => {
-            const state = { defocus: 1e9, spherical: 0, coma: 0, astigmatism: 0, trefoil: 0, obscuration: 0 };
+            const wavefront = { spherical: 0, coma: 0, astigmatism: 0, trefoil: 0, zernike: "" };
+            const state = { defocus: 1e9, ...wavefront, obscuration: 0 };
             const before = engine.core.exports;
             try { engine.image({ ...state, wavelength: 550, f_number: 4, light: "mono" }, 32, 1, false, 1e-6) }
             catch (error) { return [error.message, engine.core.exports !== before] }
@@ -334,3 +338,85 @@ def test_python_and_the_page_ask_for_the_same_of_a_state(engine):
         assert made.pixel == pytest.approx(1e-6 * shown["pixel"], rel=1e-14)
         values = made.values.ravel()
         assert np.abs(np.array(shown["values"]) - values).max() <= 2e-6 * shown["peak"]
+
+
+def distances(rng):
+    """Draw a lens with a focus distance and an object distance, of a few waves of defocus."""
+    focal, f_number = 10 ** rng.uniform(0.5, 2.5), rng.uniform(1.2, 16)
+    focus, wavelength = focal * 1e-3 * 10 ** rng.uniform(0.5, 4), rng.uniform(400, 700)
+    # Half a wavelength is 1e-9 wavelength / 2 of defocus times the square of the radius.
+    vergence = rng.uniform(-3, 3) * 2e-9 * wavelength / (focal * 5e-4 / f_number) ** 2
+    near = 1 / focus + vergence
+    state = {"focus": "distances", "focal_length": focal, "f_number": f_number, "wavelength": wavelength}
+    return state | {"focus_distance": focus, "object_distance": 1 / near if near > 1e-6 else 1e12}
+
+
+def listing(rng):
+    """Draw a text of further Zernike terms."""
+    terms = {}
+    for _ in range(int(rng.integers(1, 6))):
+        n = int(rng.integers(1, 13))
+        terms[n, int(rng.choice(range(-n, n + 1, 2)))] = rng.normal(scale=0.05)
+    return ";".join(f"{n},{m}:{waves:.6g}" for (n, m), waves in terms.items())
+
+
+def test_distances_and_further_terms_are_those_of_the_package(engine):
+    rng = np.random.default_rng(8)
+    for turn in range(24):
+        state = {"side": 32, "coma": rng.uniform(0, 0.5), "coma_angle": 40.0, "pixel": 2.0}
+        state |= distances(rng) if turn % 2 else {"defocus": rng.uniform(-2, 2)}
+        state |= {"zernike": listing(rng)} if turn % 3 else {}
+        state |= {"view": ("fine", "sampled")[turn % 2], "obscuration": 0.3 * (turn % 4 == 1)}
+        shown, made, scope = engine.psf(state), psf_of(state, dtype=np.float64, tol=1e-8), {}
+        assert "error" not in shown, shown
+        assert made.pixel == pytest.approx(1e-6 * shown["pixel"], rel=1e-12)
+        values = np.array(shown["values"]).reshape(32, 32)
+        brightest = psf_of({**state, "view": "fine", "side": 96})
+        peak = brightest.values.max() * (made.pixel / brightest.pixel) ** 2
+        assert np.abs(values - made.values).max() <= (shown["bound"] + 1e-8) * peak, state
+        exec(shown["python"], scope)
+        assert np.abs(scope["psf"].values - values).max() <= 2e-6 * shown["peak"]
+        if state.get("focus"):
+            keys = "focal_length", "f_number", "focus_distance", "wavelength"
+            given = {key: state[key] * {"focal_length": 1e-3, "wavelength": 1e-9}.get(key, 1.0) for key in keys}
+            lens = lm.Lens(**given).pupil(state["object_distance"])
+            assert stated_pupil(state).f_number == pytest.approx(lens.f_number, rel=1e-14)
+            extra = stated_pupil(state).wavefront - stated_pupil({**state, "focus": "waves", "defocus": 0}).wavefront
+            assert float(extra.edge_terms()[2, 0]) == pytest.approx(
+                float(lens.wavefront.edge_terms()[2, 0]), rel=1e-9
+            )
+
+
+def test_a_wavefront_with_further_terms_is_that_of_the_pupil(engine):
+    state = {"zernike": "1,1:.2;12,0:.1;11,-7:0.05;2,0:.1;3,-1:.1", "coma": 0.2, "focus": "distances"}
+    side = 40
+    made = engine.page.evaluate(
+        "([s, n]) => Array.from(engine.maps(s, n).wavefront, (w) => isNaN(w) ? -1e9 : w)", [state, side]
+    )
+    at = (2 * np.arange(side) + 1) / side - 1
+    x, y = np.meshgrid(at, at)
+    rho, wavefront = np.hypot(x, y), stated_pupil(state).wavefront
+    exact = (wavefront.phase(rho, np.arctan2(y, x)) - wavefront.phase(0.0)) / (2 * math.pi)
+    assert np.array(made).reshape(side, side)[rho <= 1] == pytest.approx(exact[rho <= 1], abs=1e-6)
+
+
+def test_a_focus_nearer_than_the_focal_length_is_refused(engine):
+    failed = engine.psf({"focus": "distances", "focus_distance": 0.05})
+    assert failed["error"] == "the focus distance must exceed the focal length of 50 mm, and is 0.05 m"
+    failed = engine.psf({"focus": "distances", "object_distance": 0.01, "f_number": 0.7})
+    assert re.match(
+        r"the defocus at these distances is \d+ waves, beyond the page's 1000: stop down", failed["error"]
+    )
+
+
+def test_more_defocus_than_the_tolerance_allows_has_a_larger_bound(engine):
+    state = {"focus": "distances", "f_number": 1.8, "object_distance": 1 / (0.5 + 1.1), "coma": 0.3, "side": 128}
+    made = engine.psf(state)
+    assert 1e-6 < made["bound"] <= 1e-3
+    pupil, step = stated_pupil(state), made["pixel"] * 1e-6
+    v = math.pi * step / (pupil.wavelength * pupil.f_number) * (np.arange(128) - 64)
+    middle = slice(60, 69)
+    exact = np.abs(exact_lattice(pupil, v[middle], v[middle], rings=1400, angles=1200)) ** 2
+    values = np.array(made["values"]).reshape(128, 128)[middle, middle]
+    error = np.abs(values - exact * (v[1] - v[0]) ** 2 / (4 * math.pi)).max()
+    assert error <= made["bound"] * made["peak"]

@@ -13,6 +13,8 @@ import numpy as np
 from lommel.base import validation
 from lommel.lensfiles.instrument import Instrument
 from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.aperture.obstructions import Spider
+from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
@@ -122,7 +124,7 @@ class Terms(NamedTuple):
         return value
 
 
-MOST_TERMS, HIGHEST_DEGREE, MOST_WAVES = 100, 20, 10
+MOST_TERMS, HIGHEST_DEGREE, MOST_WAVES = 90, 12, 10
 _TERM = re.compile(r"(\d{1,2}),(-?\d{1,2}):([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d{1,3})?)", re.ASCII)
 
 
@@ -160,7 +162,8 @@ def _aberration(name: str) -> dict[str, Real | Word | Terms]:
 
 
 _LENS, _SENSOR = "Lens and light", "Sensor"
-_VANES, _NOISE = (("vanes", *range(1, 9)),), (("noise", "on"),)
+MOST_VANES = 8
+_VANES, _NOISE = (("vanes", *range(1, MOST_VANES + 1)),), (("noise", "on"),)
 _DISTANCES, _ANGLES = ("focus", "distances"), ("length_unit", "arcsec")
 
 FIELDS: dict[str, Real | Word | Terms] = {
@@ -183,7 +186,7 @@ FIELDS: dict[str, Real | Word | Terms] = {
         "Distance from the lens to objects in focus, metres, above the focal length; 1e12 stands for infinity.",
     ),
     "object_distance": Real(
-        1.99,
+        1.9,
         1e-3,
         1e12,
         Row("Wavefront", "Object at", (0.1, 1000), None, "m", "metres", name="Object distance", when=(_DISTANCES,)),
@@ -225,8 +228,8 @@ FIELDS: dict[str, Real | Word | Terms] = {
     "vanes": Whole(
         0,
         0,
-        8,
-        Row(_LENS, "Vanes", (0, 8), 1, name="Number of vanes"),
+        MOST_VANES,
+        Row(_LENS, "Vanes", (0, MOST_VANES), 1, name="Number of vanes"),
         "Number of straight vanes from the axis to the edge of the aperture, at equal angles.",
     ),
     "vane_width": Real(
@@ -330,62 +333,114 @@ def link(state: Mapping[str, object]) -> str:
     )
 
 
-def state_of(instrument: Instrument) -> tuple[dict[str, float], str]:
-    """Return the state that shows an instrument, and a list of its features that the page cannot show."""
-    pupil = instrument.pupil()
+def state_of(instrument: Instrument) -> tuple[dict[str, Any], str]:
+    """Return the state that shows an instrument, and a list of its features that the page cannot show.
+
+    A lens with an object or a focus nearer than infinity is shown by its distances, others by their defocus.
+    """
+    pupil, lens = instrument.pupil(), instrument.lens
     if pupil.wavelength is None or pupil.f_number is None or pupil.shape:
         raise ValueError("the live page takes one pupil with a wavelength and an f-number")
-    waves = {term: float(c) / math.tau for term, c in pupil.wavefront.edge_terms().items()}
+    near = min(lens.focus_distance, instrument.object_distance) < _FAR and lens.focus_distance > 0.0
+    distances = near and lens.model == "paraxial"
+    wavefront = lens.aberrations if distances else pupil.wavefront
+    waves = {term: float(c) / math.tau for term, c in wavefront.edge_terms().items()}
     waves.pop((0, 0), 0.0)
     # W020 and W040 of the Zernike terms of these powers, 2 rho^2 - 1 and 6 rho^4 - 6 rho^2 + 1.
     spherical = 6.0 * waves.pop((4, 0), 0.0)
-    state = {"defocus": 2.0 * waves.pop((2, 0), 0.0) - spherical, "spherical": spherical}
+    state: dict[str, Any] = {"spherical": spherical}
+    if distances:
+        waves[2, 0] = waves.get((2, 0), 0.0) - 0.5 * spherical
+        state["focus"] = "distances"
+        state["focus_distance"] = min(lens.focus_distance, _FAR)
+        state["object_distance"] = min(instrument.object_distance, _FAR)
+    else:
+        state["defocus"] = 2.0 * waves.pop((2, 0), 0.0) - spherical
     for name, (n, m) in DIRECTED.items():
         along, across = waves.pop((n, m), 0.0), waves.pop((n, -m), 0.0)
         state[name] = math.hypot(along, across)
         state[f"{name}_angle"] = math.degrees(math.atan2(across, along)) / m
     state |= {
-        "f_number": float(pupil.f_number),
+        "f_number": lens.f_number if distances else float(pupil.f_number),
         "obscuration": pupil.obscuration,
         "wavelength": pupil.wavelength * 1e9,
         "pixel": instrument.side * 1e6,
-        "focal_length": instrument.lens.focal_length * 1e3,
+        "focal_length": lens.focal_length * 1e3,
     }
-    for name, value in state.items():
+    vanes = _vanes(lens.spider)
+    for name, value in (state | vanes).items():
         field = FIELDS[name]
         if isinstance(field, Real) and not field.low <= value <= field.high:
             raise ValueError(
                 f"{name} must be from {field.low:g} to {field.high:g} on the live page, got {value:.4g} of "
                 f"{instrument.name or 'the lens file'!r}"
             )
-    state = {name: float(f"{value:.9g}") for name, value in state.items()}
-    tilts = [waves.pop(term, 0.0) for term in ((1, 1), (1, -1))]
-    higher = math.sqrt(sum(c * c for c in waves.values()))
+    state = {name: float(f"{value:.9g}") if isinstance(value, float) else value for name, value in state.items()}
+    rms = {(n, m): c / edge_factor(n, m) for (n, m), c in waves.items()}
+    # Largest first, so that the text has those that count.
+    kept = sorted((term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term]))
+    kept = [term for term in kept if term[0] <= HIGHEST_DEGREE][:MOST_TERMS]
+    state["zernike"] = ";".join(f"{n},{m}:{rms.pop((n, m)):.9g}" for n, m in sorted(kept))
+    higher = math.sqrt(sum(c * c for c in rms.values()))
+    shown = vanes or lens.spider is None
     left_out = {
-        "tilt, which moves the image": any(tilts),
-        f"terms of higher order, {higher:.1g} waves": higher > 0.0,
-        "the spider, vignetting or mask": not pupil.circular,
+        f"further Zernike terms, {higher:.1g} waves rms": higher > 1e-9,
+        "the spider, vignetting or mask": not (shown and pupil.vignetting is None and pupil.mask is None),
         "the apodization": not pupil.illumination.uniform,
+        "colour aberrations": lens.colour is not None,
         "aberrations of the field": instrument.aberrations_of_field is not None,
     }
-    changed = {name: value for name, value in state.items() if value != FIELDS[name].initial}
+    changed = {name: value for name, value in (state | vanes).items() if value != FIELDS[name].initial}
     return changed, "; ".join(text for text, there in left_out.items() if there)
+
+
+_FAR = 1e12  # metres, which stands for infinity
+
+
+def edge_factor(n: int, m: int) -> float:
+    """Return the value at the edge of a Zernike term of 1 rms over the full pupil."""
+    return math.sqrt((1 if m == 0 else 2) * (n + 1))
+
+
+def _vanes(spider: Spider | None) -> dict[str, Any]:
+    """Return the part of a state with the vanes of a spider; empty where there are none, or not at equal angles."""
+    if spider is None or len(spider.angles) > MOST_VANES:
+        return {}
+    count, first = len(spider.angles), min(spider.angles, key=abs)
+    steps = sorted(((angle - first) * count / math.tau) % count for angle in spider.angles)
+    if any(abs(step - round(step)) > 1e-9 for step in steps) or len({round(s) % count for s in steps}) < count:
+        return {}
+    turn = math.degrees(math.remainder(first, math.tau))
+    return {"vanes": count, "vane_width": float(f"{spider.width:.9g}"), "vane_angle": float(f"{turn:.9g}")}
 
 
 def pupil_of(state: Mapping[str, object]) -> Pupil:
     """Return the pupil of a state."""
     whole = complete(state)
-    wavefront = Wavefront.from_seidel(W020=whole["defocus"], W040=whole["spherical"])
+    distances = whole["focus"] == "distances"
+    wavefront = Wavefront.from_seidel(W020=0.0 if distances else whole["defocus"], W040=whole["spherical"])
     for name, (n, m) in DIRECTED.items():
         if size := whole[name]:
             turned = Wavefront.zernike({(n, m): size}, unit="waves", normalization="edge")
             wavefront += turned.rotated(math.radians(whole[f"{name}_angle"]))
-    return Pupil(
-        wavefront,
-        obscuration=whole["obscuration"],
-        wavelength=whole["wavelength"] * 1e-9,
-        f_number=whole["f_number"],
+    if listed := further_terms(whole["zernike"]):
+        wavefront += Wavefront.zernike(listed, unit="waves")
+    shared: dict[str, Any] = {"obscuration": whole["obscuration"], "wavelength": whole["wavelength"] * 1e-9}
+    if whole["vanes"]:
+        first = math.radians(whole["vane_angle"])
+        shared["spider"] = Spider.equal(whole["vanes"], whole["vane_width"], first)
+    if not distances:
+        return Pupil(wavefront, f_number=whole["f_number"], **shared)
+    focal = whole["focal_length"] * 1e-3
+    # By the diameter, since an f-number with a focal length above 1 m is taken for a slip.
+    lens = Lens(
+        focal_length=focal,
+        aperture_diameter=focal / whole["f_number"],
+        focus_distance=whole["focus_distance"],
+        aberrations=wavefront,
+        **shared,
     )
+    return lens.pupil(whole["object_distance"])
 
 
 def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
@@ -394,24 +449,27 @@ def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
     pupil = pupil_of(whole)
     if whole["light"] == "white":
         options.setdefault("method", Polychromatic(list(WHITE * 1e-9), [1.0] * len(WHITE)))
-    pixel = _fine_pixel(whole) if whole["view"] == "fine" else whole["pixel"] * 1e-6
+    pixel = _fine_pixel(pupil, whole["side"]) if whole["view"] == "fine" else whole["pixel"] * 1e-6
     return psf(pupil, whole["side"], pixel, integrate=whole["view"] == "averaged", **options)
 
 
-def _fine_pixel(state: Mapping[str, Any]) -> float:
+def _fine_pixel(pupil: Pupil, side: int) -> float:
     """Return the pixel of the page's own window, which holds the geometric blur and some rings."""
     # The same samples and steps of sqrt(2) as in fineReach() of the page.
-    rho = state["obscuration"] + (1.0 - state["obscuration"]) * np.arange(25)[:, None] / 24.0
+    rho = pupil.obscuration + (1.0 - pupil.obscuration) * np.arange(25)[:, None] / 24.0
     theta = math.tau * np.arange(48) / 48.0
-    outward = (2.0 * state["defocus"] + 4.0 * state["spherical"] * rho * rho) * rho + 0.0 * theta
+    outward = np.zeros((25, 48))
     around = np.zeros_like(outward)
-    for name, (n, m) in DIRECTED.items():
+    for (n, m), edge in pupil.wavefront.edge_terms().items():
         over, slope = np.zeros_like(rho), np.zeros_like(rho)  # the radial part over rho, and its derivative
-        for power, factor in powers(n, m):
-            over, slope = over + factor * rho ** (power - 1), slope + factor * power * rho ** (power - 1)
-        turned = m * (theta - math.radians(state[f"{name}_angle"]))
-        outward += state[name] * slope * np.cos(turned)
-        around -= state[name] * over * m * np.sin(turned)
-    v = 1.15 * math.tau * float(np.hypot(outward, around).max()) + 14.0
-    reach = v * state["wavelength"] * 1e-3 * state["f_number"] / math.pi
-    return float(2e-6 * 2.0 ** (math.ceil(2.0 * math.log2(reach)) / 2.0) / state["side"])
+        for power, factor in powers(n, abs(m)):
+            if power:
+                over, slope = over + factor * rho ** (power - 1), slope + factor * power * rho ** (power - 1)
+        turned = abs(m) * theta - (math.pi / 2 if m < 0 else 0.0)
+        outward += float(edge) * slope * np.cos(turned)
+        around -= float(edge) * over * abs(m) * np.sin(turned)
+    v = 1.15 * float(np.hypot(outward, around).max()) + 14.0
+    assert pupil.wavelength is not None
+    assert pupil.f_number is not None
+    reach = v * pupil.wavelength * 1e6 * pupil.f_number / math.pi
+    return float(2e-6 * 2.0 ** (math.ceil(2.0 * math.log2(reach)) / 2.0) / side)

@@ -180,9 +180,10 @@ build_folder := build/{cache_tag}
 		--config-settings=build-dir='$(build_folder)' --editable .
 	mv $@.new $@
 
-psf: build ## compile, the first time, and compute the Hubble example, to out/hubble-1990.tif and .png
+psf: build ## compile, the first time, compute the PSF of Hubble in 1990 and draw it beside the design, to out/hubble-1990.*
 	@mkdir -p out
-	.venv/bin/lommel psf examples/lenses/hubble-1990.toml --output out/hubble-1990.tif --output out/hubble-1990.png
+	.venv/bin/lommel psf examples/lenses/hubble-1990.toml --output out/hubble-1990.tif
+	.venv/bin/python examples/hubble.py out/hubble-1990.png
 
 # Where the depth is unknown, it is that of the nearest point.
 photo: build env ## blur a photograph by its depth, near, far and from one to the other; undo it; find the depth; to out/motorcycle-*

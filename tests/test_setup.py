@@ -12,9 +12,11 @@ import tomllib
 from importlib.metadata import distribution, packages_distributions
 from pathlib import Path
 
+import numpy as np
 import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
+from PIL import Image
 
 from lommel import _core
 
@@ -81,14 +83,33 @@ class Missing:
             raise ModuleNotFoundError(name, name=name)
 
 sys.meta_path.insert(0, Missing())
-from lommel.cli.main import main
-main(sys.argv[1:])
+import runpy
+command = sys.argv.pop(1)
+if command.endswith(".py"):
+    sys.argv.pop(0)
+    sys.argv.insert(0, command)
+    runpy.run_path(command, run_name="__main__")
+else:
+    from lommel.cli.main import main
+    main()
 """
-    (line,) = re.findall(r"^\t\.venv/bin/lommel (psf .*hubble.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)
-    words = [word.replace("out/", f"{tmp_path}/") for word in line.split()]
-    done = subprocess.run([sys.executable, "-c", code, *words], cwd=ROOT, check=False, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    lines = re.findall(
+        r"^\t\.venv/bin/(?:python )?(\S+ .*out/hubble.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE
+    )
+    assert len(lines) == 2
+    for line in lines:
+        words = [word.replace("out/", f"{tmp_path}/") for word in line.split()]
+        run = [sys.executable, "-c", code, *words]
+        done = subprocess.run(run, cwd=ROOT, check=False, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
     assert {path.name for path in tmp_path.iterdir()} == {"hubble-1990.tif", "hubble-1990.png"}
+    with Image.open(tmp_path / "hubble-1990.png") as drawn:
+        colours = np.asarray(drawn.convert("RGB"), dtype=float)
+    # White paper, and two pictures of which no more than a part is dark.
+    assert min(colours.shape[:2]) >= 1000
+    pictures = colours[112:752, 60:1370].max(axis=-1)
+    assert 60 < pictures.mean() < 160
+    assert pictures.max() > 240
 
 
 class Place:

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from presets import presets  # beside this file
 
-from lommel.page.state import DIRECTED, FIELDS, WHITE
+from lommel.page.state import DIRECTED, FIELDS, WHITE, colour_weights
 
 HERE = Path(__file__).resolve().parent
 # Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said
@@ -102,7 +102,7 @@ def module(entry: str) -> str:
     made["shipped.js"] = constants(SHIPPED=presets())
     terms = [{"name": name, "n": n, "m": m} for name, (n, m) in DIRECTED.items()]
     fields = {name: field.told() for name, field in FIELDS.items()}
-    other = {"DIRECTED": terms, "WHITE": WHITE.tolist()}
+    other = {"DIRECTED": terms, "WHITE": WHITE.tolist(), "COLOURS": colour_weights().round(6).tolist()}
     made["fields.js"] = constants(FIELDS=fields, **other)
     # The worker gets its own text, without rows and help, and the compiled core from the page.
     bare = {name: {k: v for k, v in field.items() if k not in ("row", "about")} for name, field in fields.items()}

@@ -1,7 +1,7 @@
 // The compiled core: loaded once, called through named blocks of its memory, and made anew after a failure.
 import { wasmText } from "./packed.js";
 
-const BLOCKS = ["terms", "edge", "lines", "values", "numbers", "points", "planes", "blurred"];
+const BLOCKS = ["terms", "edge", "lines", "values", "numbers", "points", "planes", "blurred", "weights", "colours"];
 
 // Text of packed.js -> bytes: base64 of what is deflated.
 export async function unpacked(text) {

@@ -1,12 +1,18 @@
 // From a state of the page to its answers. Runs in a Worker, or where there is none on the page itself.
+import { COLOURS } from "./fields.js";
+import { counted } from "./noise.js";
 import { changed, DEFAULTS } from "./state.js";
-import { cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, spreadReach, stepOf, termsOf, waves } from "./optics.js";
+import {
+  clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, slopes, spreadReach, stepOf, termsOf, waves,
+} from "./optics.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
 const QUALITY = {
   drag: { tol: 1e-4, side: 256, error: 1e-6, radii: 97, frequencies: 33, nodes: 2 },
   settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, frequencies: 65, nodes: 10 },
 };
+
+const RINGS = 10; // of rays
 
 export class Engine {
   constructor(core) {
@@ -22,7 +28,13 @@ export class Engine {
     const values = new Float32Array(side * side);
     const [bound, peak, sum] = this.image(state, side, pixel, state.view === "averaged", tol, values);
     this.seen = { key: keyOf(state, side, pixel, tol), bound, peak, sum };
-    return { values, side, pixel, bound, peak, python: pythonOf(stated, side, pixel), ms: performance.now() - begin };
+    const made = { values, side, pixel, bound, peak, python: pythonOf(stated, side, pixel) };
+    if (state.light === "white") made.colour = this.colour(side * side);
+    if (state.noise === "on") {
+      const expected = values.map((share) => share * state.photons);
+      made.counts = counted(expected, state, seedOf(state, this.seen.key));
+    }
+    return { ...made, ms: performance.now() - begin };
   }
 
   measures(given, quality = "settled") {
@@ -35,6 +47,7 @@ export class Engine {
     const reach = stepOf(state, fineReach(state));
     this.core.call("set_circles", reach, error);
     const v = evenly(radii, reach);
+    const strehl_error = this.core.call("circle_error");
     const [mean, reference] = this.circles(v, false);
     const [share, flat] = this.circles(v, true);
     const radius = this.core.call("radius_of", 0.8, reach);
@@ -47,27 +60,45 @@ export class Engine {
     const bright = linesOf(state).reduce((all, [stretch, part]) => all + part * stretch ** 2, 0);
     return {
       strehl: mean[0],
+      strehl_error,
       peak_strehl: peak / (unaberrated * bright),
       d80: radius < 0 ? null : 2 * lengthOf(state, radius),
       inside: state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2 ? sum : within,
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
-      mtf: this.contrast(state, frequencies, nodes),
+      mtf: withPixel(state, this.contrast(state, frequencies, nodes)),
     };
   }
 
   maps(given, side) {
     const state = changed(DEFAULTS, given);
-    const { obscuration } = state;
-    const wave = waves(state);
+    const [wave, clear] = [waves(state), clearOf(state)];
     const wavefront = new Float32Array(side * side).fill(NaN);
     for (let i = 0; i < wavefront.length; i++) {
       const x = (2 * (i % side) + 1) / side - 1;
       const y = (2 * Math.floor(i / side) + 1) / side - 1;
-      const rho = Math.hypot(x, y);
-      if (rho <= 1 && rho >= obscuration) wavefront[i] = wave(rho, Math.atan2(y, x));
+      const [rho, theta] = [Math.hypot(x, y), Math.atan2(y, x)];
+      if (clear(rho, theta)) wavefront[i] = wave(rho, theta);
     }
     return { wavefront };
+  }
+
+  // Where rays from evenly distributed points of the clear aperture meet the sensor, as lommel.show.rays has them.
+  rays(given) {
+    const state = focused(changed(DEFAULTS, given));
+    const [slope, clear] = [slopes(state), clearOf(state)];
+    const found = [];
+    for (let ring = 0; ring <= RINGS; ring++) {
+      const rho = Math.max(ring / (RINGS + 0.5), 1e-9);
+      for (let k = 0; k < Math.max(1, 6 * ring); k++) {
+        const theta = (k * Math.PI) / (3 * Math.max(1, ring));
+        if (!clear(rho, theta)) continue;
+        const [outward, around] = slope(rho, theta).map((v) => lengthOf(state, v));
+        const [c, s] = [Math.cos(theta), Math.sin(theta)];
+        found.push([outward * c - around * s, outward * s + around * c]);
+      }
+    }
+    return { x: Float32Array.from(found, ([x]) => x), y: Float32Array.from(found, ([, y]) => y) };
   }
 
   // Planes of linear light, one after the other, as the sensor's pixels record them.
@@ -78,13 +109,48 @@ export class Engine {
     const side = 2 * spreadReach(state, Math.min(width, height)) + 1;
     const { core } = this;
     // Averages would take hundreds of samples across each pixel.
-    if (largestStep(state, state.pixel) > 200) core.put("values", this.binned(state, side));
+    const coarse = largestStep(state, state.pixel) > 200;
+    if (coarse) core.put("values", this.binned(state, side));
     else this.image(state, side, state.pixel, true, QUALITY[quality].tol);
+    const noisy = (light) => (state.noise === "on" ? this.noisy(light, state) : light);
+    if (!coarse && state.light === "white") return noisy(this.blurColours(picture, count, side, width, height));
     const spread = core.room("values", Float32Array, side * side);
     const planes = core.put("planes", picture);
     const out = core.room("blurred", Float32Array, size * count);
     core.call("blur", spread, side, planes, count, height, width, out);
-    return core.view(out, Float32Array, size * count).slice();
+    return noisy(core.view(out, Float32Array, size * count).slice());
+  }
+
+  // Light of which 1 is white, as counted: what falls below black is black.
+  noisy(light, state) {
+    const expected = light.map((value) => Math.max(0, value) * state.photons);
+    return counted(expected, state, seedOf(state, `picture ${termsOf(state)}`)).map((count) => Math.max(0, count / state.photons));
+  }
+
+  // Three planes, each spread as its colour is in the last image.
+  blurColours(picture, count, side, width, height) {
+    const { core } = this;
+    const size = width * height;
+    const colours = this.colour(side * side);
+    const blurred = new Float32Array(3 * size);
+    for (let c = 0; c < 3; c++) {
+      const spread = core.put("values", colours.subarray(c * side * side, (c + 1) * side * side));
+      const first = size * Math.min(c, count - 1);
+      const plane = core.put("planes", picture.subarray(first, first + size));
+      const out = core.room("blurred", Float32Array, size);
+      core.call("blur", spread, side, plane, 1, height, width, out);
+      blurred.set(core.view(out, Float32Array, size), c * size);
+    }
+    return blurred;
+  }
+
+  // Planes of linear sRGB of the last image in white light, whose brightest component is 1; colours beyond sRGB are clipped.
+  colour(pixels) {
+    const planes = this.core.view(this.core.room("colours", Float32Array, 3 * pixels), Float32Array, 3 * pixels);
+    let most = 0;
+    for (const value of planes) if (value > most) most = value;
+    const scale = most > 0 ? 1 / most : 0;
+    return planes.map((value) => Math.max(0, value * scale));
   }
 
   // Fractions of all light per pixel, left in the block of values, and copied where one wants them; the bound on their error over
@@ -96,7 +162,10 @@ export class Engine {
       const out = core.room("values", Float32Array, side * side);
       const numbers = core.room("numbers", Float64Array, 3);
       try {
-        core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, asked, out, numbers);
+        const white = state.light === "white";
+        const weights = white ? core.put("weights", Float64Array.from(COLOURS.flat())) : 0;
+        const colours = white ? core.room("colours", Float32Array, 3 * side * side) : 0;
+        core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, asked, out, numbers, weights, colours);
       } catch (error) {
         // Large aberrations leave rounding errors above the tolerance; the bound says by how much.
         if (asked < 1e-3 && error.message === "tolerance not met") continue;
@@ -133,7 +202,7 @@ export class Engine {
     const at = core.put("points", v);
     const out = core.room("numbers", Float64Array, 2 * v.length);
     core.call("on_circles", at, v.length, energy ? 1 : 0, out, out + 8 * v.length);
-    const both = core.view(out, Float64Array, 2 * v.length);
+    const both = core.view(out, Float64Array, 2 * v.length).map((value) => Math.max(0, value));
     return [both.slice(0, v.length), both.slice(v.length)];
   }
 
@@ -175,6 +244,18 @@ function asked(state, quality) {
 
 function keyOf(state, side, pixel, tol) {
   return JSON.stringify([termsOf(state), linesOf(state), state.obscuration, state.view === "averaged", stepOf(state, pixel), side, tol]);
+}
+
+// Of settings that change the expected numbers, not of those of the display.
+function seedOf({ photons, read_noise }, key) {
+  return `${key} ${photons} ${read_noise}`;
+}
+
+// Contrast times that of the sensor's square pixels.
+function withPixel({ pixel }, mtf) {
+  const turn = (f) => Math.PI * f * pixel * 1e-3;
+  const of = (curve) => curve.map((contrast, i) => (i ? Math.abs((contrast * Math.sin(turn(mtf.f[i]))) / turn(mtf.f[i])) : contrast));
+  return { ...mtf, pixel_x: of(mtf.x), pixel_y: of(mtf.y) };
 }
 
 // From 0 to the last.

@@ -70,6 +70,18 @@ function directed(state) {
   );
 }
 
+// Directions of the vanes, radians.
+export function vanesOf({ vanes, vane_angle }) {
+  return Array.from({ length: vanes }, (_, k) => (vane_angle * Math.PI) / 180 + (TURN * k) / vanes);
+}
+
+// Whether light passes at a point of the pupil.
+export function clearOf(state) {
+  const vanes = vanesOf(state);
+  const behind = (rho, turn) => rho * Math.cos(turn) > 0 && Math.abs(rho * Math.sin(turn)) < 0.5 * state.vane_width;
+  return (rho, theta) => rho <= 1 && rho >= state.obscuration && !vanes.some((angle) => behind(rho, theta - angle));
+}
+
 // The radial part of a term at rho without its constant, over rho, and its derivative.
 function radialOf({ n, m }, rho) {
   const [p, q] = [(n + m) / 2, (n - m) / 2];

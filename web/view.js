@@ -171,7 +171,8 @@ export class View {
     const { planes, width, height } = picture;
     const fast = quality === "drag" ? "drag" : "settled";
     const recorded = await this.client.call("blur", state, planes, width, height, fast);
-    this.got({ recorded: { ...picture, planes: recorded }, picture });
+    const count = recorded.length / (width * height); // three of one, in white light
+    this.got({ recorded: { ...picture, planes: recorded, count }, picture });
   }
 
   got(part) {

@@ -182,8 +182,10 @@ inline Proof image_of_line(const Light& light, const Line& line, const View& vie
     return {proof.bound, proof.peak * scale};
 }
 
-// Fractions of all light per pixel.
-inline Proof image_of(const Light& light, const View& view, double tol, float* out) {
+// Fractions of all light per pixel. `planes`, where there are any, are three sums over the lines, each with its own weights:
+// `weights` has three for each line.
+inline Proof image_of(const Light& light, const View& view, double tol, float* out, const double* weights = nullptr,
+                      float* planes = nullptr) {
     // That of I of the reference, 1 at the peak of a whole aperture without aberration.
     const double scale = view.step * view.step / (12.566370614359172 * light.area());
     const std::size_t pixels = view.side * view.side;
@@ -198,10 +200,19 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
     for (double asked = std::max(tol, least);;) {
         total.assign(pixels, 0.0);
         double off = 0.0, peak = 0.0;
-        for (const Line& line : light.lines) {
+        if (planes != nullptr) {
+            std::fill_n(planes, 3 * pixels, 0.0F);
+        }
+        for (std::size_t k = 0; k < light.lines.size(); ++k) {
+            const Line& line = light.lines[k];
             const Proof proof = image_of_line(light, line, view, asked, scale * line.weight(), part.data());
             std::transform(part.begin(), part.end(), total.begin(), total.begin(),
                            [](float a, double b) { return static_cast<double>(a) + b; });
+            for (std::size_t c = 0; planes != nullptr && c < 3; ++c) {
+                const float weight = static_cast<float>(weights[3 * k + c]);
+                std::transform(part.begin(), part.end(), planes + c * pixels, planes + c * pixels,
+                               [=](float a, float b) { return weight * a + b; });
+            }
             off += proof.bound * proof.peak;
             // Nothing is negative, so the sum is at least as bright as any part of it.
             peak = std::max(peak, proof.peak * (1.0 - proof.bound));
@@ -224,7 +235,7 @@ struct Circles {
         lommel::MeanProfile profile, flat;
     };
     std::vector<Part> parts;
-    double brightest = 0.0, area = 1.0;
+    double brightest = 0.0, area = 1.0, off = 0.0;
 
     Circles() = default;
     // Up to `reach` in v of the reference; errors of U and of the interpolation are below `error`.
@@ -246,6 +257,11 @@ struct Circles {
                      return u * u;
                  })});
             brightest += line.weight() * area * area;
+            // The Bessel functions of so many terms, whose factors sum to 2 (1 + eps^2) at most, are computed to some roundings.
+            const double terms = static_cast<double>(std::max(field.outer().degrees, field.inner().degrees));
+            const double of_field = field.base() + 2.0 * (1.0 + eps * eps) * unit_roundoff * (8.0 * terms + 60.0);
+            off += line.weight() *
+                   (parts.back().profile.magnification() * of_field * (2.0 * area + of_field) + 0.5 * error * area * area);
         }
     }
 
@@ -258,6 +274,8 @@ struct Circles {
         }
         return sum / brightest;
     }
+    // Bound on the error of mean(), over the peak without aberration.
+    double error() const { return off / brightest; }
     // Of all light.
     double energy(Kind kind, double v) const {
         double sum = 0.0;

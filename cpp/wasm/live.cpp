@@ -38,7 +38,7 @@ live::Light light;
 live::Circles circles;
 std::unique_ptr<lommel::Convolution> convolution;
 
-constexpr std::size_t blocks = 8;
+constexpr std::size_t blocks = 10;
 struct Block {
     void* data = nullptr;
     std::size_t bytes = 0;
@@ -83,10 +83,13 @@ void set_light(const std::int32_t* terms, const double* edge, std::size_t count,
     }
 }
 
-// Fractions of all light per pixel; numbers: the bound on their error over the peak, the largest value, the sum.
-EXPORT(psf) void psf(std::size_t side, double step, bool integrate, double tol, float* out, double* numbers) {
+// Fractions of all light per pixel; numbers: the bound on their error over the peak, the largest value, the sum. Where `weights`
+// has three for each line, `planes` gets the sums over the lines by them.
+EXPORT(psf)
+void psf(std::size_t side, double step, bool integrate, double tol, float* out, double* numbers, const double* weights,
+         float* planes) {
     const live::View view{side, step, integrate};
-    const live::Proof proof = live::image_of(light, view, tol, out);
+    const live::Proof proof = live::image_of(light, view, tol, out, weights, planes);
     // In lanes, as the compiler may not by itself.
     constexpr std::size_t lanes = 16;
     const std::size_t pixels = side * side;
@@ -97,11 +100,13 @@ EXPORT(psf) void psf(std::size_t side, double step, bool integrate, double tol, 
         const std::size_t last = std::min(pixels, first + 1024), whole = last - (last - first) % lanes;
         for (std::size_t i = first; i < whole; i += lanes) {
             for (std::size_t k = 0; k < lanes; ++k) {
+                out[i + k] = std::max(0.0F, out[i + k]);  // no intensity is negative: the error does not grow
                 sums[k] += out[i + k];
                 tops[k] = std::max(tops[k], out[i + k]);
             }
         }
         for (std::size_t i = whole; i < last; ++i) {
+            out[i] = std::max(0.0F, out[i]);
             sums[0] += out[i];
             tops[0] = std::max(tops[0], out[i]);
         }
@@ -114,6 +119,9 @@ EXPORT(psf) void psf(std::size_t side, double step, bool integrate, double tol, 
 
 // What is to be asked of circles, up to `reach` in v.
 EXPORT(set_circles) void set_circles(double reach, double error) { circles = live::Circles(light, reach, error); }
+
+// Bound on the error of means on circles, over the peak without aberration.
+EXPORT(circle_error) double circle_error() { return circles.error(); }
 
 // At radii in v, with aberrations and without: means over the peak without aberration, or shares of all light within.
 EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {

@@ -11,6 +11,7 @@ from urllib.parse import quote
 import numpy as np
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.lensfiles.instrument import Instrument
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.obstructions import Spider
@@ -305,6 +306,28 @@ micrometres, pixels, metres for distances and millimetres for the focal length."
 
 # White light on the page: lines of equal energy, nanometres.
 WHITE = np.linspace(450.0, 650.0, 7)
+
+
+def colour_weights() -> Array:
+    """Return the weights of the lines of white light in linear sRGB, shape (lines, 3); those of a colour sum to 1.
+
+    By the colour-matching functions of the CIE 1931 standard observer, as fitted by Wyman, Sloan and Shirley, Simple
+    analytic approximations to the CIE XYZ color matching functions, J. Comput. Graph. Tech. 2(2), 2013. The spectrum
+    itself is white.
+    """
+
+    def lobe(height: float, peak: float, below: float, above: float) -> Array:
+        width = np.where(peak > WHITE, below, above)
+        return height * np.exp(-0.5 * ((WHITE - peak) / width) ** 2)
+
+    x = lobe(1.056, 599.8, 37.9, 31.0) + lobe(0.362, 442.0, 16.0, 26.7) + lobe(-0.065, 501.1, 20.4, 26.2)
+    y = lobe(0.821, 568.8, 46.9, 40.5) + lobe(0.286, 530.9, 16.3, 31.1)
+    z = lobe(1.217, 437.0, 11.8, 36.0) + lobe(0.681, 459.0, 26.0, 13.8)
+    # IEC 61966-2-1.
+    to_srgb = np.array([[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.2040, 1.0570]])
+    weights: Array = np.stack([x, y, z], axis=1) @ to_srgb.T
+    weights /= weights.sum(axis=0)
+    return weights
 
 
 def powers(n: int, m: int) -> list[tuple[int, int]]:

@@ -60,6 +60,9 @@ class MeanProfile {
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
+    // Of errors in the values that it was made from.
+    double magnification() const { return lebesgue(points_); }
+
    private:
     static constexpr double widest = 20.0;  // panel
 

@@ -1,7 +1,7 @@
-// The engine behind promises: in a Worker, or on the page itself where Workers are refused.
+// The engine behind promises: in two Workers, so that two cores compute at a time, or on the page itself where Workers are refused.
 
 import { compiledCore, Core, unpacked } from "./core.js";
-import { Engine } from "./engine.js";
+import { completed, Engine } from "./engine.js";
 import { workerText } from "./workertext.js";
 
 let told = false;
@@ -25,7 +25,46 @@ async function startedWorker(core) {
   }).finally(() => URL.revokeObjectURL(url));
 }
 
+const SECOND = new Set(["measures", "curves", "blur"]); // computed beside the others
+
 export class Client {
+  constructor() {
+    this.lanes = [new Lane(), new Lane()];
+  }
+
+  // Whether computing can be stopped.
+  get worker() {
+    return this.lanes.some(({ worker }) => worker);
+  }
+
+  async call(method, ...given) {
+    const lane = this.lanes[SECOND.has(method) ? 1 : 0];
+    const asked = JSON.stringify(given);
+    if (method === "measures" && this.last?.asked === asked) {
+      // The curves do not wait for the image of the same state, of which two numbers come.
+      const [curves, psf] = await Promise.all([lane.call("curves", ...given), this.last.psf]);
+      return completed(curves, psf);
+    }
+    const answer = lane.call(method, ...given);
+    if (method === "psf") this.last = { asked, psf: answer };
+    return answer;
+  }
+
+  // What is being computed is given up: its promises are rejected with this message.
+  stop(message = "the computation was stopped") {
+    for (const lane of this.lanes) if (lane.waiting.size) lane.renew({ message });
+  }
+
+  renew({ message }) {
+    this.stop(message);
+  }
+
+  destroy() {
+    for (const lane of this.lanes) lane.destroy();
+  }
+}
+
+class Lane {
   constructor() {
     this.waiting = new Map();
     this.count = 0;
@@ -42,7 +81,7 @@ export class Client {
     } catch (error) {
       if (!told) console.info(`lommel: no Worker here (${error.message}), so the page computes by itself.`);
       told = true;
-      this.engine = new Engine(new Core(core));
+      this.engine = once("engine", () => new Engine(new Core(core)));
     }
   }
 

@@ -28,7 +28,7 @@ export class Engine {
     const values = new Float32Array(side * side);
     const [bound, peak, sum] = this.image(state, side, pixel, state.view === "averaged", tol, values);
     this.seen = { key: keyOf(state, side, pixel, tol), bound, peak, sum };
-    const made = { values, side, pixel, bound, peak, python: pythonOf(stated, side, pixel) };
+    const made = { values, side, pixel, bound, peak, sum, python: pythonOf(stated, side, pixel) };
     if (state.light === "white") made.colour = this.colour(side * side);
     if (state.noise === "on") {
       const expected = values.map((share) => share * state.photons);
@@ -41,7 +41,13 @@ export class Engine {
     const state = focused(changed(DEFAULTS, given));
     const { side, pixel, tol } = asked(state, quality);
     if (this.seen?.key !== keyOf(state, side, pixel, tol)) this.psf(state, quality);
-    const { peak, sum } = this.seen;
+    return completed(this.curves(given, quality), this.seen);
+  }
+
+  // The measures that the image is not needed for; completed() adds the others.
+  curves(given, quality = "settled") {
+    const state = focused(changed(DEFAULTS, given));
+    const { side, pixel } = asked(state, quality);
     const { error, radii, frequencies, nodes } = QUALITY[quality];
     this.light(state);
     const reach = stepOf(state, fineReach(state));
@@ -52,18 +58,18 @@ export class Engine {
     const [share, flat] = this.circles(v, true);
     const radius = this.core.call("radius_of", 0.8, reach);
     // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
-    const [[within]] = this.circles(Float64Array.of(Math.min(reach, stepOf(state, 0.5 * side * pixel))), true);
+    const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;
+    const edge = Float64Array.of(Math.min(reach, stepOf(state, 0.5 * side * pixel)));
     const r = v.map((at) => lengthOf(state, at));
-    const step = stepOf(state, pixel);
     // Of the reference, and of all lines.
-    const unaberrated = ((1 - state.obscuration ** 2) * step ** 2) / (4 * Math.PI);
+    const unaberrated = ((1 - state.obscuration ** 2) * stepOf(state, pixel) ** 2) / (4 * Math.PI);
     const bright = linesOf(state).reduce((all, [stretch, part]) => all + part * stretch ** 2, 0);
     return {
       strehl: mean[0],
       strehl_error,
-      peak_strehl: peak / (unaberrated * bright),
+      unaberrated: unaberrated * bright, // value of a pixel at the peak
       d80: radius < 0 ? null : 2 * lengthOf(state, radius),
-      inside: state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2 ? sum : within,
+      within: summed ? null : this.circles(edge, true)[0][0],
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
       mtf: withPixel(state, this.contrast(state, frequencies, nodes)),
@@ -231,6 +237,11 @@ export class Engine {
       lines.length,
     );
   }
+}
+
+// With what the image says: its brightest pixel, and its light where the samples have all of it.
+export function completed({ unaberrated, within, ...curves }, { peak, sum }) {
+  return { ...curves, peak_strehl: peak / unaberrated, inside: within ?? sum };
 }
 
 // A fine view has fewer pixels of the same field while something is dragged; where the pupil is radial and the light of one

@@ -132,7 +132,8 @@ export class View {
     this.say();
     // The first wavefront without symmetry makes tables, which take longest: before anybody waits for them.
     const other = { ...this.state, coma: 0.1, astigmatism: 0.1 };
-    this.warming ??= setTimeout(() => this.client.call("psf", other, "drag").catch(() => {}), 400);
+    const warm = () => ["psf", "measures"].forEach((method) => this.client.call(method, other, "drag").catch(() => {}));
+    this.warming ??= setTimeout(warm, 400);
   }
 
   // Everything anew for the state as it is now; what changes meanwhile is asked next.

@@ -204,6 +204,14 @@ COUNTING = """window.made = []; const Plain = Worker;
 Worker = class extends Plain { constructor(...given) { super(...given); made.push(this); } };"""
 
 
+LISTENING = """window.heard = []; const { postMessage } = Worker.prototype; const known = [];
+Worker.prototype.postMessage = function (message) {
+  if (!known.includes(this)) known.push(this);
+  heard.push([message.method, known.indexOf(this)]);
+  postMessage.call(this, message);
+};"""
+
+
 def test_an_error_of_the_core_is_a_sentence_and_the_page_lives_on(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=REFUSING)
     page.evaluate("live.set({ defocus: 13 })")
@@ -240,4 +248,21 @@ def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     page.evaluate("live.set({ defocus: 1 })")
     rest(page)
     assert page.evaluate("live.result().state.defocus") == 1
-    assert page.evaluate("made.length") == 2
+    assert page.evaluate("made.length") == 3
+
+
+def test_image_and_curves_are_computed_at_a_time(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=LISTENING)
+    page.evaluate("live.set({ coma: 0.4 })")
+    rest(page)
+    heard = page.evaluate("heard")
+    assert {worker for method, worker in heard if method in ("psf", "maps")} == {0}
+    assert {worker for method, worker in heard if method in ("curves", "blur")} == {1}
+    result = page.evaluate("live.result().measures")
+    alone = page.evaluate(
+        """async () => { const { createCore, Engine } = await import("./lommel-live.js");
+        return new Engine(await createCore()).measures(live.state); }"""
+    )
+    # Two of them are those of the image.
+    for key in ("inside", "peak_strehl", "strehl", "d80"):
+        assert result[key] == alone[key], key

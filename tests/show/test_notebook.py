@@ -25,7 +25,7 @@ OBJECTIVE = lm.Objective(
 
 
 def colored(values: np.ndarray) -> np.ndarray:
-    return mpl.colormaps["magma"](values, bytes=True)
+    return mpl.colormaps["inferno"](values, bytes=True)
 
 
 class Told(HTMLParser):
@@ -58,7 +58,8 @@ def told(thing) -> tuple[dict[str, str], list[np.ndarray], list[str]]:
     page = thing._repr_html_()
     assert not re.search(r"#[0-9a-f]{3}|white|black|rgb", re.sub(r"base64,[^\"]*", "", page))
     found = Told(page)
-    names = found.words[2:] if found.pictures else found.words[3:]
+    # The table comes last; before it title, the length of a scale bar and a caption.
+    names = Told(page[page.index("<table") : page.index("</table>") + 8]).words
     return dict(zip(names[::2], names[1::2], strict=True)), found.pictures, found.words
 
 
@@ -121,7 +122,7 @@ def test_the_picture_of_a_pupil_is_shaded_where_no_light_passes(shown):
     at = (np.arange(len(picture)) + 0.5) * (2.0 / len(picture)) - 1.0
     clear = pupil.opening.margin(*np.meshgrid(at, at)) >= 0.0
     np.testing.assert_array_equal(picture[..., 3] == 255, clear)
-    assert rows["coma x"] == f"{1.5 / np.sqrt(8) / (2 * np.pi):.3g} waves rms"
+    assert rows["coma x"] == f"{1.5 / np.sqrt(8) / (2 * np.pi):.3g} waves rms over the full disc"
     assert "rms" not in rows  # over what vanes leave that takes long
     assert rows["aperture"] == "obscured to 0.3, spider"
 
@@ -169,7 +170,8 @@ def test_of_what_is_large_a_part_is_looked_at(monkeypatch):
     ids=["disc", "annulus", "Gaussian"],
 )
 def test_the_rms_is_that_over_the_aperture(pupil):
-    assert told(pupil)[0]["rms"] == f"{float(lm.rms(pupil, unit='waves')):.3g} waves"
+    name = "rms over the clear aperture" if pupil.obscuration else "rms"
+    assert told(pupil)[0][name] == f"{float(lm.rms(pupil, unit='waves')):.3g} waves"
     assert told(WAVEFRONT)[0]["rms"] == f"{float(lm.rms(WAVEFRONT, unit='waves')):.3g} waves"
 
 
@@ -208,3 +210,24 @@ def test_without_matplotlib_there_are_the_numbers():
     code += "print(all('<table' in x and '<img' not in x and '<small' not in x and '<i>' not in x for x in pages))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300)
     assert done.stdout == "True\n"
+
+
+def test_pictures_of_psfs_have_a_scale_bar(shown):
+    page = shown["PSF"]._repr_html_()
+    # 33 pixels of 1 um are 160 wide: the bar of 10 um.
+    assert told(shown["PSF"])[2][1] == "10 µm"
+    (width,) = re.findall(r'<div style="width:([\d.]+)px;border-top', page)
+    assert float(width) == pytest.approx(10 / 33 * 160, abs=0.1)
+    grid = shown["PSFGrid"]
+    assert told(grid)[2][1] == "1 λN"
+    (width,) = re.findall(r'<div style="width:([\d.]+)px;border-top', grid._repr_html_())
+    assert float(width) == pytest.approx(1 / 0.5 * 280 / 21, abs=0.1)
+
+
+def test_pixels_and_bars_of_microscopes_are_of_the_sample():
+    emitter = lm.Dipole(polar=np.pi / 3, azimuth=np.pi / 6)
+    pupil = OBJECTIVE.pupil(depth=0.0, wavelength=520e-9, emitter=emitter)
+    rows, _, words = told(lm.psf(pupil, 21, 6e-6))
+    assert rows["pixels"] == "21 × 21 of 100 nm in the sample, averaged over each pixel"
+    assert words[1] == "1 µm"
+    assert told(pupil)[0]["emitter"] == "dipole, 60° from the axis, azimuth 30°"

@@ -6,10 +6,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 import lommel as lm
 from lommel.methods import METHODS
 from lommel.show import plot
+from lommel.show.drawing import columns_of, entitle, round_length
 
 METRIC = {"wavelength": 500e-9, "f_number": 4.0}
 
@@ -93,7 +95,9 @@ def test_new_axes_say_how_large_pixels_are_how_they_see_and_what_a_value_is(imag
     assert averaged.figure.axes[1].get_ylabel() == "1 = largest value"
 
 
-@pytest.mark.parametrize(("shape", "panels"), [((3,), (1, 3)), ((2, 4), (2, 4)), ((10,), (2, 8)), ((1,), (1, 1))])
+@pytest.mark.parametrize(
+    ("shape", "panels"), [((3,), (1, 3)), ((2, 4), (2, 4)), ((9,), (3, 3)), ((10,), (2, 5)), ((1,), (1, 1))]
+)
 def test_a_stack_is_drawn_side_by_side_on_one_scale(shape, panels):
     stack = lm.psf(lm.Pupil(lm.Wavefront(np.linspace(0.0, 5.0, int(np.prod(shape))).reshape(shape))), 9, 0.5)
     drawn = stack.plot()
@@ -143,13 +147,16 @@ def test_a_comparison_shows_every_image_and_the_slices_and_the_errors(answers):
     figure = plot.compare(answers, "Hankel")
     figure.canvas.draw()
     *pictures, slices, errors = figure.axes
-    assert [axes.get_title() for axes in pictures] == list(answers)
-    for axes, psf in zip(pictures, answers.values(), strict=True):
-        np.testing.assert_array_equal(axes.get_images()[0].get_array(), psf.values)
-    assert [text.get_text() for text in slices.get_legend().get_texts()] == list(answers)
-    assert len(slices.get_lines()) == len(answers)
-    assert len(errors.get_lines()) == len(answers) - 1
-    assert errors.get_ylabel() == "error against Hankel / peak"
+    truth, others = answers["Hankel"], [name for name in answers if name != "Hankel"]
+    first, *maps, bar = pictures
+    assert [axes.get_title() for axes in (first, *maps)] == ["Hankel, the reference", *others]
+    np.testing.assert_array_equal(first.get_images()[0].get_array(), truth.values)
+    for axes, name in zip(maps, others, strict=True):
+        away = np.abs(answers[name].values - truth.values) / truth.values.max()
+        np.testing.assert_allclose(axes.get_images()[0].get_array(), np.maximum(away, 1e-12), rtol=1e-6)
+    assert bar.get_ylabel() == errors.get_ylabel() == "error / peak of Hankel"
+    assert len(slices.get_lines()) == 1
+    assert len(errors.get_lines()) == len(others)
     assert {axes.get_xlabel() for axes in (slices, errors)} == {"distance from the centre (µm)"}
 
 
@@ -157,19 +164,27 @@ def test_the_slices_of_a_comparison_are_the_profiles_over_the_peak_of_the_refere
     *_, slices, errors = plot.compare(answers, "Hankel").axes
     reference, other = answers["Hankel"], answers["Fraunhofer"]
     peak = reference.values.max()
-    lines = {line.get_label(): line for line in slices.get_lines()}
+    (line,) = slices.get_lines()
     radius, values = reference.profile()
-    np.testing.assert_allclose(lines["Hankel"].get_xdata(), radius * 1e6)
-    np.testing.assert_allclose(lines["Hankel"].get_ydata(), values / peak)
+    np.testing.assert_allclose(line.get_xdata(), radius * 1e6)
+    np.testing.assert_allclose(line.get_ydata(), values / peak)
     difference = np.abs(other.profile()[1] - values) / peak
     assert any(np.allclose(line.get_ydata(), difference, rtol=1e-6) for line in errors.get_lines())
 
 
-def test_a_line_of_errors_has_the_colour_of_its_method(answers):
-    *_, slices, errors = plot.compare(answers, "Hankel").axes
-    colors = [line.get_color() for line in slices.get_lines() if line.get_label() != "Hankel"]
-    assert [line.get_color() for line in errors.get_lines()] == colors
+def test_a_line_of_errors_has_its_name_at_its_end_in_its_colour(answers):
+    figure = plot.compare(answers, "Hankel")
+    figure.canvas.draw()
+    errors = figure.axes[-1]
+    colors = [line.get_color() for line in errors.get_lines()]
     assert len(set(colors)) == len(colors)
+    assert [text.get_text() for text in errors.texts] == [name for name in answers if name != "Hankel"]
+    assert [text.get_color() for text in errors.texts] == colors
+    # None upon another, and none beyond the figure.
+    places = sorted(text.xyann[1] * errors.bbox.height for text in errors.texts)
+    heights = [Text.get_window_extent(text).height for text in errors.texts]
+    assert min(np.diff(places)) > max(heights)
+    assert all(text.get_window_extent().x1 <= figure.bbox.x1 for text in errors.texts)
 
 
 @pytest.mark.parametrize("count", [1, 2])
@@ -177,7 +192,7 @@ def test_a_comparison_of_few_methods_is_drawn_too(answers, count):
     few = {name: answers[name] for name in ["Hankel", "Geometric"][:count]}
     figure = plot.compare(few, "Hankel")
     figure.canvas.draw()
-    assert len(figure.axes) == count + 2
+    assert len(figure.axes) == count + 2 + (count > 1)  # a bar where there are errors
 
 
 @pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 300], ids=str)
@@ -219,8 +234,8 @@ def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):
     assert axes.get_xlim() == pytest.approx((-15.0, 15.0))
     assert axes.get_ylim() == pytest.approx((10.0, -10.0))
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x on the sensor (mm)", "y on the sensor (mm)")
-    assert [text.get_text() for text in axes.get_xticklabels()] == ["-10", "0", "10"]
-    assert [text.get_text() for text in axes.get_yticklabels()] == ["-5", "5"]
+    assert [text.get_text() for text in axes.get_xticklabels()] == ["−10", "0", "10"]
+    assert [text.get_text() for text in axes.get_yticklabels()] == ["−5", "5"]
 
 
 def test_a_grid_says_that_each_is_over_its_largest_value(over_the_field):
@@ -271,3 +286,26 @@ def test_grids_of_every_shape_are_drawn_without_a_warning(rows, columns):
     axes = grid.plot()
     axes.figure.canvas.draw()
     assert axes.get_xlabel() == "x on the sensor (λN)"
+
+
+@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
+def test_titles_are_no_wider_than_their_figures_and_say_the_stretch(stretch):
+    colours = lm.colour_psf(lm.Pupil(lm.Wavefront(3.0), wavelength=550e-9, f_number=4.0), 15, 1e-6, lm.Channels.rgb())
+    figure = colours.plot(stretch=stretch).figure
+    entitle(figure, f"{'a lens with a very long name ' * 4}\n{figure.get_suptitle()}")
+    figure.canvas.draw()
+    title = figure._suptitle.get_window_extent()
+    assert title.x0 >= 0
+    assert title.x1 <= figure.bbox.x1
+    assert {"sqrt": "square root", "linear": "brightness: the value", "log": "logarithm"}[stretch] in " ".join(
+        figure.get_suptitle().split()
+    )
+
+
+@pytest.mark.parametrize(("count", "columns"), [(1, 1), (8, 8), (9, 3), (12, 4), (16, 4), (25, 5), (49, 7), (64, 8)])
+def test_stacks_fill_their_rows(count, columns):
+    assert columns_of(count) == columns
+
+
+def test_lengths_of_scale_bars_are_round():
+    assert [round_length(most) for most in (1.0, 1.9, 2.3, 7.0, 0.03)] == pytest.approx([1.0, 1.0, 2.0, 5.0, 0.02])

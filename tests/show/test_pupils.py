@@ -80,7 +80,7 @@ def test_the_phase_through_layers_changes_with_the_focus_as_the_immersion_says()
     z = np.array([-1e-6, 0.0, 1e-6])
     pupil = OIL.pupil(depth=0.0, z=z, wavelength=520e-9)
     axes = pupil.plot(unit="radians")
-    assert [each.get_title() for each in axes] == ["z -1 µm", "z 0 µm", "z 1 µm"]
+    assert [each.get_title() for each in axes] == ["z −1 µm", "z 0 µm", "z 1 µm"]
     up, flat, down = (drawn(each) for each in axes)
     np.testing.assert_allclose(up - flat, flat - down, atol=1e-9, equal_nan=True)
     x, y = raster(flat)
@@ -127,7 +127,7 @@ def test_a_lens_says_how_far_away_its_objects_are(camera):
             lm.Wavefront.zernike({(4, 0): [0.1, 0.2]}, unit="waves"),
             ["spherical 0.1 waves rms", "spherical 0.2 waves rms"],
         ),
-        (lm.Wavefront(spherical=[-1.0, 2.0]), ["spherical -1 rad", "spherical 2 rad"]),
+        (lm.Wavefront(spherical=[-1.0, 2.0]), ["spherical −1 rad", "spherical 2 rad"]),
         (lm.Wavefront([0.0, 1.0], [0.0, 1.0]), ["0", "1"]),
         (lm.Wavefront([0.0, 1.0], nonradial={(3, 1): [0.0, 1.0]}), ["0", "1"]),
     ],

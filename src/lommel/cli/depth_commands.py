@@ -278,8 +278,9 @@ def precision(
     if figure is not None:
         from lommel.show import estimates
 
-        title = f"{instrument.name}\nfocus {listed} at f/{one.f_number:.3g}, {texture['photons']:g} electrons a pixel"
-        drawn: Any = estimates.precision(distance, {"": deviation}, title)
+        title = f"{instrument.name}\nf/{one.f_number:.3g}, {texture['photons']:g} electrons a pixel"
+        foci_of = [each.focus_distance for each in lenses]
+        drawn: Any = estimates.precision(distance, {"": deviation}, title, foci_of)
         save_figure(drawn.figure, figure)
     facts = {
         "focus_distances": [finite(each.focus_distance) for each in lenses],

@@ -172,7 +172,7 @@ def _of_lens(instrument: Instrument, mtf: bool, options: Facts) -> _Product[PSF]
         report=lambda made, seconds: (
             summarize_lens(instrument) + reports.describe_psf(made, seconds) + _mtf(mtf, instrument)
         ),
-        entitle=lambda axes: axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9),
+        entitle=lambda axes: axes.set_title(_named(axes, instrument.name, axes.get_title()), fontsize=9),
         note=_picture_note,
         drawn=": square root of the values",
     )
@@ -206,7 +206,9 @@ def _of_field(
         find=partial(field_files.find, holding="" if channels is None else field_files.SEVERAL),
         make=make,
         report=report,
-        entitle=lambda axes: axes.set_title(instrument.name, fontsize=9, loc="left", pad=22),
+        entitle=lambda axes: axes.set_title(
+            _named(axes, instrument.name, axes.get_title("left")), fontsize=9, loc="left", pad=22
+        ),
         drawn="" if channels else ": square root of the values, each PSF normalized to its maximum",
     )
 
@@ -220,7 +222,7 @@ def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: F
         report=lambda made, seconds: (
             reports.describe_colour(instrument, made, seconds) + _mtf(mtf, instrument, None, channels)
         ),
-        entitle=lambda axes: axes.figure.suptitle(instrument.name, fontsize=9),
+        entitle=lambda axes: _entitle_figure(axes, instrument.name),
     )
 
 
@@ -236,11 +238,25 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
         report=lambda made, seconds: (
             reports.describe_microscope(microscope, foci=False) + reports.describe_stack(made, seconds)
         ),
-        entitle=lambda axes: axes.figure.suptitle(microscope.name, fontsize=9),
+        entitle=lambda axes: _entitle_figure(axes, microscope.name),
         note=_picture_note,
         drawn=f": {'sections xy, xz and yz, ' if stack else ''}square root of the values",
         sections=stack,
     )
+
+
+def _named(axes: Axes, name: str, title: str) -> str:
+    """Return a title of a figure below the name of its lens, within its width."""
+    from lommel.show.drawing import fitted
+    from lommel.show.labels import name_in_words
+
+    return f"{fitted(name_in_words(name), axes)}\n{title}".rstrip("\n")
+
+
+def _entitle_figure(axes: Axes, name: str) -> None:
+    """Set the name of a lens above the title of a figure of many axes."""
+    figure: Any = axes.get_figure(root=True)
+    figure.suptitle(_named(axes, name, figure.get_suptitle()), fontsize=9)
 
 
 def _size(window: tuple[int, int]) -> str:

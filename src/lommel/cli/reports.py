@@ -23,12 +23,12 @@ from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
 from lommel.methods import HuygensFresnel, Method, Polychromatic
 from lommel.methods.choice import reference
 from lommel.optics.colour.spectrum import Channels
-from lommel.optics.layers.emitter import Dipole, Scalar
 from lommel.optics.layers.stratified import Layer
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF, psf
 from lommel.show.drawing import HOW, MEANING
+from lommel.show.labels import of_emitter
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -302,7 +302,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
         "critical_angle": objective.critical_angle,
         "rim_angle": math.asin(objective.NA / objective.immersion),
         "wavelength": wavelength,
-        "emitter": emitter_in_words(microscope),
+        "emitter": of_emitter(microscope.emitter),
         "depth": microscope.depth,
         "planes": microscope.planes,
         "step": step,
@@ -438,21 +438,6 @@ def describe_stack(answer: PSF, seconds: float) -> Report:
         *_error_and_time(facts),
     ]
     return Report({"psf": facts}, ["", list_of(lines, title="PSF")])
-
-
-def emitter_in_words(microscope: Microscope) -> str:
-    """Return a description of the emitter or of the excitation beam."""
-    emitter = microscope.emitter
-    if isinstance(emitter, Dipole):
-        if emitter.wobble == 1.0:
-            return "freely rotating dipole"
-        place = (
-            f"{math.degrees(emitter.polar):.4g} deg from the axis, azimuth {math.degrees(emitter.azimuth):.4g} deg"
-        )
-        return f"dipole, {place}" + (f", wobble {emitter.wobble:.4g}" if emitter.wobble else "")
-    if isinstance(emitter, Scalar):
-        return "scalar (Gibson-Lanni)"
-    return f"beam focused into the sample, {emitter.polarization} polarization"
 
 
 def _layer(layer: Layer | None) -> dict[str, float] | None:

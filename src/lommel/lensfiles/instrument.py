@@ -7,11 +7,18 @@ from dataclasses import dataclass, field, replace
 from typing import TypedDict
 
 from lommel.base import validation
+from lommel.base.units import format_length
 from lommel.field.maps import FieldMap
+from lommel.measures.aperture_means import strehl
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import PSF, psf
+from lommel.show import notebook
+from lommel.show.labels import length_in_words, name_in_words, true_minus
+
+_LARGEST = 129  # pixels of the window that notebooks show
 
 
 class PixelOptions(TypedDict):
@@ -64,6 +71,42 @@ class Instrument:
     integrate: bool | None = None
     fill: tuple[float, float] = (1.0, 1.0)
     channels: Channels | None = None
+
+    def __repr__(self) -> str:
+        pixel = " x ".join(format_length(side) for side in dict.fromkeys(self.pitch))
+        seen = format_length(self.object_distance)
+        return f"<Instrument {self.name!r}: {self.lens!r}, object at {seen}, pixels of {pixel}>"
+
+    def _repr_html_(self) -> str:
+        lens = self.lens
+        obscured = f", obscuration {lens.obscuration:.4g}" if lens.obscuration else ""
+        pixel = " × ".join(length_in_words(side) for side in dict.fromkeys(self.pitch))
+        sensor = None if self.sensor is None else " × ".join(length_in_words(side) for side in self.sensor)
+
+        def waves() -> str:
+            first = list(self.pupil().wavefront.waves.items())[:4]
+            return true_minus(", ".join(f"{name} = {float(value):.4g}" for name, value in first))
+
+        rows: list[notebook.Row] = [
+            ("lens", f"f = {length_in_words(lens.focal_length)}, f/{lens.f_number:.4g}{obscured}"),
+            ("wavelength", length_in_words(lens.wavelength)),
+            ("focused at", length_in_words(lens.focus_distance)),
+            ("object at", length_in_words(self.object_distance)),
+            ("pixels", pixel),
+            ("sensor", sensor),
+            ("aberrations (waves)", waves),
+            ("Strehl ratio", lambda: f"{float(strehl(self.pupil())):.4g} on the axis"),
+            ("radii of interest", ", ".join(self.radii) or None),
+            ("channels", None if self.channels is None else ", ".join(self.channels.names)),
+            ("source", self.source or None),
+        ]
+
+        def image() -> PSF:
+            height, width = self.window
+            middle = min(height, _LARGEST), min(width, _LARGEST)
+            return psf(self.pupil(), middle, self.pixel, **self.sensor_options)
+
+        return notebook.device(f"Instrument: {name_in_words(self.name)}", rows, image)
 
     @property
     def pitch(self) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.base.units import parse_length
+from lommel.base.units import format_length, parse_length
 from lommel.lensfiles import toml_files
 from lommel.lensfiles.toml_files import (
     Angle,
@@ -30,9 +30,13 @@ from lommel.optics.layers.emitter import Beam, Dipole, Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, Design, Layer, length, refractive_index
+from lommel.psf import PSF, psf
+from lommel.show import notebook
+from lommel.show.labels import length_in_words, of_emitter
 
 PLANES_MOST = 4096
 _LEAST_SIDE, _MOST_SIDE = 33, 513
+_SHOWN = 65  # pixels of the window that notebooks show
 
 
 def stage_step(value: float) -> float:
@@ -92,6 +96,37 @@ class Microscope:
         validation.integer("planes", self.planes, least=1, most=PLANES_MOST)
         if self.planes > 1:
             stage_step(validation.real("step", self.step))
+
+    def __repr__(self) -> str:
+        planes = f", {self.planes} planes {format_length(abs(self.step))} apart" if self.planes > 1 else ""
+        lens = f"NA {self.objective.NA:g}, {self.objective.magnification:g}x"
+        light = f"{of_emitter(self.emitter)} at {format_length(self.depth)}, {format_length(self.wavelength)}"
+        return f"<Microscope {self.name!r}: {lens}, {light}, pixels of {format_length(self.pixel)}{planes}>"
+
+    def _repr_html_(self) -> str:
+        one, words = self.objective, length_in_words
+        nyquist = one.nyquist(wavelength=self.wavelength)
+        layer = one.coverslip
+        glass = "none" if layer is None else f"{words(layer.thickness)} of index {layer.index:.4g}"
+        planes = f"{self.planes}, {words(abs(self.step))} apart" if self.planes > 1 else "1"
+        rows: list[notebook.Row] = [
+            ("objective", f"NA {one.NA:.4g}, {one.magnification:.4g}x, immersion {one.immersion:.4g}"),
+            ("cover glass", glass),
+            ("sample", f"index {one.sample:.4g}"),
+            ("emitter", f"{notebook.emitter(self.emitter)}, {words(self.depth)} deep"),
+            ("wavelength", words(self.wavelength)),
+            ("pixels", f"{words(self.pixel / one.magnification)} in the sample ({words(self.pixel)} on the camera)"),
+            ("planes", planes),
+            ("Nyquist sampling", f"{words(nyquist.lateral)} in the sample, {words(nyquist.axial)} of the stage"),
+            ("source", self.source or None),
+        ]
+
+        def image() -> PSF:
+            height, width = self.window
+            middle = min(height, _SHOWN), min(width, _SHOWN)
+            return psf(replace(self, planes=1).pupil(), middle, self.pixel, integrate=self.integrate)
+
+        return notebook.device(f"Microscope: {self.name}", rows, image)
 
     @property
     def z(self) -> Array:

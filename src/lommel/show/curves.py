@@ -96,7 +96,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         if nyquist <= most:
             axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
     title = _title(pupil, thing.pixel if is_psf(thing) and sides[1] else pixel) if ax is None else None
-    complete_curves(axes, title, (0.0, factor * most), xlabel=f"spatial frequency ({unit})", ylabel="MTF (1)")
+    complete_curves(axes, title, (0.0, factor * most), xlabel=f"spatial frequency ({unit})", ylabel="MTF")
     return axes
 
 
@@ -187,7 +187,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
         for share, half in found.items():
             axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)
     own, limits = title if ax is None else None, (0.0, far * factor)
-    ylabel = "fraction of all light (1)"
+    ylabel = "fraction of all light"
     complete_curves(axes, own, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)
     return axes
 

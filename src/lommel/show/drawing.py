@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import textwrap
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -14,6 +16,7 @@ from lommel.base.optional import library
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Normalize
+    from matplotlib.figure import Figure
     from matplotlib.image import AxesImage
 
 MEANING = {
@@ -36,6 +39,9 @@ STRETCHES = {
     "log": "the logarithm of the value,\ndown to 1e-5 of the largest",
 }
 """The scales of brightness: what is linear on each."""
+
+COLOURS = "inferno"
+"""The colour map of light, as of the live page."""
 
 MOST = 64
 """Pictures in one figure."""
@@ -103,6 +109,31 @@ def at_most(shape: tuple[int, ...]) -> None:
         raise ValueError(f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, as stack[:8]")
 
 
+def round_length(most: float) -> float:
+    """Return the largest of 1, 2 and 5 times a power of ten that is no more than `most`."""
+    decade = 10.0 ** np.floor(np.log10(most))
+    return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= most * (1.0 + 1e-12)))
+
+
+def columns_of(count: int) -> int:
+    """Return the columns that so many pictures side by side take: one row of up to eight, else few empty places."""
+    if count <= 8:
+        return count
+    return min(range(3, 9), key=lambda columns: (-count % columns, abs(columns - math.sqrt(1.5 * count))))
+
+
+def fitted(text: str, drawn: Figure | Axes, size: float = 9.0) -> str:
+    """Return a title broken between words into lines no wider than its figure, for letters of so many points."""
+    figure: Any = drawn.get_figure(root=True)
+    letters = int(72.0 * figure.get_figwidth() / (0.56 * size))
+    return "\n".join(part for line in text.split("\n") for part in textwrap.wrap(line, letters) or [""])
+
+
+def entitle(figure: Figure, text: str) -> None:
+    """Give a figure a title above all of its axes, within its width."""
+    figure.suptitle(fitted(text, figure), fontsize=9)
+
+
 def circle(axes: Axes, radius: float, **how: Any) -> None:
     """Draw a dashed circle about the origin."""
     angle = np.linspace(0.0, 2.0 * np.pi, 181)
@@ -119,7 +150,7 @@ def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
 
 def caption(axes: Axes, title: str, label: str) -> None:
     """Give a picture in a figure of its own a title, and a colour bar with a label."""
-    axes.set_title(title, fontsize=9)
+    axes.set_title(fitted(title, axes), fontsize=9)
     axes.figure.colorbar(axes.images[-1], ax=axes, label=label)
 
 
@@ -135,7 +166,7 @@ def complete_curves(
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8, loc=loc)
     if title is not None:
-        axes.set_title(title, fontsize=9)
+        axes.set_title(fitted(title, axes), fontsize=9)
 
 
 def tiles(
@@ -148,7 +179,7 @@ def tiles(
     """Draw a stack side by side in a new figure with one colour bar; `draw` takes an index and axes."""
     at_most(shape)
     count = int(np.prod(shape))
-    columns = shape[1] if len(shape) == 2 else min(count, 8)
+    columns = shape[1] if len(shape) == 2 else columns_of(count)
     rows = -(-count // columns)
     figure = pyplot().figure(
         figsize=(max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8), layout="constrained"
@@ -161,6 +192,6 @@ def tiles(
         axes.set_title(titles[k], fontsize=8)
         axes.tick_params(labelsize=7)
         only_outer(axes, k, count, columns)
-    figure.suptitle(title, fontsize=9)
+    entitle(figure, title)
     figure.colorbar(shown, ax=drawn.ravel().tolist(), label=label)
     return drawn

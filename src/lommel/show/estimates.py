@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
-from lommel.show.drawing import USER, new_axes, pyplot
+from lommel.show.drawing import COLOURS, USER, fitted, new_axes, pyplot
+from lommel.show.labels import length_in_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -38,21 +39,24 @@ def maps(depth: Array, deviation: Array, light: Values | None) -> Figure:
     if known.any():
         ends = np.percentile(millimetres[known], [0.5, 99.5])
         norm = library("matplotlib.colors", *USER).LogNorm(*(ends * [0.99, 1.01]))
-    shown = axes[1].imshow(millimetres, cmap="magma", norm=norm, interpolation="nearest")
-    figure.colorbar(shown, ax=axes[1], label="deviation (mm)", extend="both", shrink=0.85)
-    axes[1].set_title("how well", fontsize=10)
+    shown = axes[1].imshow(millimetres, cmap=COLOURS, norm=norm, interpolation="nearest")
+    figure.colorbar(shown, ax=axes[1], label="standard deviation of depth (mm)", extend="both", shrink=0.85)
+    axes[1].set_title("standard deviation", fontsize=10)
     if light is not None:
         top = float(np.percentile(light, 99.5))
         within = np.clip(light / top if top > 0.0 else light, 0.0, 1.0) ** (1.0 / 2.2)
         axes[2].imshow(within, cmap="gray" if light.ndim == 2 else None, interpolation="nearest")
-        axes[2].set_title("in focus everywhere", fontsize=10)
+        axes[2].set_title("all-in-focus image", fontsize=10)
     for each in axes:
         each.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
     return figure
 
 
-def precision(distance: Array, curves: Mapping[str, Array], title: str) -> Axes:
-    """Draw standard deviations of depth over the distance (metres, logarithmic); infinite ones are gaps."""
+def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Sequence[float] = ()) -> Axes:
+    """Draw standard deviations of depth over the distance (metres, logarithmic); infinite ones are gaps.
+
+    Dotted lines mark the focus distances `foci` that are within the range.
+    """
     axes = new_axes(None, figsize=(7.0, 4.4))
     finite = np.concatenate([curve[np.isfinite(curve)] for curve in curves.values()])
     for name, curve in curves.items():
@@ -61,9 +65,15 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str) -> Axes:
         # Poles would leave no room for what matters.
         least = 1e3 * float(finite.min())
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
-    axes.set(xlabel="distance (m)", ylabel="deviation of depth (mm)")
-    axes.set_title(title, fontsize=10)
+    axes.set(xlabel="distance (m)", ylabel="standard deviation of depth (mm)")
+    axes.set_title(fitted(title, axes, 10), fontsize=10)
     axes.grid(which="both", alpha=0.3)
+    for focus in foci:
+        if distance[0] <= focus <= distance[-1]:
+            axes.axvline(focus, color="0.4", linewidth=1.0, linestyle=":")
+            words = f" focus {length_in_words(focus)}"
+            place = axes.get_xaxis_transform()
+            axes.text(focus, 0.98, words, transform=place, fontsize=8, rotation=90, va="top", ha="right")
     if len(curves) > 1:
         axes.legend(fontsize=9)
     plain = library("matplotlib.ticker", *USER).FuncFormatter(lambda value, _: f"{value:g}")
@@ -91,15 +101,15 @@ def fit(
     for k in range(count):
         low, high = np.nanmin(images[k]), np.nanmax(images[k])
         norm = library("matplotlib.colors", *USER).PowerNorm(0.5, low, high)
-        axes[0, k].imshow(images[k], cmap="magma", norm=norm, interpolation="nearest")
-        axes[1, k].imshow(model[k], cmap="magma", norm=norm, interpolation="nearest")
+        axes[0, k].imshow(images[k], cmap=COLOURS, norm=norm, interpolation="nearest")
+        axes[1, k].imshow(model[k], cmap=COLOURS, norm=norm, interpolation="nearest")
         left = axes[2, k].imshow(residual[k], cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
         axes[0, k].set_title(f"image {k}", fontsize=9)
     for row, text in zip(axes, ("measured", "model", "residual"), strict=True):
         row[0].set_ylabel(text, fontsize=9)
     for each in axes.flat:
         each.set(xticks=[], yticks=[], facecolor="0.5")  # what was left out
-    pictures.colorbar(left, ax=axes[2].tolist(), label="residual (deviations)", shrink=0.9)
+    pictures.colorbar(left, ax=axes[2].tolist(), label="residual / noise", shrink=0.9)
     drawn = graph.subplots()
     at = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in deviations]

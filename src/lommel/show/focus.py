@@ -20,7 +20,7 @@ from lommel.optics.grid import Grid
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import STRETCHES, caption, complete_curves, frequencies, lengths, new_axes, norm_of
+from lommel.show.drawing import COLOURS, STRETCHES, caption, complete_curves, frequencies, lengths, new_axes, norm_of
 from lommel.show.labels import length_in_words
 from lommel.special import zernike
 
@@ -225,7 +225,7 @@ def through_focus(
         extent=(shift[0] - 0.5 * step[1], shift[-1] + 0.5 * step[1], -top, top),
         origin="lower",
         aspect="auto",
-        cmap="magma",
+        cmap=COLOURS,
         norm=norm_of(stretch, values),
         interpolation="bilinear",
     )
@@ -290,7 +290,7 @@ def focus_curves(
                 axes.plot(shift, curves[:, k], style, color=f"C{k}", label=word)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
     title = _told(thing, here, object_distance) if ax is None else None
-    complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF (1)")
+    complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
     return axes
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from typing import TypeVar
 
@@ -11,6 +12,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.optics.base_pupil import BasePupil
+from lommel.optics.layers.emitter import Dipole, Emitter, Scalar
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -49,13 +51,13 @@ def of_wavefronts(wavefront: Wavefront) -> list[str]:
         if varied.size != 1:
             return _indices(wavefront.shape)
         return _terms(flat, int(varied[0]))
-    return [f"{name} {value + 0.0:.3g} rad" for value in values]
+    return [f"{name} {true_minus(f'{value + 0.0:.3g}')} rad" for value in values]
 
 
 def _terms(flat: Wavefront, which: int) -> list[str]:
     n, m = flat.terms[which]
     waves = flat.edge[:, which] / (2.0 * math.pi * zernike.rms_factor(n, m)) + 0.0
-    return [f"{zernike.name(n, m)} {each:.3g} waves rms" for each in waves]
+    return [f"{zernike.name(n, m)} {true_minus(f'{each:.3g}')} waves rms" for each in waves]
 
 
 def _lengths(what: str, at: Array) -> list[str]:
@@ -66,7 +68,30 @@ def _lengths(what: str, at: Array) -> list[str]:
 
 def length_in_words(metres: float, like: float | None = None) -> str:
     """Return a length as pictures have it, with the unit that suits it or another."""
-    return format_length(metres, like=like).replace(" um", " µm").replace("infinity", "∞")
+    return true_minus(format_length(metres, like=like).replace(" um", " µm").replace("infinity", "∞"))
+
+
+def of_emitter(emitter: Emitter) -> str:
+    """Return a description of an emitter or of an excitation beam."""
+    if isinstance(emitter, Dipole):
+        if emitter.wobble == 1.0:
+            return "freely rotating dipole"
+        polar, azimuth = math.degrees(emitter.polar), math.degrees(emitter.azimuth)
+        wobble = f", wobble {emitter.wobble:.4g}" if emitter.wobble else ""
+        return f"dipole, {polar:.4g} deg from the axis, azimuth {azimuth:.4g} deg{wobble}"
+    if isinstance(emitter, Scalar):
+        return "scalar (Gibson-Lanni)"
+    return f"beam focused into the sample, {emitter.polarization} polarization"
+
+
+def true_minus(text: str) -> str:
+    """Return a text of numbers with minus signs, as axes have them, in place of hyphens."""
+    return text.replace("-", "−")
+
+
+def name_in_words(name: str) -> str:
+    """Return the name of a lens as pictures have it: with µm in place of the um of its file."""
+    return re.sub(r"(?<=\d )um\b", "µm", name)
 
 
 def _indices(shape: tuple[int, ...]) -> list[str]:

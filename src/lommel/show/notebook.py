@@ -21,12 +21,13 @@ from lommel.measures.aperture_means import rms
 from lommel.measures.energy import energy_per_pixel
 from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike
 from lommel.optics.base_pupil import BasePupil
+from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
-from lommel.show.drawing import HOW, MEANING
-from lommel.show.labels import few, few_of, length_in_words, of_pupils
+from lommel.show.drawing import COLOURS, HOW, MEANING, round_length
+from lommel.show.labels import few, few_of, length_in_words, of_emitter, of_pupils
 from lommel.show.pupils import across
 from lommel.special import zernike
 
@@ -36,6 +37,7 @@ _MANY = 2**21  # values that are looked at
 _TERMS = 8
 _SIDE = 160  # pixels of a picture
 _RASTER = 80
+_ROOT = "the square root of the values"
 _SUMS = 100 * _RASTER**2  # values of terms that are added up
 
 Row = tuple[str, str | Callable[[], str] | None]
@@ -68,11 +70,22 @@ def psf(psf: PSFLike) -> str:
 
     def picture() -> str:
         most = 160 if len(seen) == 1 else 110
-        return _beside([_lit(_smaller(part, most)) for part in seen], "magma", "the square root of the values")
+        parts = [_smaller(part, most) for part in seen]
+        pitch = _pitch(psf, seen[0], parts[0])
+        return _beside([_lit(part) for part in parts], COLOURS, _ROOT, pitch, psf.unit)
 
-    return _html(
-        _count("PSF", stack), rows, picture, "square root" + (", each over its largest" if len(seen) > 1 else "")
-    )
+    caption = "square root" + (", each over its largest" if len(seen) > 1 else "")
+    return _html(_count("PSF", stack), rows, picture, caption)
+
+
+def device(title: str, rows: Sequence[Row], image: Callable[[], PSFLike]) -> str:
+    """Return the rows that describe a lens or a microscope with its sensor, and its PSF."""
+
+    def picture() -> str:
+        made = image()
+        return _beside([_lit(made.values)], COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit)
+
+    return _html(title, rows, picture, "its PSF, square root")
 
 
 def grid(thing: PSFGridLike) -> str:
@@ -83,9 +96,14 @@ def grid(thing: PSFGridLike) -> str:
 
     def picture() -> str:
         at_rows, at_columns = few(list(range(rows)), 5), few(list(range(columns)), 7)
-        parts = [[_lit(_smaller(_window(one, (i, j, *first)), 48)) for j in at_columns] for i in at_rows]
+        seen = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
+        parts = [[_lit(_smaller(part, 48)) for part in line] for line in seen]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
-        return _image(values, "magma", "square roots of the values over the largest of each", 280)
+        pitch = _pitch(one, seen[0][0], parts[0][0])
+        words = "square roots of the values over the largest of each"
+        return _image(values, COLOURS, words, 280) + _bar(
+            pitch, parts[0][0].shape[1], 280 / max(values.shape), one.unit
+        )
 
     high, wide = (_length(side, thing.unit) for side in thing.sensor)
     channels = ", ".join(thing.psf.channels.names) if isinstance(thing.psf, ColourPSFLike) else None
@@ -113,10 +131,11 @@ def pupil(thing: Pupil | ObjectivePupil) -> str:
     """Return the phase across a pupil, and what there is to say about its light."""
     rows: list[Row] = [("light", _light(thing))]
     if isinstance(thing, ObjectivePupil):
-        rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", repr(thing.emitter))]
+        rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", emitter(thing.emitter))]
     else:
         rows += [("aperture", _aperture(thing)), ("Airy radius", _length(thing.airy_radius, thing.unit))]
-        rows += [*_rms(thing), *_terms(thing.wavefront)]
+        whole = thing.circular and not thing.obscuration
+        rows += [*_rms(thing), *_terms(thing.wavefront, "waves rms" if whole else "waves rms over the full disc")]
     return _html(_count(type(thing).__name__, thing.shape), rows, lambda: _phase(thing), _PHASE)
 
 
@@ -142,7 +161,7 @@ def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
         both = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
-        return _beside([_smaller(part) for part in both], "magma", "the first image as measured, and its model")
+        return _beside([_smaller(part) for part in both], COLOURS, "the first image as measured, and its model")
 
     return _html("Retrieval", rows, picture, "measured, and the model")
 
@@ -201,15 +220,45 @@ def _lit(values: Array) -> Array:
     return np.asarray(np.sqrt(np.clip(values / (float(values.max()) or 1.0), 0.0, 1.0)))
 
 
-def _beside(parts: Sequence[Array], cmap: str, words: str) -> str:
-    """Return pictures side by side, in two rows from four on, with clear pixels between them."""
+def emitter(thing: Emitter) -> str:
+    """Return a description of an emitter, with the sign of degrees."""
+    return of_emitter(thing).replace(" deg", "°")
+
+
+def _sample(psf: PSFLike) -> float:
+    """Return what lengths on the sensor are multiplied by: a microscope's are those in the sample."""
+    return 1.0 / psf.pupil.magnification if isinstance(psf.pupil, ObjectivePupil) else 1.0
+
+
+def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
+    """Return the pitch of columns once values have been averaged to fewer."""
+    return float(psf.grid.pitch[1] * _sample(psf)) * int(values.shape[1] // smaller.shape[1])
+
+
+def _bar(pitch: float, columns: int, enlarged: float, unit: str) -> str:
+    """Return a scale bar of up to half of so many columns, each of a pitch and enlarged to so many pixels."""
+    length = round_length(0.5 * columns * pitch)
+    style = f"width:{length / pitch * enlarged:.1f}px;border-top:3px solid currentColor;margin:4px auto 0"
+    return f'<div style="{style}"></div><small>{escape(_length(length, unit))}</small>'
+
+
+def _beside(parts: Sequence[Array], cmap: str, words: str, pitch: float = 0.0, unit: str = "m") -> str:
+    """Return pictures side by side, in two rows from four on, with clear pixels between them.
+
+    With the `pitch` of their columns they have a scale bar.
+    """
+
+    def barred(values: Array, side: int) -> str:
+        bar = _bar(pitch, parts[0].shape[1], side / max(values.shape), unit) if pitch else ""
+        return _image(values, cmap, words, side) + bar
+
     if len(parts) == 1:
-        return _image(parts[0], cmap, words, _SIDE)
+        return barred(parts[0], _SIDE)
     gap = max(1, max(parts[0].shape) // 40)
     edge = ((0, gap), (0, gap))
     lines = [parts[:2], parts[2:]] if len(parts) == _TILES else [parts]
     rows = [np.concatenate([np.pad(part, edge, constant_values=np.inf) for part in line], axis=1) for line in lines]
-    return _image(np.concatenate(rows), cmap, words, 110 * len(lines[0]))
+    return barred(np.concatenate(rows), 110 * len(lines[0]))
 
 
 def _smaller(values: Array, most: int = _SIDE) -> Array:
@@ -236,7 +285,7 @@ def _image(values: Array, cmap: str, words: str, side: int) -> str:
     return f'<img alt="{words}" style="{style}" src="data:image/png;base64,{encoded}">'
 
 
-def _terms(wavefront: Wavefront) -> list[Row]:
+def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
     """Return the largest Zernike terms, waves rms; of a stack the largest of each, and no more than eight."""
     edge = wavefront.edge_terms()
     sizes = {t: float(np.abs(c).max()) for t, c in edge.items() if np.any(c)}
@@ -244,7 +293,7 @@ def _terms(wavefront: Wavefront) -> list[Row]:
     rows: list[Row] = []
     for n, m in largest[:_TERMS]:
         size = _span(edge[n, m] / (2.0 * math.pi * zernike.rms_factor(n, m)), ".3g")
-        rows.append((zernike.name(n, m), f"{size} waves rms"))
+        rows.append((zernike.name(n, m), f"{size} {unit}"))
     if len(largest) > _TERMS:
         rows.append(("and", f"{len(largest) - _TERMS} smaller terms"))
     return rows
@@ -257,13 +306,15 @@ def _rms(thing: Pupil) -> list[Row]:
         factors = np.array([zernike.rms_factor(*term) for term in wave.terms])
         return [("rms", f"{_span(np.linalg.norm(wave.edge / factors, axis=-1) / (2.0 * math.pi), '.3g')} waves")]
     if thing.circular and math.prod(thing.shape) * len(wave.terms) ** 2 <= 256:
-        return [("rms", lambda: f"{_span(rms(thing, unit='waves'), '.3g')} waves")]
+        name = "rms over the clear aperture" if thing.obscuration else "rms"
+        return [(name, lambda: f"{_span(rms(thing, unit='waves'), '.3g')} waves")]
     return []
 
 
 def _pixels(psf: PSFLike) -> str:
     height, width = psf.shape[-2:]
-    size = " × ".join(dict.fromkeys(_length(side, psf.unit) for side in psf.grid.pitch))
+    size = " × ".join(dict.fromkeys(_length(side * _sample(psf), psf.unit) for side in psf.grid.pitch))
+    size += " in the sample" if isinstance(psf.pupil, ObjectivePupil) else ""
     spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
     return f"{height} × {width} of {size}, {HOW[psf.sampling]}{spread}"
 

@@ -16,6 +16,7 @@ from lommel.measures.errors import mse, peak_error
 from lommel.measures.psf_like import ColourPSFLike, PSFGridLike, PSFLike, checked, colours, is_psf
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.show.drawing import (
+    COLOURS,
     HOW,
     MEANING,
     MOST,
@@ -23,6 +24,8 @@ from lommel.show.drawing import (
     USER,
     at_most,
     caption,
+    columns_of,
+    entitle,
     even_norm,
     lengths,
     new_axes,
@@ -30,10 +33,11 @@ from lommel.show.drawing import (
     only_outer,
     only_single,
     pyplot,
+    round_length,
     stretched,
     tiles,
 )
-from lommel.show.labels import of_pupils
+from lommel.show.labels import of_pupils, true_minus
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -102,13 +106,21 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     grid = figure.subplots(2, 2, width_ratios=(wide, deep), height_ratios=(high, deep))
     xy, yz, xz, legend = grid.flat
     norm = norm_of(stretch, values)
-    aspect = "equal" if longest <= _LONGEST * min(lengths) else "auto"
-    for axes, across, up, level, title in (
-        (xy, x, y, values[plane], f"xy at z = {z[plane]:.4g} µm"),
-        (xz, x, z, values[:, row], f"xz at y = {y[row] + 0.0:.3g} µm"),
-        (yz, z, y, values[:, :, column].T, f"yz at x = {x[column] + 0.0:.3g} µm"),
+    aside = true_minus(f"{x[column] + 0.0:.3g}")
+    scales = [inch * side / length for side, length in zip((wide, high, deep), lengths, strict=True)]
+    for axes, across, up, level, aspect, title in (
+        (xy, x, y, values[plane], scales[1] / scales[0], f"xy at z = {true_minus(f'{z[plane]:.4g}')} µm"),
+        (xz, x, z, values[:, row], scales[2] / scales[0], f"xz at y = {true_minus(f'{y[row] + 0.0:.3g}')} µm"),
+        (
+            yz,
+            z,
+            y,
+            values[:, :, column].T,
+            scales[1] / scales[2],
+            f"yz at x = {aside} µm",
+        ),
     ):
-        mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap="magma", rasterized=True)
+        mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap=COLOURS, rasterized=True)
         axes.set_title(title, fontsize=9)
         axes.set(aspect=aspect, facecolor="black")
     for axes in (xy, yz):
@@ -117,23 +129,26 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     xz.set(xlabel="x in the sample (µm)", ylabel="z of the stage (µm)")
     yz.set(xlabel="z of the stage (µm)", yticklabels=[])
     legend.set_axis_off()
-    told = "\n".join(_told(psf, z, aspect, stretch))
-    legend.text(0.0, 1.0, told, transform=legend.transAxes, va="top", fontsize=8, linespacing=1.5)
+    locator = library("matplotlib.ticker", *USER).MaxNLocator
+    xz.yaxis.set_major_locator(locator(4))
+    yz.xaxis.set_major_locator(locator(3 if deep > 0.6 * wide else 2, symmetric=True))
+    told = _told(psf, z, scales[0] == scales[1] == scales[2], stretch)
+    entitle(figure, "\n".join([", ".join(told[:3]), "; ".join(told[3:])]))
     figure.colorbar(mesh, ax=grid, label=MEANING[psf.normalize])
     return np.array([xy, xz, yz])
 
 
-def _told(psf: PSFLike, z: Array, aspect: str, stretch: str) -> list[str]:
+def _told(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
     """Return what there is to say of the voxels and of the scales, line by line."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()
     size = 1e6 * psf.grid.side / psf.pupil.magnification  # type: ignore[attr-defined]
     return [
         f"{z.size} planes, {steps.mean():.4g} µm apart" if even else f"{z.size} planes, not evenly spaced",
-        f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample,",
+        f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample",
         HOW[psf.sampling],
-        f"brightness: {STRETCHES[stretch]}",
-        *([] if aspect == "equal" else ["z is not to the scale of x and y"]),
+        f"brightness: {' '.join(STRETCHES[stretch].split())}",
+        *([] if to_scale else ["x, y and z are not to one scale"]),
     ]
 
 
@@ -200,7 +215,7 @@ def _title(psf: PSFLike) -> str:
 def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
     """Draw the values of a single PSF on axes with its lengths."""
     interpolation = "nearest" if max(psf.shape) < 256 else "antialiased"
-    return _show(psf.values, psf, axes, cmap="magma", norm=norm, interpolation=interpolation)
+    return _show(psf.values, psf, axes, cmap=COLOURS, norm=norm, interpolation=interpolation)
 
 
 def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
@@ -251,12 +266,15 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
         most = 1 if ax is not None else MOST
         raise ValueError(f"at most {most} can be drawn here, got {len(pictures)}; take part(index) of a stack")
     first = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
-    columns = min(len(pictures), 8)
+    columns = columns_of(len(pictures))
     rows = -(-len(pictures) // columns)
     drawn = np.array([ax], dtype=object)
     if ax is None:
-        size = (2.4 * columns + 1.0, 2.3 * rows + 0.7)
-        drawn = pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)[1].ravel()
+        size = (max(2.4 * columns + 1.0, 4.4), 2.3 * max(rows, 1.5 - 0.5 * (columns > 1)) + 0.7)
+        figure, grid = pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)
+        drawn = grid.ravel()
+        each = "each channel over its largest value" if len(psf.psfs) == 3 else "all over the largest value"
+        entitle(figure, f"brightness: {' '.join(STRETCHES[stretch].split())}, {each}")
     grey = {} if pictures.ndim == 4 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
     for k, (picture, title) in enumerate(zip(pictures, titles, strict=True)):
         _show(picture, first, drawn[k], interpolation="nearest", **grey)
@@ -270,12 +288,12 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
 
 
 def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
-    """Draw several PSFs of one lens side by side, above the slices through their centres.
+    """Draw a PSF by one method, the errors of others as maps, and both as slices through their centres.
 
     Parameters
     ----------
     answers : mapping of str to PSF
-        Each with the same grid; drawn in their order.
+        Each with the same grid; drawn in their order, the reference first.
     reference : str
         Name of the PSF that errors are relative to.
 
@@ -292,38 +310,79 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     """
     if reference not in answers:
         raise ValueError(f"reference must be one of {', '.join(answers)}, got {validation.shown(reference)}")
-    columns = max(len(answers), 3)
-    figure: Figure = library("matplotlib.figure", *USER).Figure(figsize=(2.2 * columns, 7.2), layout="constrained")
-    parts: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))
+    truth = answers[reference]
+    others = {name: psf for name, psf in answers.items() if name != reference}
+    count = 1 + len(others)
+    columns = min(count, 6)
+    rows = -(-count // columns)
+    size = (2.0 * max(columns, 3) + 1.6, 2.05 * rows + 5.0)
+    figure: Figure = library("matplotlib.figure", *USER).Figure(figsize=size, layout="constrained")
+    parts: Any = figure.subfigures(2, 1, height_ratios=(2.05 * rows + 0.4, 4.6))
     pictures, graphs = parts
-    for k, (name, psf) in enumerate(answers.items()):
-        axes = pictures.add_subplot(1, columns, k + 1)
-        plot(psf, axes)
-        axes.set_title(name, fontsize=10)
+    peak = float(truth.values.max())
+    scale: Any = library("matplotlib.colors", *USER).LogNorm(*_ERRORS, clip=True)
+    drawn = []
+    for k, name in enumerate([reference, *others]):
+        axes = pictures.add_subplot(rows, columns, k + 1)
+        if name == reference:
+            plot(truth, axes)
+        else:
+            away = np.maximum(
+                np.abs(np.asarray(others[name].values, dtype=np.float64) - truth.values) / peak, _ERRORS[0]
+            )
+            _show(away, truth, axes, cmap="viridis", norm=scale, interpolation="nearest")
+            drawn.append(axes)
+        axes.set_title(f"{name}, the reference" if name == reference else name, fontsize=9)
         axes.tick_params(labelsize=7)
         axes.xaxis.label.set_fontsize(8)
         axes.yaxis.label.set_fontsize(8)
-        only_outer(axes, k, len(answers), len(answers))
-    truth = answers[reference]
+        only_outer(axes, k, count, columns)
+    if drawn:
+        label = f"error / peak of {reference}"
+        pictures.colorbar(drawn[0].images[0], ax=pictures.axes, label=label, extend="min", pad=0.01)
     factor, unit = lengths(truth.unit)
-    slices, errors = graphs.subplots(1, 2)
+    slices, errors = graphs.subplots(1, 2, width_ratios=(1.0, 1.35))
     radius, expected = truth.profile()
-    peak = float(truth.values.max())
-    for k, (name, psf) in enumerate(answers.items()):
-        values = psf.profile()[1] / peak
-        width = 3.2 if name == reference else 1.3
-        slices.plot(radius * factor, values, label=name, color=f"C{k}", linewidth=width, zorder=1 if k == 0 else 2)
-        if name != reference:
-            difference = np.abs(values - expected / peak)
-            errors.semilogy(radius * factor, np.maximum(difference, 1e-17), color=f"C{k}", linewidth=1.3)
-    slices.set_ylabel("intensity / peak of the reference")
-    slices.legend(fontsize=8)
-    errors.set(ylabel=f"error against {reference} / peak", ylim=(1e-17, 3.0))
+    far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
+    ends: list[tuple[float, str, str]] = []
+    slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.6)
+    slices.set_title(f"{reference} (square root of the values above)", fontsize=9)
+    slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
+    for k, (name, psf) in enumerate(others.items()):
+        difference = np.maximum(np.abs(psf.profile()[1] - expected) / peak, 1e-17)
+        errors.semilogy(radius * factor, difference, color=f"C{k}", linewidth=1.3)
+        ends.append((float(np.median(difference[-max(1, difference.size // 8) :])), name, f"C{k}"))
+    errors.set(ylabel=f"error / peak of {reference}", ylim=(1e-17, 3.0), xlim=(0.0, far))
+    errors.set(xlabel=f"distance from the centre ({unit})")
     errors.grid(alpha=0.3)
-    for axes in (slices, errors):
-        far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
-        axes.set(xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
+    _label_ends(errors, ends)
     return figure
+
+
+_ERRORS = (1e-12, 1.0)  # that colours tell apart
+
+
+def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
+    """Write names beside the right ends of curves on a logarithmic scale, apart from each other."""
+    low, high = np.log10(axes.get_ylim())
+    at = [float((np.log10(value) - low) / (high - low)) for value, _, _ in ends]
+    order = np.argsort(at)
+    gap, last = 0.055, -1.0
+    places = {}
+    for k in order:
+        last = max(at[k], last + gap)
+        places[int(k)] = last
+    # Pushed down again from above the top.
+    top = 1.0
+    for k in order[::-1]:
+        places[int(k)] = min(places[int(k)], top)
+        top = places[int(k)] - gap
+    for k, (_, name, colour) in enumerate(ends):
+        line = {"arrowstyle": "-", "color": colour, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0}
+        axes.annotate(
+            name, (1.0, at[k]), (1.04, places[k]), "axes fraction", "axes fraction", fontsize=8, color=colour,
+            va="center", arrowprops=line,
+        )  # fmt: skip
 
 
 def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
@@ -364,7 +423,7 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     high, wide = (side * pitch for side, pitch in zip((height, width), grid.psf.grid.pitch, strict=True))
     larger = min(sensor[0] / rows / high, sensor[1] / columns / wide)
     half_height, half_width = 0.5 * high * larger, 0.5 * wide * larger
-    colors = mpl.colormaps["magma"]
+    colors = mpl.colormaps[COLOURS]
     axes.set_facecolor("black" if coloured else colors(0.0))
     interpolation = "nearest" if max(height, width) < 24 else "bilinear"
     for i, j in np.ndindex(rows, columns):
@@ -375,8 +434,8 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
         axes.imshow(values, extent=extent, interpolation=interpolation, **norm)
     half = 0.5 * sensor[0], 0.5 * sensor[1]
     axes.set(xlim=(-half[1], half[1]), ylim=(half[0], -half[0]), aspect="equal")
-    axes.set_xticks(grid.x * factor, [f"{value:.3g}" for value in grid.x * factor + 0.0])
-    axes.set_yticks(grid.y * factor, [f"{value:.3g}" for value in grid.y * factor + 0.0])
+    axes.set_xticks(grid.x * factor, [true_minus(f"{value:.3g}") for value in grid.x * factor + 0.0])
+    axes.set_yticks(grid.y * factor, [true_minus(f"{value:.3g}") for value in grid.y * factor + 0.0])
     if ax is None:
         axes.set_title(f"{rows} × {columns} PSFs, each over its largest value", fontsize=9, loc="left", pad=22)
         scale = library("matplotlib.cm", *USER).ScalarMappable(norm_of(stretch, np.ones(1)), colors)
@@ -384,15 +443,9 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     axes.set(xlabel=f"x on the sensor ({unit})", ylabel=f"y on the sensor ({unit})")
     # Within the PSFs lengths are `larger`.
     inner, inner_unit = lengths(grid.unit)
-    length = _round_length(0.8 * wide * inner)
+    length = round_length(0.8 * wide * inner)
     _scale_bar(axes, length / inner * larger / sensor[1], f"{length:g} {inner_unit} in the PSFs")
     return axes
-
-
-def _round_length(most: float) -> float:
-    """Return the largest of 1, 2 and 5 times a power of ten that is no more than `most`."""
-    decade = 10.0 ** np.floor(np.log10(most))
-    return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= most * (1.0 + 1e-12)))
 
 
 def _scale_bar(axes: Axes, length: float, label: str) -> None:

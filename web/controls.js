@@ -41,15 +41,15 @@ export class Controls {
 
   extra(title, state, shows) {
     if (title === "Wavefront" && shows("waves_unit")) {
-      this.waves = menu("Unit of the wavefront", WAVES_UNITS, state.waves_unit, (waves_unit) => this.set({ waves_unit }));
+      this.waves = menu("Unit of the wavefront", WAVES_UNITS, state.waves_unit, (waves_unit) => this.set({ waves_unit }), { "data-key": "waves_unit" });
       return [el("div", { class: "inline" }, el("span", {}, "at the edge, in"), this.waves)];
     }
     if (title === "Lens and light" && shows("light")) {
-      this.light = menu("Light", LIGHTS, state.light, (light) => this.set({ light }));
+      this.light = menu("Light", LIGHTS, state.light, (light) => this.set({ light }), { "data-key": "light" });
       return [el("div", { class: "inline" }, this.light)];
     }
     if (title === "Sensor" && shows("length_unit")) {
-      this.length = menu("Unit of lengths", LENGTH_UNITS, state.length_unit, (length_unit) => this.set({ length_unit }));
+      this.length = menu("Unit of lengths", LENGTH_UNITS, state.length_unit, (length_unit) => this.set({ length_unit }), { "data-key": "length_unit" });
       return [el("div", { class: "inline" }, el("span", {}, "lengths in"), this.length)];
     }
     return [];

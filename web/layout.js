@@ -17,7 +17,7 @@ const NUMBERS = {
   time: ["Time", "That the last point spread function took"],
 };
 
-export function layout({ state, set, controls, presets, actions, only }) {
+export function layout({ state, set, controls, lessons, presets, actions, only }) {
   const shows = (key) => !only.length || only.includes(key);
   const page = { selects: {}, numbers: {}, plots: {} };
   const pick = (key, label, choices) => {
@@ -131,6 +131,7 @@ export function layout({ state, set, controls, presets, actions, only }) {
     "div",
     { class: "tools" },
     shows("presets") ? page.preset : null,
+    shows("lessons") ? lessons.menu : null,
     button("reset", "Reset", "All settings as at the start", actions.reset),
     el("span", { class: "space" }),
     shows("compare") ? compare : null,
@@ -149,7 +150,7 @@ export function layout({ state, set, controls, presets, actions, only }) {
     { class: "lommel-live", role: "region", "aria-label": "Point spread functions, live" },
     el("div", { class: "top" }, tools, shows("files") ? files : null, page.source, notice),
     psf,
-    controls,
+    el("div", { class: "side" }, lessons.node, controls),
     el("div", { class: "beside", hidden: picture.hidden && pupil.hidden }, picture, pupil),
     numbers,
     plots,

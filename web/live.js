@@ -69,6 +69,7 @@ function mountScripts() {
       url: index === 0,
       controls: asked ?? script.dataset.lommelControls ?? [],
       theme: script.dataset.lommelTheme,
+      lesson: script.dataset.lommelLesson,
     });
   });
 }

@@ -7,6 +7,7 @@ import { Controls } from "./controls.js";
 import { el } from "./dom.js";
 import { drawBar, drawFringes, drawPicture, drawPsf, drawWavefront } from "./draw.js";
 import { layout } from "./layout.js";
+import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { testPicture } from "./pictures.js";
 import { niceStep, niceTop, short } from "./plots.js";
 import { PRESETS } from "./presets.js";
@@ -30,10 +31,11 @@ const LOOKS_OF_PUPIL = new Set(["stretch", "map", "waves_unit", "length_unit", "
 const BESIDE_PUPIL = new Set([...LOOKS_OF_PUPIL, "focal_length", "f_number", "wavelength"]);
 
 export class View {
-  constructor(element, { state, onchange, url = false, controls = [], theme = "auto" } = {}) {
+  constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "" } = {}) {
     this.onchange = onchange;
     this.url = url;
-    this.start = changed(DEFAULTS, state);
+    const asked = (url && askedLesson()) || lesson;
+    this.start = lessonState(asked) ?? changed(DEFAULTS, state);
     this.state = url ? changed(this.start, fromText(location.hash)) : this.start;
     this.told = this.state;
     const only = typeof controls === "string" ? controls.split(",").filter(Boolean) : controls ?? [];
@@ -41,7 +43,10 @@ export class View {
     const set = (change, moving) => this.set(change, moving);
     this.controls = new Controls({ state: this.state, set, only });
     const does = actions(this);
-    this.page = layout({ state: this.state, set, controls: this.controls.node, presets: PRESETS, actions: does, only });
+    this.lessons = new Lessons((name, state) => this.learn(name, state));
+    const { lessons } = this;
+    this.page = layout({ state: this.state, set, controls: this.controls.node, lessons, presets: PRESETS, actions: does, only });
+    lessons.show(asked);
     this.compare = new Compare(this.page);
     this.host = el("div", { class: "lommel-live-host", "data-lm-suppress-shortcuts": "true", "data-busy": true });
     const root = this.host.attachShadow({ mode: "open" });
@@ -56,6 +61,15 @@ export class View {
       if (Object.keys(change).length) this.set({ ...this.start, ...change }); // else it leads to a heading of the page
     };
     if (url) addEventListener("hashchange", this.fromLink);
+    // Back to the lesson before, or to none.
+    this.fromHistory = () => {
+      const name = askedLesson();
+      if (name === this.lessons.name) return;
+      this.lessons.show(name);
+      this.start = lessonState(name) ?? this.start;
+      this.set({ ...this.start, ...fromText(location.hash) });
+    };
+    if (url) addEventListener("popstate", this.fromHistory);
     this.wanted = "settled";
     this.redraw = true;
     this.schedule();
@@ -66,6 +80,7 @@ export class View {
     cancelAnimationFrame(this.raf);
     for (const timer of [this.settling, this.linking, this.telling, this.warming]) clearTimeout(timer);
     removeEventListener("hashchange", this.fromLink);
+    removeEventListener("popstate", this.fromHistory);
     this.unfollow();
     this.compare.destroy();
     for (const plot of Object.values(this.page.plots)) plot.destroy();
@@ -114,6 +129,7 @@ export class View {
     }
     if (this.redraw) this.attempt(() => this.draw());
     if (this.wanted && !this.asking) this.ask();
+    this.lessons.check(this.state);
     this.idle();
   }
 
@@ -129,11 +145,18 @@ export class View {
   idle() {
     if (this.wanted || this.asking || this.settling || this.gone) return;
     delete this.host.dataset.busy;
+    this.lessons.check(this.state, this.settled?.measures);
     this.say();
     // The first wavefront without symmetry makes tables, which take longest: before anybody waits for them.
     const other = { ...this.state, coma: 0.1, astigmatism: 0.1 };
     const warm = () => ["psf", "measures"].forEach((method) => this.client.call(method, other, "drag").catch(() => {}));
     this.warming ??= setTimeout(warm, 400);
+  }
+
+  // The state of a lesson, or none, which leaves what is there.
+  learn(name, state) {
+    if (state) this.set((this.start = { ...state, map: this.state.map }));
+    if (this.url) nameLesson(name);
   }
 
   // Everything anew for the state as it is now; what changes meanwhile is asked next.

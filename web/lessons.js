@@ -65,12 +65,12 @@ const LESSONS = {
     state: { defocus: 0 },
     controls: ["defocus", "spherical"],
     steps: [
-      ["Drag defocus until the Strehl ratio is 0.8. How many waves is that?",
-        (now, { strehl }) => near(strehl, 0.8, 0.03) && now.spherical === 0],
+      ["Drag defocus, in the end by arrow keys, until the Strehl ratio is 0.8. How many waves is that?",
+        (now, { strehl }) => near(strehl, 0.8, 0.04) && near(now.spherical, 0, 0.05)],
       ["Set defocus to 0, and drag spherical until the Strehl ratio is 0.8 again.",
-        (now, { strehl }) => near(strehl, 0.8, 0.03) && near(now.defocus, 0, 0.01)],
+        (now, { strehl }) => near(strehl, 0.8, 0.04) && near(now.defocus, 0, 0.05) && now.spherical > 0.1],
       ["Set spherical to 1 wave. Now drag defocus to where the Strehl ratio is largest.",
-        (now, { strehl }) => near(now.spherical, 1, 0.02) && strehl > 0.79],
+        (now, { strehl }) => near(now.spherical, 1, 0.05) && strehl > 0.75],
     ],
     question: "Read P–V below the wavefront: why does four times the spherical aberration leave the same Strehl ratio?",
     formula: () => [
@@ -134,7 +134,7 @@ const LESSONS = {
       ["Drag defocus from −1 to −10. Can you get more light into 0.1″, or a Strehl ratio of 0.2?",
         (now, _, went) => went.low < -9 && went.high > -2],
       ["Set spherical and defocus to 0: the mirror as designed, and the effect of the corrective optics of 1993.",
-        (now) => near(now.defocus, 0, 0.01) && near(now.spherical, 0, 0.01)],
+        (now) => near(now.defocus, 0, 0.1) && near(now.spherical, 0, 0.1)],
     ],
     question: "Why could no focus repair the image?",
     formula: () => [

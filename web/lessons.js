@@ -65,7 +65,7 @@ const LESSONS = {
     state: { defocus: 0 },
     controls: ["defocus", "spherical"],
     steps: [
-      ["Drag defocus, in the end by arrow keys, until the Strehl ratio is 0.8. How many waves is that?",
+      ["Drag defocus (arrow keys for fine steps) until the Strehl ratio is 0.8. How many waves is that?",
         (now, { strehl }) => near(strehl, 0.8, 0.04) && near(now.spherical, 0, 0.05)],
       ["Set defocus to 0, and drag spherical until the Strehl ratio is 0.8 again.",
         (now, { strehl }) => near(strehl, 0.8, 0.04) && near(now.defocus, 0, 0.05) && now.spherical > 0.1],

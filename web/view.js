@@ -49,6 +49,7 @@ export class View {
     lessons.show(asked);
     this.compare = new Compare(this.page);
     this.host = el("div", { class: "lommel-live-host", "data-lm-suppress-shortcuts": "true", "data-busy": true });
+    if (url && new URLSearchParams(location.search).has("large")) this.host.dataset.large = ""; // for a projector
     const root = this.host.attachShadow({ mode: "open" });
     root.append(el("style", {}, styleText), this.page.node);
     // Shortcuts of the page around are not meant for what is typed here.

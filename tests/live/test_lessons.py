@@ -232,6 +232,21 @@ def test_a_script_opens_a_lesson_by_its_attribute(visit: Callable[..., Any]) -> 
     assert page.locator('input[type=number][data-key="defocus"]').input_value() == "0"
 
 
+def test_large_type_is_for_projectors_and_the_curves_still_follow_the_pointer(visit: Callable[..., Any]) -> None:
+    sizes = []
+    for address in ("/mounted?lesson=axis", "/mounted?lesson=axis&large"):
+        page = visit(address, viewport={"width": 1366, "height": 768})
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+        sizes.append(page.locator(".lesson summary").bounding_box()["height"])
+    assert sizes[1] > 1.2 * sizes[0]
+    plot = page.locator(".plot").first
+    plot.scroll_into_view_if_needed()
+    place = plot.bounding_box()
+    page.mouse.move(place["x"] + 0.6 * place["width"], place["y"] + 0.5 * place["height"])
+    cursor = page.locator(".cursor").first.bounding_box()
+    assert cursor["x"] == pytest.approx(place["x"] + 0.6 * place["width"], abs=4)
+
+
 def test_a_lesson_fits_the_screens_of_class(visit: Callable[..., Any]) -> None:
     for width, height in ((1366, 768), (1024, 768), (390, 844)):
         page = visit("/mounted?lesson=quarter", viewport={"width": width, "height": height})

@@ -190,7 +190,7 @@ def test_what_a_photo_was_taken_for_is_said_first(call_lommel, folder, options, 
 
 def test_all_of_the_light_is_held_where_that_is_asked_for(call_lommel, folder):
     told = ran(call_lommel("blur", "photo.png", "depth.npy", *GIVEN, "--energy", 1, "-o", "out.png", folder=folder))
-    assert "pixels and all light beyond; error" in told
+    assert "pixels wide and all their light beyond; interpolation error" in told
     whole = expected(energy=1.0)
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "out.png")), whole)
     assert np.any(whole != expected())

@@ -50,6 +50,9 @@ def test_terms_come_with_deviations_and_the_verdict_last(folder, call_lommel):
     # A lens file reads it back, and what it makes has the coma.
     (folder / "again.toml").write_text(LENS + '[aberrations.zernike]\nfile = "wave.json"\n', encoding="utf-8")
     assert call_lommel("psf", "again.toml", "-o", "psf.npz", folder=folder).returncode == 0
+    saved = json.loads((folder / "wave.json").read_text(encoding="utf-8"))
+    assert list(saved["terms"]) == list(saved["standard_errors"]) == [str(j) for j in range(4, 10)]
+    assert saved["standard_errors"]["8"] == pytest.approx(float(coma[-1]) / (2 * np.pi), rel=0.1)
     kept = lm.PSF.load(folder / "psf.npz").pupil.wavefront.to_zernike(order="noll")
     assert float(kept[8]) == pytest.approx(true, abs=0.02)
 
@@ -59,6 +62,10 @@ def test_the_same_images_have_the_same_answer_whatever_holds_them(files, folder,
     options = ["lens.toml", "--defocus=-4 0 4", *NOISE, "--terms", "noll 4, noll 8", "--json"]
     found = json.loads(call_lommel("retrieve", *files, *options, folder=folder).stdout)
     expected = json.loads(call_lommel("retrieve", "star-*.tif", *options, folder=folder).stdout)
+    names = [f"pages.tif [{k}]" for k in range(3)] if files == ["pages.tif"] else files
+    names = [f"stack.npy [{k}]" for k in range(3)] if files == ["stack.npy"] else names
+    assert found.pop("images") == names
+    assert expected.pop("images") == ["star-0.tif", "star-1.tif", "star-2.tif"]
     assert found == expected
     assert found["converged"]
     assert list(found["coefficients"]) == ["noll 4", "noll 8"]
@@ -98,6 +105,55 @@ def test_units_are_those_asked_for(folder, call_lommel):
     assert float(nm[0][-2]) == pytest.approx(float(radians[0][-2]) * 550 / (2 * np.pi), rel=0.01)
 
 
+def test_images_are_named_by_their_files_and_fit_the_terminal(folder, call_lommel, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    options = ["lens.toml", "--defocus", -4, 0, 4, *NOISE, "--terms", "noll 8"]
+    shown = call_lommel("retrieve", "star-*.tif", *options, folder=folder).stdout
+    lines = shown.splitlines()
+    assert [line.split()[0] for line in lines if line.startswith("star-")] == [f"star-{k}.tif" for k in range(3)]
+    assert max(map(len, lines)) <= 80
+
+
+def test_terms_are_taken_by_the_names_that_are_printed(folder, call_lommel):
+    options = ["pages.tif", "lens.toml", "--defocus", -4, 0, 4, *NOISE, "--json", "--terms"]
+    by_index = json.loads(call_lommel("retrieve", *options, "noll 4, noll 8, noll 11", folder=folder).stdout)
+    printed = "noll 4 defocus, coma x, noll 11 spherical"
+    assert json.loads(call_lommel("retrieve", *options, printed, folder=folder).stdout) == by_index
+    # These two alone are coefficients of powers, not of Zernike terms.
+    plain = json.loads(call_lommel("retrieve", *options, "defocus, spherical", folder=folder).stdout)
+    assert list(plain["coefficients"]) == ["defocus", "spherical"]
+
+
+def test_defocus_may_be_given_in_waves(folder, call_lommel):
+    options = [*NOISE, "--terms", "noll 8", "--json"]
+    found = [
+        json.loads(call_lommel("retrieve", "pages.tif", "lens.toml", *given, *options, folder=folder).stdout)
+        for given in (
+            ["--defocus", "-4 0 4"],
+            ["--defocus", f"{-4 / np.pi} 0 {4 / np.pi}", "--defocus-unit", "waves"],
+        )
+    ]
+    assert found[1]["coefficients"]["noll 8"] == pytest.approx(found[0]["coefficients"]["noll 8"], rel=1e-6)
+    assert found[1]["converged"]
+
+
+def test_the_figure_has_the_unit_and_the_files(folder, call_lommel, monkeypatch):
+    from lommel.show import estimates
+
+    drawn = []
+    fit = estimates.fit
+    monkeypatch.setattr(estimates, "fit", lambda *given: drawn.append(fit(*given)) or drawn[-1])
+    options = ["--defocus", -4, 0, 4, *NOISE, "--terms", "noll 8", "--unit", "nm", "--plot", "fit.png"]
+    result = call_lommel("retrieve", "star-*.tif", "lens.toml", *options, folder=folder)
+    assert result.returncode == 0, result.stderr
+    axes = drawn[0].axes
+    assert [each.get_title() for each in axes[:3]] == ["star-0.tif", "star-1.tif", "star-2.tif"]
+    assert axes[-1].get_ylabel() == "coefficient and standard error (nm)"
+    (bar,) = axes[-1].patches
+    line = next(line.split() for line in result.stdout.splitlines() if "coma x" in line)
+    assert bar.get_height() == pytest.approx(float(line[-2]), rel=0.01)
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -110,6 +166,7 @@ def test_units_are_those_asked_for(folder, call_lommel):
         (["pages.tif", "lens.toml", "--read", "2", "-o", "wave.txt"], "--output must end in .json, .toml, .csv"),
         (["pages.tif", "lens.toml", "--read", "2", "--plot", "fit.gif"], "a figure must end in .png"),
         (["lens.toml", "lens.toml", "--read", "2"], "lens.toml is not a NPY, TIF"),
+        (["lens.toml", "pages.tif", "--read", "2"], "pages.tif is an image, not a lens file"),
     ],
 )
 def test_mistakes_are_told_in_a_line(words, said, folder, call_lommel):

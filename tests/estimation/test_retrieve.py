@@ -503,3 +503,10 @@ def test_what_cannot_be_fitted_is_refused(change, said):
     images, pupil = options.pop("images"), options.pop("pupil")
     with pytest.raises((ValueError, TypeError), match=said):
         lm.retrieve(images, pupil, **options)
+
+
+@pytest.mark.parametrize("seed", [-1, 0.5, "one"])
+def test_a_seed_that_is_none_is_refused_in_own_words(seed):
+    stars = 1e4 * lm.psf(lm.Pupil(), 17, 0.5).values
+    with pytest.raises(TypeError, match="seed must be an integer >= 0 or a Generator, got"):
+        lm.retrieve(stars, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=2.0), seed=seed)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import lommel as lm
 from lommel.lensfiles.lens_files import LensFileError
@@ -320,6 +321,17 @@ def test_what_is_not_utf_8_is_told(tmp_path, data):
     (tmp_path / "lens.toml").write_bytes(data)
     with pytest.raises(LensFileError, match=r"lens.toml: not valid TOML: .*utf-8"):
         lm.load_instrument(tmp_path / "lens.toml")
+
+
+@pytest.mark.parametrize("suffix", [".tif", ".png", ".jpg", ".npy"])
+def test_an_image_in_place_of_a_lens_file_is_named_so(tmp_path, suffix):
+    path = tmp_path / f"photo{suffix}"
+    if suffix == ".npy":
+        np.save(path, np.zeros((9, 9)))
+    else:
+        Image.fromarray(np.zeros((600, 900), np.uint8)).save(path)
+    with pytest.raises(LensFileError, match=rf"photo{suffix} is an image, not a lens file"):
+        lm.load_instrument(path)
 
 
 @pytest.mark.parametrize(

@@ -77,6 +77,13 @@ def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> 
         return file.read(count)
 
 
+def start(path: Path, count: int) -> bytes:
+    """Return the first bytes of a file; OSError if it is no regular one."""
+    size(path)  # a pipe must not be waited for
+    with path.open("rb") as file:
+        return file.read(count)
+
+
 def size(path: Path) -> int:
     """Return how many bytes a file has; OSError if it is no regular one."""
     status = path.stat()

@@ -24,7 +24,7 @@ _ANGLES = {
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
 
 
-def parse_length(text: str | float) -> float:
+def parse_length(text: str | float, example: str = "550 nm") -> float:
     """Return metres from a text such as ``"3.45 um"`` or ``"50mm"``; a unit is required except for 0 and infinity.
 
     Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is correctly rounded, except for inches.
@@ -32,6 +32,8 @@ def parse_length(text: str | float) -> float:
     Parameters
     ----------
     text : str or float
+    example : str
+        Length that errors suggest.
 
     Returns
     -------
@@ -43,7 +45,7 @@ def parse_length(text: str | float) -> float:
     ValueError
         If `text` is not a number with one of these units.
     """
-    return _parse(text, LENGTHS, "length", "550 nm")
+    return _parse(text, LENGTHS, "length", example)
 
 
 def parse_angle(text: str | float) -> float:

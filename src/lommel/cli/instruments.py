@@ -10,7 +10,7 @@ import click
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, LENGTH, SIDES, WINDOW, Option, under
+from lommel.cli.options import FILE, LENGTH, MICROMETRES, NANOMETRES, SIDES, WINDOW, Option, under
 from lommel.cli.output import Facts
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ OBJECT_DISTANCE = Option(
 PIXEL = Option(
     "--pixel", type=SIDES, help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file."
 )
-SQUARE_PIXEL = Option("--pixel", type=LENGTH, help="Pixel pitch, such as 3.45um; overrides the file.")
+SQUARE_PIXEL = Option("--pixel", type=MICROMETRES, help="Pixel pitch, such as 3.45um; overrides the file.")
 SHAPE = Option(
     "--shape", type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
 )
@@ -36,8 +36,8 @@ STACK = under(
     "Microscopes",
     Option("--stack", type=click.IntRange(1, 4096), metavar="PLANES",
            help="Number of planes along the optical axis; by default that of the file."),
-    Option("--step", type=LENGTH, help="Stage step between planes, such as 100nm; by default that of the file."),
-    Option("--depth", type=LENGTH,
+    Option("--step", type=NANOMETRES, help="Stage step between planes, such as 100nm; by default that of the file."),
+    Option("--depth", type=MICROMETRES,
            help="Depth of the emitter below the cover glass, such as 2um; by default that of the file."),
 )  # fmt: skip
 DEPTH = STACK[-1]

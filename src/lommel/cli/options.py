@@ -10,6 +10,7 @@ import re
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar
 
@@ -45,14 +46,25 @@ class Parsed(click.ParamType[Value]):
             self.fail(str(error), param, ctx)
 
 
+def _length(unit: str, text: str) -> float:
+    """Return a length in metres; errors suggest the number that was given with a unit."""
+    number = text.strip()
+    return parse_length(text, f"{number if re.fullmatch(_NUMBER, number) else _TYPICAL[unit]} {unit}")
+
+
 def _sides(text: str) -> Pitch:
     """Return one length, or height and width."""
-    first, *others = (parse_length(side) for side in re.split(r"\s*[xX]\s*", text))
+    first, *others = (_length("um", side) for side in re.split(r"\s*[xX]\s*", text))
     return (first, *others) if others else first
 
 
 def _lengths(text: str) -> tuple[float, ...]:
-    return tuple(parse_length(part.strip()) for part in text.split(","))
+    return tuple(_length("nm", part.strip()) for part in text.split(","))
+
+
+_NUMBER = r"\d+\.?\d*|\.\d+"
+_TYPICAL = {"m": "1.5", "mm": "50", "um": "3.45", "nm": "550"}
+"""Lengths that people mean where they write no unit."""
 
 
 def _window(text: str) -> Window:
@@ -63,8 +75,11 @@ def _window(text: str) -> Window:
     return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
 
 
-LENGTH = Parsed("length", parse_length)
-"""A length with a unit, in metres."""
+LENGTH = Parsed("length", partial(_length, "m"))
+"""A length with a unit, in metres: a distance, as errors suggest it."""
+
+MILLIMETRES, MICROMETRES, NANOMETRES = (Parsed("length", partial(_length, unit)) for unit in ("mm", "um", "nm"))
+"""Lengths with a unit, in metres, which errors suggest in another."""
 
 SIDES = Parsed("length", _sides)
 """A length with a unit, or several with an x between them, in metres."""

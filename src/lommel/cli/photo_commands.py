@@ -17,7 +17,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, JSON, LENGTH, LENGTHS, Option, command, documented, under
+from lommel.cli.options import (
+    FILE,
+    JSON,
+    LENGTH,
+    LENGTHS,
+    MICROMETRES,
+    MILLIMETRES,
+    Option,
+    command,
+    documented,
+    under,
+)
 from lommel.cli.output import Facts, Report, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
@@ -61,9 +72,9 @@ _COMMON = [
     *under(
         "Camera",
         Option("--f-number", type=float, help="F-number; by default from the lens file or the EXIF."),
-        Option("--focal-length", type=LENGTH,
+        Option("--focal-length", type=MILLIMETRES,
                help="Focal length, where there is no lens file; by default from the EXIF."),
-        Option("--pixel", type=LENGTH, help="Pixel pitch; overrides the lens file."),
+        Option("--pixel", type=MICROMETRES, help="Pixel pitch; overrides the lens file."),
         Option("--pixel-from-exif", is_flag=True,
                help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate "
                "to a few %."),
@@ -185,9 +196,15 @@ def _worst(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, 
     """Return the worst errors of blurred photographs, and a line of them."""
     side, lost, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
     if lost:
-        text = f"PSFs of up to {side} pixels, without {lost:.2g} of the light; error {error:.2g} of their peak"
+        text = (
+            f"PSFs up to {side} pixels wide, with all but {100.0 * lost:.2g} % of their light; interpolation error "
+            f"{error:.2g} of their peak"
+        )
     else:
-        text = f"PSFs of up to {side} pixels and all light beyond; error {error:.2g} of the brightest point"
+        text = (
+            f"PSFs up to {side} pixels wide and all their light beyond; interpolation error {error:.2g} of the "
+            "brightest point"
+        )
     facts = {"largest_window": side, "light_beyond_windows": lost, "interpolation_error": error}
     return facts | {"clipped": max(clipped)}, [text]
 

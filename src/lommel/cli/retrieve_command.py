@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 from numpy.typing import ArrayLike
-from rich.text import Text
 
 from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
 from lommel.cli.options import FILE, JSON, Command, Option, command, documented, plot_option, under
-from lommel.cli.output import Facts, Report, save_figure, table_of, written
+from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
 from lommel.estimation.phase_retrieval import label
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.io import zernike_tables
 from lommel.io.photos import read_images
+from lommel.special import zernike
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -62,9 +62,11 @@ def _is_number(word: str) -> bool:
            help="Known defocus coefficient C_d of each image in radians, such as -4 0 4; positive where the sensor "
            "was moved towards the lens. The phase is 2 C_d rho^2, rho = 1 at the "
            "edge of the pupil, so that one wave of defocus is C_d = pi."),
+    Option("--defocus-unit", type=click.Choice(("radians", "waves")), default="radians",
+           help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
     Option("--terms", default="15",
            help='Number of Zernike terms from defocus on (Noll 4, 5, ...), or names: "defocus, spherical", '
-           '"noll 5, noll 6".'),
+           '"noll 5, noll 6", or as printed, "coma x, coma y".'),
     Option("--also", default="center",
            help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
     Option("-o", "--output", type=FILE,
@@ -96,6 +98,7 @@ def retrieve(
     images: tuple[Path, ...],
     lens: Path,
     defocus: str,
+    defocus_unit: str,
     terms: str,
     also: str,
     object_distance: float | None,
@@ -115,7 +118,8 @@ def retrieve(
     if both are equally near.
 
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The
-    reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right.
+    reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right. A misfit is said in the last
+    line, and by "converged" and "reliable" of --json; the exit code is 0 all the same.
 
     Examples
     --------
@@ -128,48 +132,57 @@ def retrieve(
     noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
     starts = given["starts"]
     with progress("reading") as started:
-        stars = read_images(_files(images))
+        files = _files(images)
+        stars = read_images(files)
         started("fitting")
         found = fit(
             stars,
             instrument.pupil(),
             pixel=instrument.side,
             noise=noise,
-            terms=int(terms) if terms.strip().isdecimal() else _names(terms),
+            terms=int(terms) if terms.strip().isdecimal() else _terms(terms),
             also=_names(also),
-            defocus=_numbers(defocus),
+            defocus=np.multiply(_numbers(defocus), math.pi if defocus_unit == "waves" else 1.0),
             integrate=instrument.integrate,
             progress=lambda share, chi2: started(
                 f"start {int(starts * share) + 1} of at most {starts}, chi2 {chi2:.3g}", share
             ),
             **given,
         )
+    names = _image_names(files, len(stars))
     if output is not None:
         found.save(output)
     if figure is not None:
-        save_figure(found.plot(), figure)
-    files = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
-    return Report(_facts(found), _parts(found, unit)) + files
+        save_figure(found.plot(unit=unit, names=names), figure)
+    made = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
+    return Report({"images": names} | _facts(found), _parts(found, unit, names)) + made
 
 
-def _parts(found: Retrieval, unit: str) -> list[RenderableType]:
+def _image_names(files: list[Path], count: int) -> list[str]:
+    """Return the name of the file of each image, with its place among several in one file."""
+    if len(files) == count:
+        return [path.name for path in files]
+    each = [(path.name, len(read_images([path]))) for path in files]
+    return [f"{name} [{k}]" if many > 1 else name for name, many in each for k in range(many)]
+
+
+def _parts(found: Retrieval, unit: str, files: list[str]) -> list[RenderableType]:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     short = {"radians": "rad"}.get(unit, unit)
     values, deviations = found.in_unit(unit)
     rows = [(label(name), *_with_error(value, deviations[name])) for name, value in values.items()]
-    for name in found.coefficients.keys() - values.keys():
+    for name in (name for name in found.coefficients if name not in values):
         cells = _with_error(found.coefficients[name], found.deviation[name])
         rows.append((f"{name} {found.units[name]}".rstrip(), *cells))
     each = dict(zip(("row", "column"), found.center.T, strict=True)) | {"flux": found.flux}
     each["background"] = found.background
     own = [name for name in each if name in found.deviation]
     images = []
-    for k in range(len(found.flux)):
+    for k, file in enumerate(files):
         pairs = [_with_error(float(each[name][k]), float(found.deviation[name][k])) for name in own]
-        images.append([str(k), *(cell for pair in pairs for cell in pair)])
-    names = ["image", *(column for name in own for column in (name, "std. error"))]
+        images.append([file, *("+-".join(pair) for pair in pairs)])
     table = table_of(("term", short, "std. error"), rows)
-    return [table, "", table_of(names, images), "", Text(found.message)]
+    return [table, "", table_of(["image", *own], images), "", Wrapped(found.message)]
 
 
 def _with_error(value: float, deviation: float) -> tuple[str, str]:
@@ -203,6 +216,23 @@ def _numbers(text: str) -> float | list[float]:
 def _names(text: str) -> list[str]:
     names = [name.strip() for name in text.split(",")]
     return [] if names in (["none"], [""]) else names
+
+
+def _terms(text: str) -> list[str]:
+    """Return the names of terms as :func:`lommel.retrieve` takes them, also of those that its tables print."""
+    usual = {zernike.name(*zernike.term(j, "noll")): f"noll {j}" for j in range(_NAMED, 4, -1)}
+    found = []
+    for name in _names(text):
+        order, _, rest = name.partition(" ")
+        index, _, printed = rest.partition(" ")
+        # "noll 8 coma x", as the table has it; then "coma x" alone.
+        if order in zernike.ORDERS and printed:
+            name = f"{order} {index}"
+        found.append(usual.get(name, name) if name not in ("defocus", "spherical") else name)
+    return found
+
+
+_NAMED = 66  # Noll's last term that has a name of its own
 
 
 def _facts(found: Retrieval) -> Facts:

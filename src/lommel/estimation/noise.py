@@ -13,6 +13,14 @@ from lommel.base.arrays import Array
 from lommel.base.cached import EqualByContent
 
 
+def random_numbers(seed: int | np.random.Generator) -> np.random.Generator:
+    """Return the generator of a seed; TypeError for what is none."""
+    try:
+        return np.random.default_rng(seed)
+    except (TypeError, ValueError):  # NumPy's message repeats the whole argument
+        raise TypeError(f"seed must be an integer >= 0 or a Generator, got {validation.shown(seed)}") from None
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Noise(EqualByContent):
     """Gain, offset, photon noise and read noise of a sensor.
@@ -90,10 +98,7 @@ class Noise(EqualByContent):
         or ValueError if a mean is negative or not finite, or there is no such seed.
         """
         mean = validation.real_array("electrons", electrons, least=0.0)
-        try:
-            draw = np.random.default_rng(seed)
-        except (TypeError, ValueError):  # NumPy's message repeats the whole argument
-            raise TypeError(f"seed must be an integer >= 0 or a Generator, got {validation.shown(seed)}") from None
+        draw = random_numbers(seed)
         return self.image(draw.poisson(mean) + draw.normal(0.0, 1.0, mean.shape) * self._for("read", mean.shape))
 
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:

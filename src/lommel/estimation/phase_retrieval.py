@@ -14,7 +14,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
-from lommel.estimation.noise import Noise
+from lommel.estimation.noise import Noise, random_numbers
 from lommel.estimation.star_images import SURE, Scores, StarImages, Unknowns, changes, climb, covariance, uncertainty
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name
@@ -135,7 +135,9 @@ class Retrieval:
         return {name: self.coefficients[name] / factor for name in terms}, errors
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write the wavefront as a table of Noll's terms, waves rms; see :func:`lommel.save_zernike`.
+        """Write the wavefront as a table of Noll's terms, waves rms, with the standard errors of those estimated.
+
+        :func:`lommel.load_zernike` reads it; see :func:`lommel.save_zernike`.
 
         Parameters
         ----------
@@ -150,14 +152,41 @@ class Retrieval:
             If the file cannot be written.
         """
         table = zernike_tables.ZernikeTable.from_wavefront(self.wavefront, wavelength=self.pupil.wavelength)
-        zernike_tables.save_zernike(path, table)
+        errors = {}
+        for name in self.coefficients:
+            if name in _UNITS or name in POWERS:
+                continue
+            order, index = name.split() if isinstance(name, str) else ("nm", "")
+            term = zernike.term(int(index), order) if isinstance(name, str) else name
+            errors[int(zernike.index_of(*term, "noll"))] = self.deviation[name] / (2.0 * np.pi)
+        zernike_tables.save_table(path, table, errors)
 
-    def plot(self) -> Figure:
-        """Return a matplotlib figure of images, model, residual and coefficients with their standard errors."""
+    def plot(self, *, unit: str = "radians", names: Sequence[str] | None = None) -> Figure:
+        """Return a matplotlib figure of images, model, residual and coefficients with their standard errors.
+
+        Parameters
+        ----------
+        unit : str
+            Of the coefficients, as of :meth:`in_unit`.
+        names : sequence of str, optional
+            Names of the images; by default their numbers.
+
+        Returns
+        -------
+        matplotlib Figure
+
+        Raises
+        ------
+        ValueError
+            If there is no such unit, or no wavelength.
+        ImportError
+            If matplotlib is not installed.
+        """
         labels = [label(name) for name in self.coefficients if name not in _UNITS]
-        values, errors = (list(part.values()) for part in self.in_unit("radians"))
-        bars = labels, values, errors
-        return show.estimates.fit(self.images, self.model, self.residual, bars, f"chi2 = {self.chi2:.3g}")
+        values, errors = (list(part.values()) for part in self.in_unit(unit))
+        titles = [f"image {k}" for k in range(len(self.images))] if names is None else list(names)
+        bars = labels, values, errors, unit
+        return show.estimates.fit(self.images, self.model, self.residual, bars, f"chi2 = {self.chi2:.3g}", titles)
 
     def _repr_html_(self) -> str:
         rows = [("fit", self.message), ("chi2", f"{self.chi2:.4g} per degree of freedom")]
@@ -292,7 +321,7 @@ def retrieve(
         )
     count = validation.integer("starts", starts, least=1, most=10_000)
     most = validation.integer("steps", steps, least=1, most=10_000)
-    draw = np.random.default_rng(seed)
+    draw = random_numbers(seed)
     validation.function("progress", progress, required=False)
     plan = Plan(values.shape[1:], pixel, tol=tol, integrate=integrate, threads=threads)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)

@@ -166,11 +166,19 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
         table = ZernikeTable.from_wavefront(table)
     if not isinstance(table, ZernikeTable):
         raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
+    save_table(path, table, {})
+
+
+def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[int, float]) -> None:
+    """Write a table with the standard errors of some of its terms, in its unit; readers leave these out."""
     settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
     if table.wavelength is not None:
         settings["wavelength"] = f"{table.wavelength!r} m"
-    terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): c for i, c in table.terms.items()}
-    atomic.write(validation.path("path", path), find(path).write(settings, terms).encode())
+    indices: list[Any] = sorted(table.terms, key=lambda i: (isinstance(i, tuple), i))
+    held: Mapping[Any, float] = table.terms
+    terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): held[i] for i in indices}
+    told = {str(i): error for i, error in sorted(errors.items()) if math.isfinite(error)}
+    atomic.write(validation.path("path", path), find(path).write(settings, terms, told).encode())
 
 
 @display.save.register(Wavefront)
@@ -278,7 +286,7 @@ def build_section(
     raw: Mapping[str, object], where: Callable[[Sequence[str]], str]
 ) -> tuple[ZernikeTable | None, list[str]]:
     """Build a table from a section of a TOML or JSON file, or return all errors; `where` maps keys to places."""
-    settings = {key: value for key, value in raw.items() if key != "terms"}
+    settings = {key: value for key, value in raw.items() if key not in ("terms", _ERRORS)}
     terms = raw.get("terms", {})
     entries = terms.items() if isinstance(terms, Mapping) else ()
     table, found = build(settings, [(k, c, where(["terms", k])) for k, c in entries], lambda key: where([key]))
@@ -573,17 +581,26 @@ def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     return (None if twice else table), [*twice, *found]
 
 
-def _write_json(settings: Mapping[str, str], terms: Mapping[str, float]) -> str:
-    return json.dumps({**settings, "terms": terms}, indent=2, allow_nan=False) + "\n"
+_ERRORS = "standard_errors"  # which are for people and other programs
 
 
-def _write_toml(settings: Mapping[str, str], terms: Mapping[str, float]) -> str:
-    head = [f'{key} = "{value}"' for key, value in settings.items()]
-    return "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in terms.items()), ""])
+def _write_json(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:
+    held = {**settings, "terms": terms} | ({_ERRORS: errors} if errors else {})
+    return json.dumps(held, indent=2, allow_nan=False) + "\n"
 
 
-def _write_csv(settings: Mapping[str, str], terms: Mapping[str, float]) -> str:
+def _write_toml(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:
+    lines = [f'{key} = "{value}"' for key, value in settings.items()]
+    for name, numbers in (("terms", terms), (_ERRORS, errors)):
+        if numbers or name == "terms":
+            lines += ["", f"[{name}]", *(f'"{key}" = {c!r}' for key, c in numbers.items())]
+    return "\n".join([*lines, ""])
+
+
+def _write_csv(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:
     head = [f"# {key}: {value}" for key, value in settings.items()]
+    # Without a colon, which settings have.
+    head += [f"# standard error of {key} = {error!r}" for key, error in errors.items()]
     columns = "n,m,value" if settings["order"] == "nm" else "index,value"
     return "\n".join([*head, columns, *(f"{key},{c!r}" for key, c in terms.items()), ""])
 

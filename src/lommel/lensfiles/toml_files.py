@@ -26,7 +26,7 @@ from lommel.base import reading, validation
 from lommel.base.options import near
 from lommel.base.units import parse_angle, parse_length, with_units
 from lommel.base.validation import shown
-from lommel.io import text_files
+from lommel.io import photos, text_files
 
 _Read = TypeVar("_Read")
 _Model = TypeVar("_Model", bound="Section")
@@ -135,8 +135,15 @@ class LensFileError(ValueError):
     """A lens file that cannot be used; the message names every error with its key and line."""
 
 
+def _refuse_images(source: Path) -> None:
+    """Raise LensFileError for an image, which is easily given in place of a lens file."""
+    if reading.start(source, 16).startswith((*photos.PNG, *photos.JPEG, *photos.TIFF, b"\x93NUMPY", b"SIMPLE  =")):
+        raise LensFileError(f"{validation.line(source)} is an image, not a lens file, which is text (TOML)")
+
+
 def parsed(source: Path) -> tuple[str, Toml]:
     """Return the text of a TOML file and its contents."""
+    _refuse_images(source)
     try:
         text = reading.decoded(reading.contents(source, reading.MAX_TOML))
         return text, reading.toml(text)

@@ -88,10 +88,15 @@ _SIGMAS = 4.0
 
 
 def fit(
-    images: Array, model: Array, residual: Array, found: tuple[list[str], list[float], list[float]], title: str
+    images: Array,
+    model: Array,
+    residual: Array,
+    found: tuple[list[str], list[float], list[float], str],
+    title: str,
+    titles: Sequence[str],
 ) -> Figure:
-    """Draw images (n, height, width), their model, the residual over the noise, and the fitted terms."""
-    names, values, deviations = found
+    """Draw images (n, height, width), their model, the residual over the noise, and the fitted terms in a unit."""
+    names, values, deviations, unit = found
     count = min(len(images), _MOST)
     bars = max(3.0, 0.42 * len(names))
     figure: Figure = pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
@@ -104,7 +109,7 @@ def fit(
         axes[0, k].imshow(images[k], cmap=COLOURS, norm=norm, interpolation="nearest")
         axes[1, k].imshow(model[k], cmap=COLOURS, norm=norm, interpolation="nearest")
         left = axes[2, k].imshow(residual[k], cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
-        axes[0, k].set_title(f"image {k}", fontsize=9)
+        axes[0, k].set_title(titles[k] if len(titles[k]) < 22 else f"…{titles[k][-20:]}", fontsize=8)
     for row, text in zip(axes, ("measured", "model", "residual"), strict=True):
         row[0].set_ylabel(text, fontsize=9)
     for each in axes.flat:
@@ -117,6 +122,6 @@ def fit(
     drawn.errorbar(at, values, yerr=finite, fmt="none", ecolor=drawn.xaxis.label.get_color(), capsize=3)
     drawn.axhline(0.0, color="0.5", linewidth=0.8)
     drawn.set_xticks(at, names, rotation=90, fontsize=8)
-    drawn.set_ylabel("coefficient and its deviation (radians)")
+    drawn.set_ylabel(f"coefficient and standard error ({'µm' if unit == 'um' else unit})")
     drawn.set_title(title, fontsize=9)
     return figure

@@ -6,9 +6,6 @@ import { PRESETS } from "./presets.js";
 import { changed, DEFAULTS, toText } from "./state.js";
 import { psfSaid } from "./sentences.js";
 
-// What a preset leaves as it is: how answers look.
-const KEPT = ["view", "side", "stretch", "map", "waves_unit", "length_unit", "picture"];
-
 export function actions(view) {
   const done = (button, text) => {
     const { page } = view;
@@ -64,16 +61,10 @@ export function actions(view) {
     preset(index) {
       const preset = PRESETS[Number(index)];
       if (index === "" || !preset) return;
-      const kept = Object.fromEntries(KEPT.map((key) => [key, view.state[key]]));
-      view.set({ ...DEFAULTS, ...preset.state, ...kept });
-      const said = [preset.left_out && `Left out here: ${preset.left_out}.`, preset.source];
-      view.page.source.textContent = said.filter(Boolean).join(" ");
-      view.page.source.hidden = false;
+      view.take(preset);
     },
     reset() {
       view.set(view.start);
-      view.page.preset.value = "";
-      view.page.source.hidden = true;
     },
     hold,
     exchange() {

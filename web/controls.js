@@ -17,7 +17,7 @@ const LIGHTS = { mono: "one wavelength", white: "white light" };
 
 export class Controls {
   // set(change, moving) is told of every change; `only` lists the keys to show, or is empty for all.
-  constructor({ state, set, only = [] }) {
+  constructor({ state, set, only = [], level = 2 }) {
     this.set = set;
     this.rows = new Map();
     const shows = (key) => !only.length || only.includes(key);
@@ -25,7 +25,7 @@ export class Controls {
       const rows = entries.map((entry) => this.entry(entry, state, shows)).filter(Boolean);
       const extra = this.extra(title, state, shows);
       if (!rows.length && !extra.length) return null;
-      const head = el("div", { class: "head" }, el("h3", {}, title), ...extra);
+      const head = el("div", { class: "head" }, el(`h${level + 1}`, { class: "title" }, title), ...extra);
       return el("div", { class: "section", role: "group", "aria-label": title }, head, ...rows);
     });
     const onsubmit = (event) => event.preventDefault();
@@ -42,7 +42,7 @@ export class Controls {
   extra(title, state, shows) {
     if (title === "Wavefront" && shows("waves_unit")) {
       this.waves = menu("Unit of the wavefront", WAVES_UNITS, state.waves_unit, (waves_unit) => this.set({ waves_unit }), { "data-key": "waves_unit" });
-      return [el("div", { class: "inline" }, el("span", {}, "at the edge, in"), this.waves)];
+      return [el("div", { class: "inline" }, el("span", { "data-word": "edge" }, "at the edge, in"), this.waves)];
     }
     if (title === "Lens and light" && shows("light")) {
       this.light = menu("Light", LIGHTS, state.light, (light) => this.set({ light }), { "data-key": "light" });
@@ -88,6 +88,11 @@ export class Controls {
     const label = el("label", { for: id, title: hint, ondblclick: reset }, spec.label);
     this.rows.set(key, row);
     return el("div", { class: "row", "data-row": key }, el("div", { class: "line" }, label, box, unit), slider);
+  }
+
+  // Whether a box holds what is not taken yet.
+  typing() {
+    return Boolean(this.edited);
   }
 
   update(state) {

@@ -3,32 +3,28 @@
 import { el, menu } from "./dom.js";
 import { PICTURES } from "./pictures.js";
 import { Plot } from "./plots.js";
+import { explainOnClick, help, NUMBERS } from "./words.js";
+
+export const UNNAMED = "Point spread function, live";
 
 const VIEWS = { fine: "finely sampled", sampled: "at the pixels’ centres", averaged: "averaged by pixels" };
 const STRETCH_NAMES = { linear: "linear", sqrt: "square root", log: "logarithm" };
 const MAPS = { inferno: "inferno", viridis: "viridis", cividis: "cividis", gray: "grey" };
 
-const NUMBERS = {
-  strehl: ["Strehl on the axis", "The intensity on the axis, of that without aberration"],
-  largest: ["Largest value", "The brightest point of the window, of the peak without aberration"],
-  d80: ["80 % diameter", "Of the circle around the axis that holds 80 % of the light"],
-  inside: ["Light in the window", "Of all light that passes the pupil"],
-  bound: ["Proven error", "No value is further from the exact one, over the peak without aberration"],
-  time: ["Time", "That the last point spread function took"],
-};
-
-export function layout({ state, set, controls, lessons, presets, actions, only }) {
+// level: of the heading; docs: address of the documentation, if there is one.
+export function layout({ state, set, controls, lessons, presets, actions, only, level, docs }) {
   const shows = (key) => !only.length || only.includes(key);
   const page = { selects: {}, numbers: {}, plots: {} };
+  const title = (key, text) => el(`h${level + 1}`, { class: "title", "data-word": key }, text);
   const pick = (key, label, choices) => {
     page.selects[key] = menu(label, choices, state[key], (value) => (actions.pick ?? set)({ [key]: value }), { "data-key": key });
     return shows(key) ? page.selects[key] : null;
   };
   const canvas = (name, label) => (page[name] = el("canvas", { role: "img", "aria-label": label, width: 16, height: 16 }));
-  const button = (name, text, title, onclick) =>
-    (page[name] = el("button", { type: "button", title, onclick, "data-action": name }, text));
-  const figure = (name, title, menus, ...children) => {
-    const caption = el("figcaption", {}, el("h3", {}, title), el("span", { class: "menus" }, ...menus));
+  const button = (name, text, title, onclick, more) =>
+    (page[name] = el("button", { type: "button", title, onclick, "data-action": name, ...more }, text));
+  const figure = (name, text, menus, ...children) => {
+    const caption = el("figcaption", {}, title(name, text), el("span", { class: "menus" }, ...menus));
     return el("figure", { class: name }, caption, ...children);
   };
 
@@ -50,11 +46,14 @@ export function layout({ state, set, controls, lessons, presets, actions, only }
       page.ruler,
     ),
   );
+  page.work = el("div", { class: "work", role: "status" }, (page.working = el("span")), button("stop", "Stop", "Stop computing", actions.stop));
+  page.stage.append(page.work);
   const psf = figure(
     "psf",
     "Point spread function",
     [pick("view", "Sampling", VIEWS), pick("stretch", "Stretch", STRETCH_NAMES), pick("map", "Colours", MAPS)],
     page.stage,
+    el("div", { class: "progress", "aria-hidden": "true" }),
     el("div", { class: "scale" }, page.bar, page.ticks),
   );
 
@@ -75,22 +74,22 @@ export function layout({ state, set, controls, lessons, presets, actions, only }
     el("div", { class: "stage" }, canvas("recorded", "Test picture")),
   );
 
-  const small = (name, title) => {
+  const small = (name, text) => {
     const note = (page[`${name}Said`] = el("p", { class: "note" }));
-    return el("figure", { class: "small" }, el("figcaption", {}, el("h3", {}, title)), canvas(name, title), note);
+    return el("figure", { class: "small" }, el("figcaption", {}, title(name, text)), canvas(name, text), note);
   };
-  const pupil = el("div", { class: "pupils" }, small("wavefront", "Wavefront"), small("fringes", "Pupil, a fringe a wave"));
+  const pupil = el("div", { class: "pupils" }, small("wavefront", "Wavefront"), small("fringes", "Pupil, one fringe per wave"));
 
-  const number = ([key, [name, title]]) => {
-    page.numbers[key] = el("dd", { "data-number": key, title }, "–");
-    return el("div", {}, el("dt", { title }, name), page.numbers[key]);
+  const number = ([key, [name]]) => {
+    page.numbers[key] = el("dd", { "data-number": key }, "–");
+    return el("div", {}, el("dt", { "data-word": key }, name), page.numbers[key]);
   };
   const numbers = el("dl", { class: "numbers" }, ...Object.entries(NUMBERS).map(number));
 
-  const plot = (key, title, legend) => {
-    const made = (page.plots[key] = new Plot(title));
+  const plot = (key, text, legend) => {
+    const made = (page.plots[key] = new Plot(text));
     const keys = [["held", "A"], ...legend].map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
-    const caption = el("figcaption", {}, el("h3", {}, title), el("span", { class: "legend" }, ...keys));
+    const caption = el("figcaption", {}, title(key, text), el("span", { class: "legend" }, ...keys));
     return el("figure", { class: "curve" }, caption, made.node, made.readout);
   };
   const plots = el(
@@ -104,7 +103,9 @@ export function layout({ state, set, controls, lessons, presets, actions, only }
   page.preset = el("select", { "aria-label": "Preset", "data-key": "preset", onchange: () => actions.preset(page.preset.value) });
   const names = presets.map((preset, index) => el("option", { value: String(index) }, preset.name));
   page.preset.append(el("option", { value: "" }, "Presets: real lenses …"), ...names);
-  page.source = el("p", { class: "note source", hidden: true });
+  // One line high, so that nothing moves as it comes and goes; unfolded it lies over what is below.
+  page.source = el("details", { class: "source note", hidden: true }, el("summary"));
+  page.hint = el("p", { class: "note" }, "Drag a slider, or type a number; double-click for the default. Click any word, or “?”, for its meaning.");
 
   const compare = el(
     "span",
@@ -132,10 +133,30 @@ export function layout({ state, set, controls, lessons, presets, actions, only }
     { class: "tools" },
     shows("presets") ? page.preset : null,
     shows("lessons") ? lessons.menu : null,
-    button("reset", "Reset", "All settings as at the start", actions.reset),
-    el("span", { class: "space" }),
     shows("compare") ? compare : null,
   );
+
+  page.name = el(`h${level}`, { class: "name" }, UNNAMED);
+  page.help = help(level);
+  const unfold = () => {
+    page.help.hidden = !page.help.hidden;
+    page.explain.setAttribute("aria-expanded", String(!page.help.hidden));
+  };
+  const header = el(
+    "div",
+    { class: "header" },
+    page.name,
+    docs ? el("a", { class: "brand", href: docs }, "lommel") : el("span", { class: "brand" }, "lommel"),
+    button("explain", "?", "What every word means", unfold, { "aria-label": "Help", "aria-expanded": "false" }),
+  );
+  const hands = el(
+    "div",
+    { class: "hands", role: "group", "aria-label": "Changes" },
+    button("undo", "↶", "Undo (Ctrl+Z)", actions.undo, { "aria-label": "Undo" }),
+    button("redo", "↷", "Redo (Ctrl+Shift+Z)", actions.redo, { "aria-label": "Redo" }),
+    button("reset", "Reset", "All settings as at the start", actions.reset),
+  );
+  page.side = el("div", { class: "side" }, lessons.node, hands, controls);
 
   page.code = el("pre", { tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
   const code = el("details", { class: "code", open: true }, el("summary", {}, "As Python"), page.code);
@@ -148,14 +169,13 @@ export function layout({ state, set, controls, lessons, presets, actions, only }
   page.node = el(
     "div",
     { class: "lommel-live", role: "region", "aria-label": "Point spread functions, live" },
-    el("div", { class: "top" }, tools, shows("files") ? files : null, page.source, notice),
-    psf,
-    el("div", { class: "side" }, lessons.node, controls),
-    el("div", { class: "beside", hidden: picture.hidden && pupil.hidden }, picture, pupil),
-    numbers,
-    plots,
-    code,
+    el("div", { class: "bar" }, header, el("div", { class: "top" }, tools, shows("files") ? files : null)),
+    el("div", { class: "under" }, page.hint, page.source),
+    notice,
+    page.help,
+    el("div", { class: "panels" }, psf, page.side, numbers, plots, el("div", { class: "beside" }, picture, pupil), code),
     page.said,
   );
+  page.tip = explainOnClick(page.node);
   return page;
 }

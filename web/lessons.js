@@ -193,13 +193,13 @@ export function nameLesson(name) {
 
 // A menu of the lessons, and the panel of one. set(name, state) is called when the reader opens one, with "" and null when closed.
 export class Lessons {
-  constructor(set) {
+  constructor(set, level = 2) {
     this.set = set;
     const titles = NAMES.map((name, index) => [name, `${index + 1} ${LESSONS[name].title}`]);
     this.menu = menu("Lessons", { "": "Lessons …", ...Object.fromEntries(titles) }, "", (name) => this.open(name));
     const button = (text, label, onclick) => el("button", { type: "button", "aria-label": label, title: label, onclick }, text);
     const by = (step) => this.open(NAMES[NAMES.indexOf(this.name) + step]);
-    this.title = el("h3", { "aria-live": "polite" });
+    this.title = el(`h${level + 1}`, { class: "title", "aria-live": "polite" });
     this.before = button("←", "Previous lesson", () => by(-1));
     this.after = button("→", "Next lesson", () => by(1));
     const reduce = () => this.reduce(!this.reduced);

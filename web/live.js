@@ -70,6 +70,9 @@ function mountScripts() {
       controls: asked ?? script.dataset.lommelControls ?? [],
       theme: script.dataset.lommelTheme,
       lesson: script.dataset.lommelLesson,
+      name: script.dataset.lommelName,
+      heading: script.dataset.lommelHeading,
+      docs: script.dataset.lommelDocs,
     });
   });
 }

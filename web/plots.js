@@ -61,6 +61,12 @@ export class Plot {
     if (this.shown) this.draw(this.shown);
   }
 
+  clear() {
+    while (this.paths.length) this.paths.pop().remove();
+    this.shown = null;
+    this.leave();
+  }
+
   // {x: {top, label}, y: {top, bottom, log, label}, curves: [{kind, name, x, y}]}
   draw(shown) {
     this.shown = shown;

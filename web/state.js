@@ -64,3 +64,38 @@ export function toText(state) {
     .map((key) => `${key}=${encodeURIComponent(state[key]).replace(/%2C|%3A|%3B/g, decodeURIComponent)}`)
     .join("&");
 }
+
+const STEPS_BACK = 200;
+
+// States to go back and forth to. Changes of one gesture are one step.
+export class History {
+  constructor() {
+    this.back = [];
+    this.forth = [];
+    this.gesture = "";
+  }
+
+  note(before, gesture) {
+    if (!gesture || gesture !== this.gesture || !this.back.length) {
+      this.back.push(before);
+      if (this.back.length > STEPS_BACK) this.back.shift();
+    }
+    this.gesture = gesture;
+    this.forth = [];
+  }
+
+  undo(now) {
+    return this.travel(now, this.back, this.forth);
+  }
+
+  redo(now) {
+    return this.travel(now, this.forth, this.back);
+  }
+
+  travel(now, from, to) {
+    if (!from.length) return undefined;
+    to.push(now);
+    this.gesture = "";
+    return from.pop();
+  }
+}

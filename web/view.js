@@ -6,14 +6,14 @@ import { Compare } from "./compare.js";
 import { Controls } from "./controls.js";
 import { el } from "./dom.js";
 import { drawBar, drawFringes, drawPicture, drawPsf, drawWavefront } from "./draw.js";
-import { layout } from "./layout.js";
+import { layout, UNNAMED } from "./layout.js";
 import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { testPicture } from "./pictures.js";
 import { niceStep, niceTop, short } from "./plots.js";
 import { PRESETS } from "./presets.js";
 import { differenceSaid, numbersSaid, plotSaid, psfSaid, wavefrontSaid } from "./sentences.js";
 import { FIELDS } from "./fields.js";
-import { changed, DEFAULTS, fromText, toText } from "./state.js";
+import { changed, DEFAULTS, fromText, History, toText } from "./state.js";
 import { styleText } from "./style.js";
 import { followTheme } from "./theme.js";
 import { frequencyUnit, lengthUnit } from "./units.js";
@@ -22,6 +22,8 @@ const SETTLE = 150; // ms after the last change
 const LINK = 250;
 const PATIENCE = 3000; // ms that an answer may keep a newer question waiting
 const LATE = "a newer setting was asked for";
+const GREY = 200; // ms after which an answer to an older setting is greyed
+const WORDS = 2000; // ms after which the page says what it computes
 const MAP_SIDE = 160;
 const SEEN = 128;
 // Keys that change how answers are shown, not the answers.
@@ -30,8 +32,34 @@ const LOOKS = new Set(["stretch", "map", "waves_unit", "length_unit", "focal_len
 const LOOKS_OF_PUPIL = new Set(["stretch", "map", "waves_unit", "length_unit", "picture", "light", "pixel", "view", "side"]);
 const BESIDE_PUPIL = new Set([...LOOKS_OF_PUPIL, "focal_length", "f_number", "wavelength"]);
 
+// Those by which a lens is not known.
+const BESIDE_LENS = new Set([...LOOKS, "view", "side"]);
+const sameLens = (a, b) => Object.keys(FIELDS).every((key) => BESIDE_LENS.has(key) || a[key] === b[key]);
+
+const FINISHED = ["hold", "python", "png", "csv", "tiff"]; // buttons that act on settled answers
+const CANVASES = { psf: ["psf"], wavefront: ["wavefront", "fringes"], recorded: ["recorded"] };
+
+// The nodes in which each part of an answer is shown.
+function partsOf(page) {
+  const { sensor, pupil, numbers, curves, code } = page.panels;
+  return { psf: [page.psf.parentNode, numbers], measures: [numbers, curves], wavefront: [pupil], recorded: [sensor], code: [code] };
+}
+
+// Whether a part of an answer depends on a setting.
+function matters(part, key, { focus }) {
+  if (part === "wavefront") return !(focus === "distances" ? LOOKS_OF_PUPIL : BESIDE_PUPIL).has(key);
+  return !LOOKS.has(key) || (focus === "distances" && key === "focal_length") || (part === "recorded" && key === "picture");
+}
+
+// What takes long in a state.
+function longSaid({ view, light }) {
+  if (view === "averaged") return "averages over pixels";
+  return light === "white" ? "white light, seven wavelengths" : "large aberrations";
+}
+
 export class View {
-  constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "" } = {}) {
+  // name: of the lens in the initial state; heading: level of the page's heading; docs: address of the documentation.
+  constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", heading = 2, docs = "" } = {}) {
     this.onchange = onchange;
     this.url = url;
     const asked = (url && askedLesson()) || lesson;
@@ -40,12 +68,23 @@ export class View {
     this.told = this.state;
     const only = typeof controls === "string" ? controls.split(",").filter(Boolean) : controls ?? [];
     this.client = new Client();
-    const set = (change, moving) => this.set(change, moving);
-    this.controls = new Controls({ state: this.state, set, only });
-    const does = actions(this);
-    this.lessons = new Lessons((name, state) => this.learn(name, state));
+    this.history = new History();
+    this.lenses = PRESETS.map((preset) => ({ ...preset, state: changed(DEFAULTS, preset.state) }));
+    if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.start });
+    const set = (change, moving, gesture) => this.set(change, moving, gesture);
+    const level = Math.min(5, Math.max(1, Number(heading) || 2));
+    this.controls = new Controls({ state: this.state, set, only, level });
+    const does = {
+      ...actions(this),
+      undo: () => this.travel(this.history.undo(this.state)),
+      redo: () => this.travel(this.history.redo(this.state)),
+      stop: () => (this.stopped ? this.settle() : this.stop()),
+    };
+    this.lessons = new Lessons((name, state) => this.learn(name, state), level);
     const { lessons } = this;
-    this.page = layout({ state: this.state, set, controls: this.controls.node, lessons, presets: PRESETS, actions: does, only });
+    const parts = { controls: this.controls.node, lessons, presets: PRESETS, actions: does, only, level, docs };
+    this.page = layout({ state: this.state, set, ...parts });
+    this.parts = partsOf(this.page);
     lessons.show(asked);
     this.compare = new Compare(this.page);
     this.host = el("div", { class: "lommel-live-host", "data-lm-suppress-shortcuts": "true", "data-busy": true });
@@ -53,7 +92,8 @@ export class View {
     const root = this.host.attachShadow({ mode: "open" });
     root.append(el("style", {}, styleText), this.page.node);
     // Shortcuts of the page around are not meant for what is typed here.
-    root.addEventListener("keydown", (event) => event.stopPropagation());
+    root.addEventListener("keydown", (event) => this.key(event));
+    root.addEventListener("click", (event) => this.guard(event), true);
     acceptDrops(this.page.recorded.closest("figure"), does.own);
     element.append(this.host);
     this.unfollow = followTheme(this.page.node, theme);
@@ -73,12 +113,16 @@ export class View {
     if (url) addEventListener("popstate", this.fromHistory);
     this.wanted = "settled";
     this.redraw = true;
+    this.born = performance.now();
+    this.shown = {};
+    this.of = {}; // the question that each part shown answers, {state, left: {part: when its setting was left}}
     this.schedule();
   }
 
   destroy() {
     this.gone = true;
     cancelAnimationFrame(this.raf);
+    clearInterval(this.watch);
     for (const timer of [this.settling, this.linking, this.telling, this.warming]) clearTimeout(timer);
     removeEventListener("hashchange", this.fromLink);
     removeEventListener("popstate", this.fromHistory);
@@ -89,22 +133,109 @@ export class View {
     this.host.remove();
   }
 
-  set(change, moving = false) {
-    const next = changed(this.state, change);
+  // Changes of one gesture, such as a drag, are one step back.
+  set(change, moving = false, gesture = "") {
+    const before = this.state;
+    if (this.apply(changed(before, change), moving)) this.history.note(before, gesture);
+  }
+
+  travel(state) {
+    if (state) this.apply(state);
+  }
+
+  apply(next, moving = false) {
     const keys = Object.keys(FIELDS).filter((key) => next[key] !== this.state[key]);
-    if (!keys.length) return;
+    if (!keys.length) return false;
     this.state = next;
     this.redraw = true;
+    this.leave(keys);
     if (keys.includes("picture")) this.wanted ??= "picture";
-    if (keys.some((key) => !LOOKS.has(key) || (key === "focal_length" && next.focus === "distances"))) {
+    if (keys.some((key) => matters("psf", key, next))) {
       this.wanted = moving ? "drag" : "settled";
       clearTimeout(this.settling);
       this.settling = moving ? setTimeout(() => this.settle(), SETTLE) : 0;
     }
     this.schedule();
-    if (!this.url) return;
+    if (!this.url) return true;
     clearTimeout(this.linking);
     this.linking = setTimeout(() => this.writeLink(), LINK);
+    return true;
+  }
+
+  // What is shown, or asked for, answers an older setting from now on.
+  leave(keys) {
+    const now = performance.now();
+    for (const question of new Set([this.asked, ...Object.values(this.of)]))
+      for (const part of Object.keys(this.parts)) if (question && keys.some((key) => matters(part, key, this.state))) question.left[part] ??= now;
+  }
+
+  current(part) {
+    return this.of[part] !== undefined && this.of[part].left[part] === undefined;
+  }
+
+  // Grey is what answers an older setting; what takes long is said, and can be stopped.
+  look() {
+    const { page } = this;
+    const now = performance.now();
+    let most = 0;
+    for (const [part, nodes] of Object.entries(this.parts)) {
+      const since = this.of[part] ? this.of[part].left[part] : this.born;
+      const age = since === undefined ? 0 : now - since;
+      if (nodes.some((node) => !node.hidden) && part !== "code") most = Math.max(most, age);
+      for (const node of nodes) node.classList.toggle("late", age > GREY);
+    }
+    const busy = "busy" in this.host.dataset;
+    page.node.classList.toggle("working", busy && most > GREY);
+    const said = this.stopped ? "Stopped: nothing is computed for this setting." : busy && most > WORDS ? `Computing: ${longSaid(this.state)} …` : "";
+    if (page.working.textContent !== said) page.working.textContent = said;
+    page.work.classList.toggle("shown", Boolean(said));
+    page.stop.textContent = this.stopped ? "Compute" : "Stop";
+    const kept = { undo: this.history.back.length, redo: this.history.forth.length };
+    for (const name of FINISHED) kept[name] = this.current("code");
+    for (const [name, there] of Object.entries(kept)) page[name].setAttribute("aria-disabled", String(!there));
+  }
+
+  stop() {
+    this.stopped = true;
+    this.wanted = null;
+    clearTimeout(this.settling);
+    this.settling = 0;
+    this.client.stop();
+    this.blank(Object.keys(this.parts).filter((part) => !this.current(part)));
+    this.idle();
+  }
+
+  // Nothing instead of answers to an older setting.
+  blank(parts) {
+    for (const part of parts) {
+      delete this.shown[part];
+      delete this.of[part];
+      if (part === "measures") for (const plot of Object.values(this.page.plots)) plot.clear();
+      if (part === "code") this.page.code.textContent = "–";
+      for (const canvas of CANVASES[part] ?? []) this.page[canvas].getContext("2d").clearRect(0, 0, 1e5, 1e5);
+    }
+    if (parts.includes("code")) this.settled = undefined;
+    this.drawNumbers();
+  }
+
+  // Shortcuts of the page around are not meant for what is typed here.
+  key(event) {
+    event.stopPropagation();
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || !/^[zy]$/i.test(event.key)) return;
+    if (this.controls.typing()) return; // the box undoes what is typed
+    event.preventDefault();
+    const forth = event.shiftKey || /y/i.test(event.key);
+    this.travel(forth ? this.history.redo(this.state) : this.history.undo(this.state));
+  }
+
+  // Buttons that have nothing to act on yet say so, and keep the focus.
+  guard(event) {
+    const button = event.target.closest?.("button[data-action]");
+    if (!button) return;
+    this.look();
+    if (button.getAttribute("aria-disabled") !== "true") return;
+    event.stopImmediatePropagation();
+    if (FINISHED.includes(button.dataset.action)) this.page.said.textContent = "Still computing: possible when it is done.";
   }
 
   settle() {
@@ -115,6 +246,8 @@ export class View {
 
   schedule() {
     this.host.dataset.busy = "";
+    this.stopped = false;
+    this.watch ??= setInterval(() => this.look(), 50);
     this.raf ||= requestAnimationFrame(() => this.frame());
   }
 
@@ -123,15 +256,36 @@ export class View {
     this.controls.update(this.state);
     for (const [key, select] of Object.entries(this.page.selects)) select.value = this.state[key];
     if (this.told !== this.state) {
-      const preset = PRESETS[this.page.preset.value]?.state ?? {};
-      if (Object.keys(preset).some((key) => preset[key] !== this.state[key])) this.page.preset.value = "";
       this.told = this.state;
       this.onchange?.({ ...this.state });
     }
+    if (this.named !== this.state) this.nameLens();
     if (this.redraw) this.attempt(() => this.draw());
     if (this.wanted && !this.asking) this.ask();
     this.lessons.check(this.state);
     this.idle();
+  }
+
+  // The heading: the lens while nothing of it is changed, with its source; the lens that was changed; or what the page is.
+  nameLens() {
+    const { page, state } = this;
+    this.named = state;
+    const exact = this.lenses.find((lens) => sameLens(lens.state, state));
+    if (exact || sameLens(this.start, state)) this.lens = exact;
+    page.name.textContent = exact ? exact.name : this.lens ? `${this.lens.name}, changed` : UNNAMED;
+    page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
+    const said = exact ? [exact.left_out && `Left out here: ${exact.left_out}.`, exact.source].filter(Boolean).join(" ") : "";
+    page.source.hidden = !said;
+    page.source.firstChild.textContent = said;
+  }
+
+  // A lens by its name, source and state, such as a preset: how answers look stays as it is.
+  take(lens) {
+    const state = { ...changed(DEFAULTS, lens.state) };
+    for (const key of BESIDE_LENS) if (key !== "focal_length") state[key] = this.state[key];
+    this.lenses = [{ source: "", left_out: "", ...lens, state }, ...this.lenses.filter(({ name }) => name !== lens.name)];
+    this.lens = undefined;
+    this.set(state);
   }
 
   // What fails is told on the page, which lives on.
@@ -146,10 +300,14 @@ export class View {
   idle() {
     if (this.wanted || this.asking || this.settling || this.gone) return;
     delete this.host.dataset.busy;
+    clearInterval(this.watch);
+    this.watch = undefined;
+    this.look();
+    if (this.stopped) return;
     this.lessons.check(this.state, this.settled?.measures);
     this.say();
     // The first wavefront without symmetry makes tables, which take longest: before anybody waits for them.
-    const other = { ...this.state, coma: 0.1, astigmatism: 0.1 };
+    const other = { ...DEFAULTS, coma: 0.1, astigmatism: 0.1 };
     const warm = () => ["psf", "measures"].forEach((method) => this.client.call(method, other, "drag").catch(() => {}));
     this.warming ??= setTimeout(warm, 400);
   }
@@ -166,51 +324,66 @@ export class View {
     const { state, client } = this;
     this.wanted = null;
     this.asking = true;
+    const asked = (this.asked = { state, left: {} });
+    const got = (part) => this.got(part, asked);
     const jobs = [];
     if (quality !== "picture") {
       // Of the sensor's pixels no more than are seen, while something moves.
       const side = quality === "drag" && state.view !== "fine" ? Math.min(state.side, SEEN) : state.side;
-      jobs.push(client.call("psf", { ...state, side }, quality).then((psf) => this.got({ psf })));
-      jobs.push(client.call("measures", { ...state, side }, quality).then((measures) => this.got({ measures })));
-      const beside = state.focus === "distances" ? LOOKS_OF_PUPIL : BESIDE_PUPIL;
-      const pupil = Object.keys(state).map((key) => !beside.has(key) && state[key]).join();
-      if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => this.got({ wavefront })));
+      jobs.push(client.call("psf", { ...state, side }, quality).then((psf) => got({ psf })));
+      jobs.push(client.call("measures", { ...state, side }, quality).then((measures) => got({ measures: { ...measures, side } })));
+      const pupil = Object.keys(state).map((key) => matters("wavefront", key, state) && state[key]).join();
+      if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => got({ wavefront })));
       this.pupil = pupil;
     }
-    if (!this.page.panels.sensor.hidden) jobs.push(this.record(state, quality));
+    if (!this.page.panels.sensor.hidden) jobs.push(this.record(state, quality, got));
     const patience = setInterval(() => this.wanted && client.worker && client.renew({ message: LATE }), PATIENCE);
     const ends = await Promise.allSettled(jobs);
     clearInterval(patience);
     if (this.gone) return;
     this.asking = false;
     const fault = ends.find((end) => end.status === "rejected" && end.reason.message !== LATE);
-    this.tell(fault ? `This setting cannot be computed: ${fault.reason.message}` : "");
+    const ended = this.stopped || !fault ? "" : `This setting cannot be computed: ${fault.reason.message}`;
+    this.tell(ended);
+    if (ended && !this.wanted) this.blank(Object.keys(this.parts).filter((part) => !this.current(part)));
     if (ends.some((end) => end.status === "rejected")) this.pupil = "";
-    else if (quality === "settled") this.settled = { state, psf: this.shown.psf, measures: this.shown.measures };
+    else if (quality === "settled") {
+      this.settled = { state, psf: this.shown.psf, measures: this.shown.measures };
+      this.of.code = asked;
+    }
     if (this.wanted) this.schedule();
     else this.idle();
   }
 
-  async record(state, quality) {
+  async record(state, quality, got) {
     const picture = (state.picture === "own" && this.own) || testPicture(state.picture);
     const { planes, width, height } = picture;
     const fast = quality === "drag" ? "drag" : "settled";
     const recorded = await this.client.call("blur", state, planes, width, height, fast);
     const count = recorded.length / (width * height); // three of one, in white light
-    this.got({ recorded: { ...picture, planes: recorded, count }, picture });
+    got({ recorded: { ...picture, planes: recorded, count }, picture });
   }
 
-  got(part) {
-    if (this.gone) return;
+  got(part, asked) {
+    if (this.gone || this.stopped) return;
     this.shown = { ...this.shown, ...part };
+    for (const name of Object.keys(part)) this.of[name] = asked;
     this.draw(part);
+    this.look();
   }
 
-  draw(part = this.shown ?? {}) {
+  // The state that a part answers, looking as the controls say.
+  stateOf(part) {
+    const { state } = this;
+    return { ...(this.of[part]?.state ?? state), ...Object.fromEntries([...LOOKS].map((key) => [key, state[key]])) };
+  }
+
+  draw(part = this.shown) {
     this.redraw = false;
-    const { page, state } = this;
+    const { page } = this;
+    const state = this.stateOf("wavefront");
     // How much of a sensor is worth a look is known by the measures, which come after.
-    if (state.view === "fine" ? part.psf : part.measures) this.drawPsf();
+    if (this.shown.psf && (this.stateOf("psf").view === "fine" ? part.psf : part.measures)) this.drawPsf();
     if (part.measures) this.drawPlots();
     if (part.wavefront) {
       this.seen = drawWavefront(page.wavefront, part.wavefront, MAP_SIDE);
@@ -219,12 +392,13 @@ export class View {
       const dark = short(state.obscuration, 3);
       page.fringesSaid.textContent = state.obscuration ? `the inner ${dark} of the radius obscured` : "clear to the middle";
     }
-    if (part.recorded) drawPicture(page.recorded, page.before.checked ? this.shown.picture : this.shown.recorded);
+    if (part.recorded && this.shown.recorded) drawPicture(page.recorded, page.before.checked ? this.shown.picture : this.shown.recorded);
     if (part.psf || part.measures) this.drawNumbers();
   }
 
   drawPsf() {
-    const { page, state, shown, compare } = this;
+    const { page, shown, compare } = this;
+    const state = this.stateOf("psf");
     const { psf } = shown;
     const crop = state.view === "fine" ? psf.side : this.crop(psf);
     drawPsf(page.psf, psf, { map: state.map, stretch: state.stretch, crop });
@@ -253,7 +427,8 @@ export class View {
   }
 
   drawPlots() {
-    const { page, state, shown, compare } = this;
+    const { page, shown, compare } = this;
+    const state = this.stateOf("measures");
     const { profile, energy, mtf } = shown.measures;
     const held = compare.held?.measures;
     const unit = lengthUnit(state);
@@ -288,12 +463,16 @@ export class View {
   }
 
   drawNumbers() {
-    const { page, state, shown, compare } = this;
+    const { page, shown, compare } = this;
+    const state = this.stateOf("measures");
     const now = numbersSaid(state, shown.psf, shown.measures);
+    // Of fewer pixels, while something moves.
+    if (shown.measures && shown.measures.side < state.side) now.inside = ["–", NaN];
     const held = compare.held && numbersSaid(state, compare.held.psf, compare.held.measures);
-    for (const [key, [text, value]] of Object.entries(now)) {
+    for (const [key, node] of Object.entries(page.numbers)) {
+      const [text, value] = now[key] ?? ["–", NaN];
       const by = held ? differenceSaid(value, held[key][1]) : "";
-      page.numbers[key].replaceChildren(text, ...(by ? [el("small", {}, by)] : []));
+      node.replaceChildren(text, ...(by ? [el("small", {}, by)] : []));
     }
   }
 
@@ -302,7 +481,7 @@ export class View {
     const { page, state, shown } = this;
     if (!shown?.psf || !shown.measures) return;
     const said = psfSaid(state, shown.psf, shown.measures);
-    page.code.textContent = shown.psf.python;
+    if (this.settled) page.code.textContent = this.settled.psf.python;
     page.psf.setAttribute("aria-label", said);
     if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
     const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";

@@ -116,6 +116,13 @@ Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, doubl
                  "scanned"_a = lommel::scanned_peak(pupil.phase, obscuration, first));
 }
 
+// What is left out of averages without rings: mean / r^3 is I then.
+Named tail_bounds(Doubles1 coefficients, Doubles1 amplitude, double obscuration, double r) {
+    const RadialPupil pupil(coefficients, amplitude);
+    const lommel::EnergyTail tail(pupil.phase, obscuration);
+    return named("mean"_a = tail.mean(), "rings"_a = tail.rings(r), "curved"_a = tail.curved(r));
+}
+
 // Of a table for the averages over the pixels of a window, its axis at (center_y, center_x); each ring as (the least
 // and the largest distance of its pixels, the same of its nodes, their count, whether they are of an even function, whether
 // pixels have their own weights).
@@ -184,6 +191,8 @@ void bindings::define_radial_bounds(nb::module_& m) {
           "Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.");
     m.def("stored_bound", &stored_bound, "relative"_a, "single"_a, "twice"_a,
           "Bound on the error of values over their peak when they are stored.");
+    m.def("tail_bounds", &tail_bounds, "coefficients"_a, "amplitude"_a, "obscuration"_a, "r"_a,
+          "The mean of I times r^3 far from the axis, and bounds on what is left out of the light beyond r and of I.");
     m.def("peaks", &peaks, "coefficients"_a, "amplitude"_a, "obscuration"_a, "tol"_a,
           "The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.");
     m.def("anywhere_bounds", &anywhere_bounds, "pitch"_a, "averages"_a, "farthest"_a, "level"_a,

@@ -289,6 +289,11 @@ def intensity_bounds(peak: float, error: float) -> dict[str, object]:
 def stored_bound(relative: float, single: bool, twice: bool) -> float:
     """Bound on the error of values over their peak when they are stored."""
 
+def tail_bounds(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, r: float) -> dict[str, object]:
+    """
+    The mean of I times r^3 far from the axis, and bounds on what is left out of the light beyond r and of I.
+    """
+
 def peaks(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, tol: float) -> dict[str, object]:
     """
     The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.

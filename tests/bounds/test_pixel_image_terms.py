@@ -153,7 +153,7 @@ WINDOWS = [
     Window(6, 9, 3.0, 4.0, 0.8, True),
     Window(5, 5, 2.2, -31.7, 1.9, True),
     Window(7, 4, 9.3, 1.6, 0.5, False),
-    Window(3, 2, 1.0, 1.0, 9.0, True),
+    Window(3, 2, 1.0, 1.0, 7.9, True),
 ]
 
 

@@ -68,6 +68,29 @@ class Amplitude {
         return sum;
     }
 
+    // Adds what the derivatives of the exponent over their factorials are at most on [0, 1]: those from the first to `count` - 1.
+    void add_slopes(double* slopes, std::size_t count) const {
+        for (std::size_t j = 1; j <= terms_; ++j) {
+            double binomial = std::abs(g_[j]);
+            for (std::size_t k = 1; k <= j && k < count; ++k) {
+                binomial *= static_cast<double>(j - k + 1) / static_cast<double>(k);
+                slopes[k] += binomial;
+            }
+        }
+    }
+
+    // Adds the derivatives of the exponent at t over their factorials, as many as `count`.
+    template <class Number>
+    void add_series(double t, Number* series, std::size_t count) const {
+        for (std::size_t j = 0; j <= terms_; ++j) {
+            double binomial = g_[j];
+            for (std::size_t k = 0; k <= j && k < count; ++k) {
+                series[k] -= binomial * std::pow(t, static_cast<double>(j - k));
+                binomial *= static_cast<double>(j - k) / static_cast<double>(k + 1);
+            }
+        }
+    }
+
     // What the exponent is at most on [0, 1], by size.
     double size() const { return growth(1.0) + a_[0] + std::abs(a_[0]); }
 

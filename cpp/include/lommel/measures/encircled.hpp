@@ -26,7 +26,7 @@ class MeanProfile {
         half_ = 0.5 * reach / static_cast<double>(panels);
         points_ = fewest(2, [&](std::size_t n) { return interpolation_error(half_, n) <= allowed; });
         const double turn = 3.14159265358979323846 / static_cast<double>(2 * points_);
-        std::vector<double> cosines(4 * points_), values(points_);
+        std::vector<double> cosines(4 * points_), values(points_), moment(points_ + 3);
         for (std::size_t i = 0; i < cosines.size(); ++i) {
             cosines[i] = std::cos(turn * static_cast<double>(i));
         }
@@ -45,7 +45,7 @@ class MeanProfile {
                 }
                 mean[k] = (k == 0 ? 1.0 : 2.0) * sum / static_cast<double>(points_);
             }
-            inside = integrate(middle(s), mean, inside, &energies_[s * (points_ + 2)]);
+            inside = integrate_moment(half_, middle(s), mean, points_, inside, moment.data(), &energies_[s * (points_ + 2)]);
         }
     }
 
@@ -71,28 +71,6 @@ class MeanProfile {
         return std::min(means_.size() / points_ - 1, static_cast<std::size_t>(std::max(0.0, 0.5 * v / half_)));
     }
     double place(double v, std::size_t s) const { return std::min(1.0, (v - middle(s)) / half_); }
-
-    // Chebyshev coefficients of the integral of (middle + half x) times a series, from -1 on where it is `before`. Returns it at 1.
-    double integrate(double middle, const double* mean, double before, double* out) const {
-        const std::size_t n = points_;
-        std::vector<double> moment(n + 3, 0.0);  // of v I
-        for (std::size_t k = 0; k < n; ++k) {
-            moment[k] += middle * mean[k];
-            moment[k + 1] += (k == 0 ? 1.0 : 0.5) * half_ * mean[k];
-            if (k > 0) {
-                moment[k - 1] += 0.5 * half_ * mean[k];
-            }
-        }
-        double start = 0.0, end = 0.0;
-        for (std::size_t k = 1; k < n + 2; ++k) {
-            const double behind = (k == 1 ? 2.0 : 1.0) * moment[k - 1];
-            out[k] = half_ * (behind - moment[k + 1]) / static_cast<double>(2 * k);
-            start += k % 2 == 0 ? out[k] : -out[k];
-            end += out[k];
-        }
-        out[0] = before - start;
-        return out[0] + end;
-    }
 
     // By Clenshaw's recurrence.
     static double series(const double* c, std::size_t count, double x) {

@@ -14,6 +14,7 @@
 #include "lommel/bounds/refine.hpp"
 #include "lommel/radial/average_values.hpp"
 #include "lommel/radial/batch.hpp"
+#include "lommel/radial/coarse_averages.hpp"
 #include "lommel/radial/intensity.hpp"
 #include "lommel/radial/stack.hpp"
 
@@ -65,7 +66,7 @@ class PixelRenderer {
         // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2.
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + 2e-3 * static_cast<double>(pixels())));
-        const bool batch = answer_.derivatives == 0 && Batch::fits(stack_);
+        const bool batch = answer_.derivatives == 0 && Batch::fits(stack_) && table_pays();
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : render_batch<PixelTable>()))) {
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
         }
@@ -80,6 +81,8 @@ class PixelRenderer {
         static constexpr double table = 0.25, field = 0.02;
         // Where that did not do, on each of both; half of it where values are divided by their largest.
         static constexpr double each = 0.2;
+        // Of coarse pixels, on rings that are left out, and on quadrature.
+        static constexpr double rings = 0.4, sums = 0.05;
         static_assert(table + 2.0 * field <= 1.0 && 2.0 * each <= 1.0);
     };
 
@@ -172,7 +175,93 @@ class PixelRenderer {
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, false);
     }
 
+    // Whether rings are so narrow against pixels that the light is better followed across edges: beside weights that are there
+    // already only where few pixels take their rings.
+    bool coarse(const Phase& phase) const {
+        if (!window_.integrate || answer_.derivatives > 0 || !stack_.amplitude.closed() ||
+            window_.step < CoarseAverages::least) {
+            return false;
+        }
+        if (window_.step >= CoarseAverages::always) {
+            return true;
+        }
+        const double room = coarse_attempt(phase, likely_value(phase)).rings;
+        const double reach =
+            CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
+        return reach * reach < CoarseAverages::most_near;
+    }
+
+    // Whether a stack is so large that weights for its window cost less than following the light of each of its pupils: by products
+    // of each, counted, not measured, of which those of weights take a tenth of the time.
+    bool table_pays() const {
+        if (window_.step < CoarseAverages::always || !coarse(stack_[0])) {
+            return true;
+        }
+        const double side = static_cast<double>(std::max(window_.height, window_.width)), gauss = 0.8 * window_.step + 10.0;
+        const double reach = 0.71 * side * window_.step, nodes = reach < 900.0 ? reach : 1.5 * window_.step + 30.0;
+        return static_cast<double>(stack_.count) * 40.0 * (window_.step + 20.0) > nodes * gauss * gauss;
+    }
+
+    CoarseAverages::Attempt coarse_attempt(const Phase& phase, double value) const {
+        const double room = allowed_ * value;
+        return {Budget::rings * room, std::max(RadialBudget::least, first_attempt(phase).error), Budget::sums * room};
+    }
+
+    // What the largest average over the plane is at least, as peak_at_least() has it.
+    double coarse_peak_at_least(const Phase& phase, const CoarseAverages::Attempt& asked) const {
+        const std::size_t pixels =
+            static_cast<std::size_t>(std::min(512.0, std::ceil((4.0 + phase.blur()) / window_.step)) + 1.0);
+        CoarseAverages line;
+        line.make(*CoarseWindow::get({1, pixels, 0.0, 0.0, window_.step, true}), phase, stack_.obscuration, aperture_.light,
+                  aperture_.area, asked, 1);
+        return line.top - line.off();
+    }
+
+    void render_coarse(std::size_t pupil, int threads) {
+        thread_local CoarseAverages found;
+        const Phase phase = stack_[pupil];
+        const bool normalize = answer_.scales[pupil] == 0.0;
+        const auto window = CoarseWindow::get(windows_[pupil]);
+        double elsewhere = 0.0;
+        bool looked = false;
+        CoarseAverages::Attempt asked = coarse_attempt(phase, likely_value(phase));
+        const auto attempt = [&] {
+            found.make(*window, phase, stack_.obscuration, aperture_.light, aperture_.area, asked, threads);
+            const double bound = relative(found.top, found.off(), elsewhere, normalize);
+            if (bound <= tol_ || normalize || looked) {
+                return bound;
+            }
+            elsewhere = coarse_peak_at_least(phase, asked);
+            looked = true;
+            return relative(found.top, found.off(), elsewhere, normalize);
+        };
+        const double bound = settle(tol_, attempt, [&](double) {
+            const double seen = std::max(std::max(found.top, elsewhere), 1e-3 * found.off());
+            const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
+            const CoarseAverages::Attempt before = asked;
+            if (found.by_rings > room) {
+                asked.rings = std::min(0.5 * asked.rings, room);
+            }
+            if (found.error > room) {
+                asked.field = std::max(RadialBudget::least, asked.field * std::min(RadialBudget::again, room / found.error));
+                asked.sums =
+                    std::max(RadialBudget::least * seen, asked.sums * std::min(RadialBudget::again, room / found.error));
+            }
+            return asked.rings < before.rings || asked.field < before.field || asked.sums < before.sums;
+        });
+        const double scale = answer_.finish(pupil, found.top, std::max(found.top - found.off(), elsewhere), bound);
+        paint_groups(window->groups, window->window.width, found.values.data(), window->groups.v.size(), scale, T{0},
+                     answer_.images + pupil * pixels(), threads);
+    }
+
     void render(std::size_t pupil, int threads) {
+        if (coarse(stack_[pupil])) {
+            try {
+                return render_coarse(pupil, threads);
+            } catch (const ToleranceNotMet&) {
+                // Differences of light within circles round more than weights do.
+            }
+        }
         if (anywhere()) {
             try {
                 return render_by<AnywhereTable>(pupil, threads);
@@ -245,12 +334,16 @@ class PixelRenderer {
     }
     static void paint(const PixelTable& table, const double* values, std::size_t count, double scale, T least, T* image,
                       int threads) {
+        paint_groups(table.groups, table.window.width, values, count, scale, least, image, threads);
+    }
+    static void paint_groups(const PixelGroups& groups, std::size_t width, const double* values, std::size_t count,
+                             double scale, T least, T* image, int threads) {
         thread_local std::vector<T> kept;
         kept.resize(count);
         store_clipped(values, count, scale, least, kept.data());
         const T* from = kept.data();  // of this thread, whoever paints
-        for_rows(table.groups.rows.distances.size(), table.window.width, threads,
-                 [&](std::size_t first, std::size_t last) { table.groups.paint(from, first, last, image); });
+        for_rows(groups.rows.distances.size(), width, threads,
+                 [&](std::size_t first, std::size_t last) { groups.paint(from, first, last, image); });
     }
 
     // dI/dc_k, averaged as I is: it is of exponential type 2 like I.

@@ -15,6 +15,29 @@ Real chebyshev_point(std::size_t j, std::size_t count) {
     return std::cos(std::acos(Real(-1)) * (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(count));
 }
 
+// Chebyshev coefficients of the integral of (middle + half x) times a series of `count` over middle + half x, from x = -1 on where it
+// is `before`: count + 2 of them. `moment` has room for count + 3. Returns the integral at 1.
+inline double integrate_moment(double half, double middle, const double* series, std::size_t count, double before,
+                               double* moment, double* out) {
+    std::fill_n(moment, count + 3, 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+        moment[k] += middle * series[k];
+        moment[k + 1] += (k == 0 ? 1.0 : 0.5) * half * series[k];
+        if (k > 0) {
+            moment[k - 1] += 0.5 * half * series[k];
+        }
+    }
+    double start = 0.0, end = 0.0;
+    for (std::size_t k = 1; k < count + 2; ++k) {
+        const double behind = (k == 1 ? 2.0 : 1.0) * moment[k - 1];
+        out[k] = half * (behind - moment[k + 1]) / static_cast<double>(2 * k);
+        start += k % 2 == 0 ? out[k] : -out[k];
+        end += out[k];
+    }
+    out[0] = before - start;
+    return out[0] + end;
+}
+
 // From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ... By way of those of T_0, T_1, ..., whose errors
 // the integers of the second step leave as they are; one matrix for both would lose five digits in double.
 template <std::size_t Count, class Real = wide>

@@ -1,0 +1,372 @@
+// Averages of a radially symmetric PSF over pixels that are wide against its rings: the light that crosses their edges.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/bounds/pixels.hpp"
+#include "lommel/bounds/refine.hpp"
+#include "lommel/pixels/weights.hpp"
+#include "lommel/pixels/window.hpp"
+#include "lommel/radial/energy_tail.hpp"
+#include "lommel/radial/intensity.hpp"
+#include "lommel/special/chebyshev.hpp"
+#include "lommel/special/legendre.hpp"
+
+namespace lommel {
+
+// What depends on the window only: its pixels that differ, and what the average of r^-3 over each is.
+struct CoarseWindow {
+    PixelWindow window;
+    PixelGroups groups;
+    std::vector<double> edges;  // distances of the sides of pixels from the axis, in pixels, rising
+    std::vector<std::int32_t> left, right, top, bottom;  // of each column and row of pixels, among these
+    Doubles means;  // of r^-3, in pixels
+
+    explicit CoarseWindow(const PixelWindow& w);
+
+    std::size_t bytes() const { return sizeof(double) * means.size() + sizeof(std::int32_t) * groups.index.size(); }
+    bool is(const PixelWindow& w) const { return window == w; }
+    static constexpr std::size_t most_bytes = std::size_t{48} << 20;
+    static std::shared_ptr<const CoarseWindow> get(const PixelWindow& w) { return cache<CoarseWindow>.get(w); }
+
+    // Calls f(group, column, row) for each pixel that differs, of those not farther from the axis than so many pixels along both axes.
+    template <class F>
+    void each(double limit, const F& f) const {
+        const std::size_t columns = left.size(), rows = top.size();
+        for (std::size_t i = 0; i < rows && edges[top[i]] < limit; ++i) {
+            for (std::size_t k = 0; k < columns && edges[left[k]] < limit; ++k) {
+                const std::int32_t group = groups.index[i * columns + k];
+                // Where the window has it, (k, i) is the same, and came before.
+                if (!(k < i && i < columns && k < rows && group == groups.index[k * columns + i])) {
+                    f(static_cast<std::size_t>(group), k, i);
+                }
+            }
+        }
+    }
+    bool holds_axis(std::size_t column, std::size_t row) const { return edges[left[column]] < 0.0 && edges[top[row]] < 0.0; }
+    // Squares of the distances of the nearest and the farthest point of the edges of a pixel.
+    double nearest(std::size_t column, std::size_t row) const {
+        const double x0 = edges[left[column]], x1 = edges[right[column]], y0 = edges[top[row]], y1 = edges[bottom[row]];
+        if (holds_axis(column, row)) {
+            const double nearer = std::min(std::min(-x0, x1), std::min(-y0, y1));
+            return nearer * nearer;
+        }
+        const double x = std::max(0.0, x0), y = std::max(0.0, y0);
+        return x * x + y * y;
+    }
+    double farthest(std::size_t column, std::size_t row) const {
+        const double x1 = edges[right[column]], y1 = edges[bottom[row]];
+        return x1 * x1 + y1 * y1;
+    }
+
+   private:
+    // The integral of x / r^3 along an edge at x, from `start` to one pixel on.
+    static double crossing(double x, double start) {
+        const double end = start + 1.0, before = std::sqrt(x * x + start * start), after = std::sqrt(x * x + end * end);
+        if (start < 0.0) {
+            return (end / after - start / before) / x;
+        }
+        return x == 0.0 ? 0.0 : x * (1.0 / (before * (before + start)) - 1.0 / (after * (after + end)));
+    }
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups(w) {
+    const std::vector<double>&down = groups.rows.distances, &across = groups.columns.distances;
+    for (const auto* along : {&down, &across}) {
+        for (const double middle : *along) {
+            edges.push_back(middle - 0.5);
+            edges.push_back(middle + 0.5);
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    const auto find = [&](const std::vector<double>& along, double away, std::vector<std::int32_t>& found) {
+        for (const double middle : along) {
+            found.push_back(
+                static_cast<std::int32_t>(std::lower_bound(edges.begin(), edges.end(), middle + away) - edges.begin()));
+        }
+    };
+    find(across, -0.5, left);
+    find(across, 0.5, right);
+    find(down, -0.5, top);
+    find(down, 0.5, bottom);
+    groups.cosine = {};
+    means.resize(groups.v.size() + widest_step, 0.0);
+    each(std::numeric_limits<double>::infinity(), [&](std::size_t group, std::size_t k, std::size_t i) {
+        const double x0 = edges[left[k]], x1 = edges[right[k]], y0 = edges[top[i]], y1 = edges[bottom[i]];
+        means[group] = crossing(x0, y0) - crossing(x1, y0) + crossing(y0, x0) - crossing(y1, x0);
+    });
+}
+#endif
+
+// The light within a circle, E(r) = int_0^r I s ds, as polynomials on panels, with what it may be off by.
+class EnergyWithin {
+   public:
+    double rounding = 0.0;  // of any value
+
+    // From I at Chebyshev points, so many a panel, up to `reach`. `swing` is half of what I may be.
+    void make(Field& field, const Phase& phase, double obscuration, double reach, double asked, std::size_t points,
+              double swing, int threads);
+
+    struct Crossed {
+        double light = 0.0, turn = 0.0, off = 0.0;
+    };
+    // The sums over the nodes of an edge at x, from `start` on, in pixels of `step`: of E x / r^2; of x / r^2, about the angle
+    // that it is seen at; and of what the errors of E come to.
+    Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
+                     const std::vector<double>& weights) const;
+
+    // What the integral over I up to a radius may be off by.
+    double off(double r) const {
+        const std::size_t s = panel(r);
+        const double inside = width * static_cast<double>(s);
+        return offs_[2 * s] + 0.5 * offs_[2 * s + 1] * (r * r - inside * inside);
+    }
+
+    static constexpr double width = 4.0;
+
+   private:
+    std::size_t panel(double r) const { return std::min(panels_ - 1, static_cast<std::size_t>(r * (1.0 / width))); }
+
+    std::size_t panels_ = 1, count_ = 1;
+    Doubles radii_, values_;
+    std::vector<double> energies_, offs_;  // [panel][coefficient of T_k]; [panel](at its beginning, of I within)
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obscuration, double reach, double asked,
+                                    std::size_t points, double swing, int threads) {
+    panels_ = static_cast<std::size_t>(std::ceil(reach / width)) + 1;
+    count_ = points + 2;
+    const std::size_t all = panels_ * points;
+    radii_.resize(all + widest_step);
+    values_.resize(all + widest_step);
+    std::vector<double> places(points);
+    for (std::size_t j = 0; j < points; ++j) {
+        places[j] = chebyshev_point(points - 1 - j, points);
+    }
+    for (std::size_t s = 0; s < panels_; ++s) {
+        for (std::size_t j = 0; j < points; ++j) {
+            radii_[s * points + j] = 0.5 * width * (static_cast<double>(2 * s + 1) + places[j]);
+        }
+    }
+    std::fill(radii_.begin() + all, radii_.end(), radii_[all - 1]);
+    const Places at(radii_.data(), all, 1.0);
+    const double bound = field.prepare(phase, 0, obscuration, at, asked);
+    intensities(field, at, threads, [&](std::size_t first, std::size_t count, const double* found) {
+        std::copy_n(found, count, values_.data() + first);
+    });
+
+    const Doubles transform = cosine_transform(points);
+    const double n = static_cast<double>(points), spread = lebesgue(points),
+                 between = swing * interpolation_error(0.5 * width, points);
+    energies_.assign(panels_ * count_, 0.0);
+    offs_.assign(2 * panels_ + 2, 0.0);
+    rounding = 0.0;
+    double inside = 0.0;
+    std::vector<double> mean(points), moment(points + 3);
+    for (std::size_t s = 0; s < panels_; ++s) {
+        const double* const values = values_.data() + s * points;
+        const double middle = 0.5 * width * static_cast<double>(2 * s + 1), end = middle + 0.5 * width;
+        std::fill(mean.begin(), mean.end(), 0.0);
+        for (std::size_t k = 0; k < points; ++k) {
+            for (std::size_t j = 0; j < points; ++j) {
+                mean[k] += transform[k * points + j] * values[points - 1 - j];
+            }
+        }
+        double* const energy = &energies_[s * count_];
+        const double before = inside;
+        inside = integrate_moment(0.5 * width, middle, mean.data(), points, before, moment.data(), energy);
+        // Of E: from its coefficients and of places, that of I on the panel being at most `tall`.
+        const double top = *std::max_element(values, values + points), tall = spread * top + between;
+        double evaluating = 4.0 * end * end * tall;
+        for (std::size_t k = 0; k < count_; ++k) {
+            evaluating += (1.5 * static_cast<double>((k + 1) * (k + 2)) + 8.0) * std::abs(energy[k]);
+        }
+        rounding = std::max(rounding, unit_roundoff * evaluating);
+        const double given = spread * intensity_error(std::sqrt(top), bound),
+                     area = 0.5 * (end * end - (end - width) * (end - width));
+        offs_[2 * s + 1] = given + between + unit_roundoff * 2.0 * n * (n + 8.0) * top;
+        offs_[2 * s + 2] = offs_[2 * s] + offs_[2 * s + 1] * area + unit_roundoff * (n + 8.0) * (before + inside);
+    }
+}
+
+LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start, double step, const std::vector<double>& nodes,
+                                                         const std::vector<double>& weights) const {
+    constexpr std::size_t together = 16;  // chains of Clenshaw's recurrence
+    Crossed sum;
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        const double places = step * (1.0 / width), farthest = static_cast<double>(panels_ - 1);
+        const double *const energies = energies_.data(), *const offs = offs_.data();
+        const std::int64_t count = static_cast<std::int64_t>(count_);
+        for (std::size_t first = 0; first < nodes.size(); first += together) {
+            double at[together], share[together], after[together] = {}, here[together] = {}, off[together];
+            std::int64_t from[together];
+            for (std::size_t i = 0; i < together; ++i) {
+                const double t = start + nodes[first + i], square = std::max(1e-300, x * x + t * t),
+                             r = std::sqrt(square) * places;
+                const double panel = std::min(farthest, r);
+                const std::int64_t s = static_cast<std::int64_t>(static_cast<std::int32_t>(panel));
+                const double inside = static_cast<double>(static_cast<std::int32_t>(panel));
+                from[i] = s * count;
+                at[i] = 2.0 * (r - inside) - 1.0;
+                share[i] = weights[first + i] * x / square;
+                off[i] = offs[2 * s] + (0.5 * width * width) * offs[2 * s + 1] * std::max(0.0, r * r - inside * inside);
+            }
+            for (std::int64_t k = count - 1; k > 0; --k) {
+                for (std::size_t i = 0; i < together; ++i) {
+                    const double before = 2.0 * at[i] * here[i] - after[i] + energies[from[i] + k];
+                    after[i] = here[i];
+                    here[i] = before;
+                }
+            }
+            for (std::size_t i = 0; i < together; ++i) {
+                sum.light += share[i] * (at[i] * here[i] - after[i] + energies[from[i]]);
+                sum.turn += share[i];
+                sum.off += std::abs(share[i]) * off[i];
+            }
+        }
+    });
+    return sum;
+}
+#endif
+
+// Averages of one pupil over the pixels of a window. A pixel near the axis is the light that crosses its four edges, by Gauss's rule
+// along each; of one farther out the rings are left out, for whose light a bound is known.
+class CoarseAverages {
+   public:
+    // The errors of an average without its rings, and of one with them; the largest average.
+    double by_rings = 0.0, error = 0.0, top = 0.0;
+    Doubles values;
+    double off() const { return std::max(by_rings, error); }
+
+    static constexpr double least = 8.0, always = 20.0;  // v a pixel, from which on this may pay, and does
+    static constexpr double most_near = 4000.0;          // pixels with rings where it may
+
+    struct Attempt {
+        double rings, field, sums;  // asked: of averages, of U, of averages
+    };
+
+    // The error of averages over pixels at a distance of r at least whose rings are left out: their edges are seen at angles of
+    // step / r at most; around a pixel that holds the axis, at least 2 r wide, both parts count pi / 2 times at most. And from where
+    // on it is below what is asked.
+    static double left_out(const EnergyTail& tail, double step, double r) {
+        return 4.0 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
+    }
+    static double without_rings(const EnergyTail& tail, double step, double asked) {
+        double low = 1.0, high = 1e8;
+        while (high > 1.01 * low) {
+            const double middle = std::sqrt(low * high);
+            (left_out(tail, step, middle) <= asked ? high : low) = middle;
+        }
+        return high;
+    }
+
+    // `light` is int E_0^2 dt, `area` the largest |U| may be.
+    void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
+              const Attempt& asked, int threads);
+
+   private:
+    Field field_;
+    EnergyWithin energy_;
+    std::vector<double> nodes_, weights_;
+    std::vector<EnergyWithin::Crossed> crossed_;
+    struct Near {
+        std::size_t group, column, row;
+    };
+    std::vector<Near> near_;
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light,
+                                      double area, const Attempt& asked, int threads) {
+    const double step = coarse.window.step, swing = 0.5 * area * area, square = step * step;
+    const EnergyTail tail(phase, obscuration);
+    const double high = without_rings(tail, step, asked.rings), limit = high / step;
+    const double factor = tail.mean() / (square * step), whole = 12.566370614359172 * light / square;
+    const std::size_t count = coarse.groups.v.size();
+    values.resize(count + widest_step);
+    near_.clear();
+    double reach = 0.0;
+    const double within = limit * limit;
+    for (std::size_t i = 0; i < count; ++i) {
+        values[i] = factor * coarse.means[i];
+    }
+    std::fill(values.begin() + count, values.end(), 0.0);
+    coarse.each(limit, [&](std::size_t group, std::size_t column, std::size_t row) {
+        if (coarse.nearest(column, row) < within) {
+            near_.push_back({group, column, row});
+            reach = std::max(reach, coarse.farthest(column, row));
+        } else if (coarse.holds_axis(column, row)) {
+            values[group] += whole;
+        }
+    });
+    const bool far = near_.size() < count;
+    by_rings =
+        far ? left_out(tail, step, high) + 64.0 * unit_roundoff * (factor / std::max(1e-3, std::min(1.0, limit)) + whole) : 0.0;
+    error = 0.0;
+    if (!near_.empty()) {
+        reach = step * std::sqrt(reach);
+        const double room = asked.sums * square;  // of an integral over a pixel
+        const std::size_t points =
+            fewest(6, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= asked.sums; });
+        const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
+        const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
+        energy_.make(field_, phase, obscuration, reach, asked.field, points, swing, threads);
+        nodes_.assign(q + 16, 0.0);  // what is beyond the last has no weight
+        weights_.assign(q + 16, 0.0);
+        gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
+        for (std::size_t j = 0; j < q; ++j) {
+            nodes_[j] = 0.5 * (1.0 + nodes_[j]);
+            weights_[j] *= 0.5;
+        }
+        nodes_.resize((q + 15) / 16 * 16);
+        const std::size_t sides = static_cast<std::size_t>(
+            std::lower_bound(coarse.edges.begin(), coarse.edges.end(), reach / step * (1.0 + 1e-12)) - coarse.edges.begin());
+        crossed_.assign(sides * sides, {0.0, -1e300, 0.0});
+        const auto crossing = [&](std::int32_t x, std::int32_t start) -> const EnergyWithin::Crossed& {
+            EnergyWithin::Crossed& found = crossed_[static_cast<std::size_t>(x) * sides + static_cast<std::size_t>(start)];
+            if (found.turn == -1e300) {
+                look();
+                found = energy_.crossing(coarse.edges[x], coarse.edges[start], step, nodes_, weights_);
+            }
+            return found;
+        };
+        const double relative = unit_roundoff * static_cast<double>(q + 24) * 2.0 * light;
+        for (const Near& pixel : near_) {
+            const std::int32_t x0 = coarse.left[pixel.column], x1 = coarse.right[pixel.column], y0 = coarse.top[pixel.row],
+                               y1 = coarse.bottom[pixel.row];
+            const EnergyWithin::Crossed sides_of[4] = {crossing(x1, y0), crossing(x0, y0), crossing(y1, x0), crossing(y0, x0)};
+            double sum = 0.0, turn = 0.0, turns = 0.0, off = 0.0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                const double sign = i % 2 == 0 ? 1.0 : -1.0;
+                sum += sign * sides_of[i].light;
+                turn += sign * sides_of[i].turn;
+                turns += std::abs(sides_of[i].turn);
+                off += sides_of[i].off;
+            }
+            values[pixel.group] = sum / square;
+            // A constant error of E counts as often as the edges turn about the axis.
+            const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
+                         last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
+            const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));
+            error = std::max(error, (given + (energy_.rounding + relative) * turns + 4.0 * quadrature(q)) / square);
+        }
+    }
+    top = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        top = std::max(top, values[i]);
+    }
+}
+#endif
+
+}  // namespace lommel

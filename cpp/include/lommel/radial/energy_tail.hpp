@@ -1,0 +1,201 @@
+// The light of a radially symmetric pupil far from the axis: its mean falls as r^-3, and what its rings may hold is bounded.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/radial/stack.hpp"
+
+namespace lommel {
+
+// Outside the rays only the edges of the aperture send light. Integrated by parts, U is a sum of Bessel functions times derivatives
+// of the pupil function there, and these are sums of exp(+- i v) and exp(+- i eps v) with powers of 1 / v. I is a mean, whose
+// leading part is mean() / v^3, and rings, of which only the ends of an integral are left. docs/certificate.md, section 9.
+class EnergyTail {
+   public:
+    EnergyTail(const Phase& phase, double obscuration) {
+        add_waves(phase, 1.0, 1.0);
+        if (obscuration >= 1e-9) {  // as Field has it
+            add_waves(phase, obscuration, -1.0);
+        }
+        for (std::size_t i = 0; i < waves_.size(); ++i) {
+            for (std::size_t j = i; j < waves_.size(); ++j) {
+                std::array<std::complex<double>, 2 * powers> product{};
+                for (std::size_t n = 0; n < powers; ++n) {
+                    for (std::size_t k = 0; k < powers; ++k) {
+                        product[n + k] += waves_[i].parts[n] * std::conj(waves_[j].parts[k]);
+                    }
+                }
+                const double ends = i == j ? 1.0 : 4.0 / std::abs(waves_[i].frequency - waves_[j].frequency);
+                for (std::size_t n = 0; n < 2 * powers; ++n) {
+                    if (i == j) {
+                        means_[n] += product[n].real();
+                    } else {
+                        rings_[n] += ends * std::abs(product[n]);
+                    }
+                }
+            }
+        }
+        bound_derivatives(phase, obscuration);
+    }
+
+    double mean() const { return means_[0]; }
+    // What is left out of int_r^inf I s ds, and of I, without rings.
+    double rings(double r) const {
+        double sum = 0.0, size = 0.0, power = 1.0;
+        for (std::size_t n = 0; n < 2 * powers; ++n, power /= r) {
+            sum += rings_[n] * power / (r * r);
+            for (const Wave& wave : waves_) {
+                size += n < powers ? std::abs(wave.parts[n]) * power : 0.0;
+            }
+        }
+        const double rest = remainder(r), order = static_cast<double>(terms);
+        return sum + r * r * rest * (2.0 * size / (r * std::sqrt(r)) / (order + 1.0) + rest / (2.0 * order + 1.0));
+    }
+    double curved(double r) const {
+        double sum = 0.0, power = 1.0 / (r * r * r);
+        for (std::size_t n = 1; n < 2 * powers; ++n) {
+            power /= r;
+            sum += std::abs(means_[n]) * power;
+        }
+        return sum;
+    }
+
+   private:
+    static constexpr std::size_t terms = 6, powers = 14, orders = 33;
+    static constexpr double pi = 3.14159265358979323846;
+
+    struct Wave {
+        double frequency;
+        std::array<std::complex<double>, powers> parts{};  // of v^(-3/2 - n)
+    };
+    // What a Bessel function is off by, times v^power.
+    struct Left {
+        double factor, power;
+    };
+
+    // sup of sqrt(x) |J_n(x)|, n >= 1 (Olenko, J. Math. Anal. Appl. 2006).
+    static double envelope(std::size_t n) {
+        const double third = std::cbrt(static_cast<double>(n));
+        return 0.674886 * std::sqrt(third + 1.855757 / third + 1.0331501 / static_cast<double>(n));
+    }
+
+    // Derivatives by t of the pupil function at rho = edge, E_k.
+    static std::array<std::complex<double>, terms> derivatives(const Phase& phase, double edge) {
+        // Those of Legendre's polynomials of 2t - 1, over 2^k: of the degree below, and of the one below that.
+        std::array<double, terms> below{}, before{};
+        std::array<std::complex<double>, terms> exponent{}, made{};
+        const double x = 2.0 * edge * edge - 1.0;
+        below[0] = 1.0;
+        for (std::size_t j = 1; j <= phase.terms; ++j) {
+            const double n = static_cast<double>(j);
+            std::array<double, terms> here{};
+            here[0] = ((2.0 * n - 1.0) * x * below[0] - (n - 1.0) * before[0]) / n;
+            for (std::size_t k = 1; k < terms; ++k) {
+                here[k] = before[k] + (2.0 * n - 1.0) * below[k - 1];
+            }
+            double scale = 1.0;
+            for (std::size_t k = 0; k < terms; ++k) {
+                exponent[k] += std::complex<double>(0.0, phase.coefficients[j - 1] * here[k] * scale);
+                scale *= 2.0 / static_cast<double>(k + 1);
+            }
+            before = below;
+            below = here;
+        }
+        phase.amplitude->add_series(edge * edge, exponent.data(), terms);
+        made[0] = std::exp(exponent[0]);
+        double factorial = 1.0;
+        for (std::size_t k = 1; k < terms; ++k) {
+            for (std::size_t j = 1; j <= k; ++j) {
+                made[k] += static_cast<double>(j) / static_cast<double>(k) * exponent[j] * made[k - j];
+            }
+        }
+        for (std::size_t k = 1; k < terms; ++k) {
+            factorial *= static_cast<double>(k);
+            made[k] *= factorial;
+        }
+        return made;
+    }
+
+    // sign times the sum of (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v).
+    void add_waves(const Phase& phase, double edge, double sign) {
+        const auto slopes = derivatives(phase, edge);
+        Wave forth{edge, {}}, back{-edge, {}};
+        for (std::size_t k = 0; k < terms; ++k) {
+            const double order = static_cast<double>(k + 1);
+            const std::complex<double> factor =
+                (k % 2 == 0 ? sign : -sign) * std::pow(2.0 * edge, order) / std::sqrt(2.0 * pi * edge) * slopes[k];
+            // Hankel's expansion: from as many terms on, an even number, its remainder is below its next two.
+            const std::size_t least = std::max(k + 1, terms - k + 1), count = least + least % 2;
+            double hankel = 1.0;
+            const auto advance = [&](std::size_t l) {
+                const double odd = static_cast<double>(2 * l + 1);
+                hankel *= (4.0 * order * order - odd * odd) / (8.0 * static_cast<double>(l + 1) * edge);
+            };
+            const std::complex<double> turn = std::polar(1.0, -0.5 * pi * (order + 0.5));
+            std::complex<double> quarter = 1.0;
+            for (std::size_t l = 0; l < count; ++l) {
+                forth.parts[k + l] += factor * hankel * turn * quarter;
+                back.parts[k + l] += factor * hankel * std::conj(turn * quarter);
+                quarter *= std::complex<double>(0.0, 1.0);
+                advance(l);
+            }
+            for (std::size_t l = count; l < count + 2; ++l) {
+                left_.push_back({2.0 * std::abs(factor * hankel), static_cast<double>(k + l) + 1.5});
+                advance(l);
+            }
+        }
+        waves_.push_back(forth);
+        waves_.push_back(back);
+    }
+
+    // Bounds on the derivatives all over the aperture.
+    void bound_derivatives(const Phase& phase, double obscuration) {
+        std::array<double, orders> slopes{}, series{};
+        for (std::size_t j = 1; j <= phase.terms; ++j) {
+            double binomials = std::abs(phase.coefficients[j - 1]);  // times those of j + k and of j over k
+            for (std::size_t k = 1; k <= std::min(j, orders - 1); ++k) {
+                binomials *= static_cast<double>((j + k) * (j - k + 1)) / static_cast<double>(k * k);
+                slopes[k] += binomials;
+            }
+        }
+        phase.amplitude->add_slopes(slopes.data(), orders);
+        series[0] = 1.0;
+        double factorial = 1.0;
+        for (std::size_t k = 1; k < orders; ++k) {
+            const double order = static_cast<double>(k);
+            for (std::size_t j = 1; j <= k; ++j) {
+                series[k] += static_cast<double>(j) / order * slopes[j] * series[k - j];
+            }
+            factorial *= order;
+            const double derivative = std::ldexp(std::min(1e270, factorial * series[k]), static_cast<int>(k));
+            at_edges_[k] = 2.0 * envelope(k + 1) * derivative * (1.0 + std::pow(obscuration, order + 0.5));
+            inside_[k] = envelope(k) * derivative / (0.5 * order + 0.75);
+        }
+    }
+
+    // What is left out of U; it falls as v^(-terms - 3/2) at least.
+    double remainder(double r) const {
+        double sum = 0.0, least = 1e150;
+        for (const Left& left : left_) {
+            sum += left.factor * std::pow(r, -left.power);
+        }
+        for (std::size_t k = terms; k < orders; ++k) {
+            const double power = std::pow(r, -static_cast<double>(k) - 0.5);
+            least = std::min(least, sum + inside_[k] * power);
+            sum += at_edges_[k] * power / r;
+        }
+        return least;
+    }
+
+    std::vector<Wave> waves_;
+    std::vector<Left> left_;
+    std::array<double, 2 * powers> means_{}, rings_{};
+    std::array<double, orders> at_edges_{}, inside_{};
+};
+
+}  // namespace lommel

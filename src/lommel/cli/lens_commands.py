@@ -12,7 +12,7 @@ from rich.text import Text
 
 from lommel.cli.instruments import DEPTH, INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, instrument_of, microscope_of
 from lommel.cli.options import JSON, WINDOW, Option, command, plot_option
-from lommel.cli.output import Report, pitch_in_words, save_figure, table_of, written
+from lommel.cli.output import Report, Wrapped, pitch_in_words, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.methods import ERFS, METHODS, ClosedForm
 from lommel.show.drawing import HOW
@@ -56,16 +56,15 @@ def info(lens: Path, depth: float | None, **given: object) -> Report:
 
 @command(
     LENS, OBJECT_DISTANCE, PIXEL, SHAPE, INTEGRATE,
-    plot_option("Figure of the PSFs (square-root scale) and of slices through them", "--figure"), JSON,
+    plot_option("Figure of the reference, maps of the errors of the others, and slices", "--figure"), JSON,
 )  # fmt: skip
 def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
     For circular and annular apertures the reference has a proven error bound: Hankel (direct quadrature) if the
     wavefront is radially symmetric, otherwise NijboerZernike at a tolerance of 1e-9. For other apertures it is
-    NonuniformFFT at a tolerance of 1e-11. Methods are listed by their names in Python; `lommel psf --method` takes
-    closed-form for ClosedForm, and so on (`lommel methods`). Those that do not support the pupil are listed with the
-    reason.
+    NonuniformFFT at a tolerance of 1e-11. Methods are listed by the names that
+    `lommel psf --method` takes. Those that do not support the pupil are listed below with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error divided by the square of the peak.
     For a paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other
@@ -95,11 +94,13 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
         if figure is not None:
             from lommel.show import plot
 
-            save_figure(plot.compare(answers, reference), figure)
+            shown = {_called(name): answer for name, answer in answers.items()}
+            save_figure(plot.compare(shown, _called(reference)), figure)
     other = lens_report.other_model(instrument)
     table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
-    table.add_column("")
+    notes = []
     for row in rows:
+        row["name"] = name = _called(row["method"])
         # "X supports defocus only; this pupil ..." stands beside the name of X.
         reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
         note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
@@ -107,13 +108,15 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
             note = "same model, without its expansion in powers of rho"
         if row["sampling"] not in (None, sampling):
             note = f"{HOW[row['sampling']]}; {note}"
+        if note:
+            notes.append(Wrapped(f"{name}: {note}", "dim"))
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         errors = ("-" if row[key] is None else f"{row[key]:.2g}" for key in ("mse", "peak_error", "error_bound"))
-        table.add_row(row["method"], spent, *errors, note)
+        table.add_row(name, spent, *errors)
     height, width = instrument.window
     size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {HOW[sampling]}"
     if all(row["method"] != reference for row in rows):  # which is then not marked in the table
-        size += f"; reference {reference}"
+        size += f"; reference {_called(reference)}"
     facts = {
         "name": instrument.name,
         "reference": reference,
@@ -122,8 +125,15 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
         "other_model": other,
     }
     model = f"model: {instrument.lens.model}; {lens_report.model_in_words(other)}"
-    files = written([figure], lambda _: ": square root of the values, and slices").parts
-    return Report(facts, [Text(instrument.name, "bold"), Text(size), table, Text(model), *files])
+    files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
+    return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
+
+
+def _called(method: str) -> str:
+    """Return the name on the command line of a method, given as its name or its text in Python."""
+    kind, _, options = method.partition("(")
+    name = next((name for name, one in METHODS.items() if one.__name__ == kind), kind)
+    return f"{name} ({options}" if options else name
 
 
 @command(JSON)

@@ -20,21 +20,21 @@ except ImportError as missing:  # pragma: no cover
 
 
 COMMANDS = {
-    "blur": "photo_commands",
-    "compare": "lens_commands",
-    "depth": "depth_commands",
     "examples": "examples_command",
     "info": "lens_commands",
-    "live": "live_command",
-    "methods": "lens_commands",
-    "paper": "lens_commands",
-    "precision": "depth_commands",
     "psf": "psf_command",
-    "restore": "photo_commands",
-    "retrieve": "retrieve_command",
+    "live": "live_command",
+    "compare": "lens_commands",
+    "methods": "lens_commands",
     "stack": "stack_command",
+    "blur": "photo_commands",
+    "restore": "photo_commands",
+    "depth": "depth_commands",
+    "precision": "depth_commands",
+    "retrieve": "retrieve_command",
+    "paper": "lens_commands",
 }
-"""The modules of the commands, by name; each command is a function of its name there."""
+"""The modules of the commands, by name, the first ones first; each command is a function of its name there."""
 
 
 class _Commands(click.Group):
@@ -99,18 +99,17 @@ def main() -> None:
 
     \b
     Examples:
-      lommel examples phone zeiss-63x-1.4-oil           # copy an example lens and an objective
-      lommel info    phone.toml                         # wavefront, Strehl ratio, MTF, encircled energy
-      lommel psf     phone.toml -o psf.tif -o psf.png   # compute the PSF: data and a picture
-      lommel psf     zeiss-63x-1.4-oil.toml -o stack.ome.tif    # PSF stack of a microscope
-      lommel compare phone.toml --figure compare.png    # accuracy and speed of every method
-      lommel stack   phone.toml --between 1m 3m --count 500 --shape 17 -o depths.zarr
-      lommel live    phone.toml                         # interactive PSF in the browser
+      lommel examples phone                  # copy an example lens file
+      lommel info    phone.toml              # Strehl ratio, blur, MTF
+      lommel psf     phone.toml -o psf.tif -o psf.png    # data and a picture
+      lommel psf     zeiss-63x-1.4-oil.toml -o stack.ome.tif    # of a microscope
+      lommel live    phone.toml              # interactive PSF in the browser
+      lommel compare phone.toml --figure compare.png     # accuracy and speed
+      lommel stack   phone.toml --between 1m 3m --count 500 -o depths.zarr
       lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
-      lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o sharp.tif
-      lommel depth   near.tif far.tif phone.toml --focus 1.3m --focus 2m --between 1m 3m --white 900 --read 3 -o d.tif
-      lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2   # phase retrieval
-      lommel paper   out                                # figures and numbers of the paper
+      lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o s.tif
+      lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2
+      lommel COMMAND --help                  # all options, with examples
     """  # noqa: D301 (\b is meant)
 
 

@@ -169,9 +169,27 @@ def command(
         # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
         text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
         text = text.replace("\n\nExample", "\n\n\b\nExample")
+        text = "\n".join(_continued(row) for row in text.split("\n"))
         return kind(function.__name__, params=list(params), help=text, callback=guarded)
 
     return made
+
+
+_WIDTH = 76  # of lines in help, which Click indents by two
+
+
+def _continued(row: str) -> str:
+    """Return a line of an example, continued before an option where it is wider than the help at 80 columns."""
+    if not row.startswith("  lommel ") or len(row) <= _WIDTH:
+        return row
+    rows, current = [], ""
+    for word in re.split(r" (?=-[-a-zA-Z])", row):
+        if current and len(f"{current} {word} \\") > _WIDTH:
+            rows.append(f"{current} \\")
+            current = f"      {word}"
+        else:
+            current = f"{current} {word}" if current else word
+    return "\n".join([*rows, current])
 
 
 JSON = Option("--json", "as_json", is_flag=True, help="Print the results as JSON.")

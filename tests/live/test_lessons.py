@@ -232,6 +232,20 @@ def test_a_script_opens_a_lesson_by_its_attribute(visit: Callable[..., Any]) -> 
     assert page.locator('input[type=number][data-key="defocus"]').input_value() == "0"
 
 
+def test_a_saved_page_opens_a_lesson_without_a_server(module, browser, run_lommel, tmp_path) -> None:
+    assert run_lommel("live", "--save", "class.html", folder=tmp_path).returncode == 0
+    page = browser.new_page()
+    complaints: list[str] = []
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.goto((tmp_path / "class.html").as_uri() + "?lesson=coma")
+    page.wait_for_selector(IDLE, state="attached")
+    page.get_by_role("button", name="Previous lesson").click()
+    page.wait_for_selector(IDLE, state="attached")
+    assert page.get_by_label("Lessons").input_value() == "hubble"
+    page.close()
+    assert complaints == []
+
+
 def test_large_type_is_for_projectors_and_the_curves_still_follow_the_pointer(visit: Callable[..., Any]) -> None:
     sizes = []
     for address in ("/mounted?lesson=axis", "/mounted?lesson=axis&large"):

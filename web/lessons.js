@@ -30,7 +30,7 @@ const W040 = () => sub("W", "040");
 
 const near = (value, wanted, by) => Math.abs(value - wanted) <= by;
 
-// `controls` are the rows that matter. A step is done when its condition holds of the state, the measures and the range of
+// `controls` are the rows that matter, `shows` the pictures and curves beside the PSF. A step is done when its condition holds of the state, the measures and the range of
 // defocus since the step before it was done. Formulas are made when they are shown: scripts that use the engine alone have no
 // document.
 const LESSONS = {
@@ -40,6 +40,7 @@ const LESSONS = {
       its round aperture interferes. Lengths are in λN, the wavelength times the f-number.`,
     state: { defocus: 0, length_unit: "lambdaN" },
     controls: ["f_number", "obscuration", "length_unit"],
+    shows: ["profile", "energy"],
     steps: [
       ["Above the picture, set “square root” to “logarithm” and count the rings. Point at the profile: where is the first zero?",
         (now) => now.stretch === "log"],
@@ -64,6 +65,7 @@ const LESSONS = {
       wavefront within a quarter wave of a sphere gives an image hardly worse than a perfect one.`,
     state: { defocus: 0 },
     controls: ["defocus", "spherical"],
+    shows: ["wavefront", "profile"],
     steps: [
       ["Drag defocus (arrow keys for fine steps) until the Strehl ratio is 0.8. How many waves is that?",
         (now, { strehl }) => near(strehl, 0.8, 0.04) && near(now.spherical, 0, 0.05)],
@@ -87,6 +89,7 @@ const LESSONS = {
     text: "Out of focus, rays fill a disk evenly, its centre too. Yet with one wave of defocus the axis is dark.",
     state: { defocus: 0, rays: "on" },
     controls: ["defocus", "obscuration"],
+    shows: ["wavefront", "profile"],
     steps: [
       ["Drag defocus from 0 to 1 wave. Watch the centre of the picture and the Strehl ratio.",
         (now, { strehl }) => near(Math.abs(now.defocus), 1, 0.03) && strehl < 0.002],
@@ -109,6 +112,7 @@ const LESSONS = {
       how much contrast is left at each spatial frequency, not its sign.`,
     state: { defocus: 0, picture: "star", pixel: 2 },
     controls: ["defocus", "length_unit"],
+    shows: ["picture", "mtf"],
     steps: [
       ["Drag defocus to 2 waves and follow one white spoke of the star inwards, through the first grey ring.",
         (now) => near(Math.abs(now.defocus), 2, 0.1)],
@@ -129,6 +133,7 @@ const LESSONS = {
       be changed from the ground. Here it starts where most light is within 0.1″.`,
     state: { defocus: -5.33, spherical: 8.14, f_number: 24, obscuration: 0.33, pixel: 15, focal_length: 57600, length_unit: "arcsec", picture: "points" },
     controls: ["defocus", "spherical"],
+    shows: ["picture", "energy"],
     steps: [
       ["Point at the curve of encircled energy: which share of the light is within 0.1″?", (now) => now.defocus !== -5.33],
       ["Drag defocus from −1 to −10. Can you get more light into 0.1″, or a Strehl ratio of 0.2?",
@@ -152,6 +157,7 @@ const LESSONS = {
     text: "Off the axis, stars become comets or short lines. One picture can deceive; going through focus separates the two.",
     state: { defocus: 0, coma: 0.6, picture: "points" },
     controls: ["defocus", "coma", "coma_angle", "astigmatism", "astigmatism_angle"],
+    shows: ["picture", "mtf"],
     steps: [
       ["Drag defocus from −1 to 1: how do the two sides of focus differ?",
         (now, _, went) => now.coma > 0.4 && went.low < -0.7 && went.high > 0.7],
@@ -203,7 +209,7 @@ export class Lessons {
     this.before = button("←", "Previous lesson", () => by(-1));
     this.after = button("→", "Next lesson", () => by(1));
     const reduce = () => this.reduce(!this.reduced);
-    this.all = el("button", { type: "button", onclick: reduce }, "All controls");
+    this.all = el("button", { type: "button", onclick: reduce }, "Show everything");
     const close = button("×", "Close the lesson", () => this.open(""));
     this.body = el("div");
     this.node = el(
@@ -251,10 +257,17 @@ export class Lessons {
   reduce(reduced) {
     this.reduced = reduced;
     this.all.setAttribute("aria-pressed", String(!reduced));
-    const wanted = reduced ? LESSONS[this.name].controls : null;
-    const matters = ({ dataset }) => !wanted || wanted.includes(dataset.row ?? dataset.key);
-    for (const node of this.node.parentNode?.querySelectorAll("[data-row], .pair, .section") ?? [])
-      node.classList.toggle("idle", !(node.dataset.row ? matters(node) : [...node.querySelectorAll("[data-row], [data-key]")].some(matters)));
+    const page = this.node.closest(".lommel-live");
+    if (!page) return;
+    if (reduced) page.dataset.lesson = this.name;
+    else delete page.dataset.lesson;
+    const { controls, shows } = LESSONS[this.name] ?? {};
+    const hide = (names, nodes, keys) => {
+      for (const node of page.querySelectorAll(nodes)) node.classList.toggle("idle", reduced && !keys(node).some((key) => names.includes(key)));
+    };
+    const within = (node) => [node, ...node.querySelectorAll("[data-row], [data-key]")].map(({ dataset }) => dataset.row ?? dataset.key);
+    hide(controls, ".controls [data-row], .pair, .section", within);
+    hide(shows, ".picture, .pupils, figure.curve", (node) => [...node.querySelectorAll("[data-word]")].map(({ dataset }) => dataset.word));
   }
 
   // Marks the next step as done once a settled state, which has measures, meets its condition; others are passed through.

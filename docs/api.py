@@ -1,8 +1,9 @@
-"""Writes docs/api.md: the public names of the package by subject, from `lommel.__init__.pyi` and each `__all__`."""
+"""Writes docs/api.md and docs/reference: names by subject, from `lommel.__init__.pyi` and each `__all__`."""
 
 from __future__ import annotations
 
 import ast
+import re
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -12,10 +13,11 @@ STUB = HERE.parent / "src" / "lommel" / "__init__.pyi"
 
 
 class Section(NamedTuple):
-    """A list of names under a heading: those of `lommel` defined in `modules`, a package's `__all__`, and `more`."""
+    """A page of names: those of `lommel` defined in `modules`, a package's `__all__`, and `more`."""
 
     title: str
     text: str
+    see: str
     modules: tuple[str, ...] = ()
     package: str = ""
     more: str = ""
@@ -25,21 +27,29 @@ class Section(NamedTuple):
 SECTIONS = [
     Section(
         "PSFs",
-        "",
+        "Compute PSFs and stacks, and prepare plans for many of them.",
+        "See [](../start.md).",
         ("psf", "optics.grid", "core.caches"),
         more="traced.traced_psf.TracedPSF",
     ),
-    Section("Blur of sensors and the atmosphere", "See [](sensor.md).", ("blur",)),
+    Section(
+        "Blur of sensors and the atmosphere",
+        "Multiply the transfer function by seeing, jitter, motion blur or charge diffusion.",
+        "See [](../sensor.md).",
+        ("blur",),
+    ),
     Section(
         "Colour",
-        "See [](colour.md).",
+        "Integrate over the spectral responses of a sensor; chromatic aberration.",
+        "See [](../colour.md).",
         ("channel_psf", "lensfiles.tables", "optics.colour"),
         more="io.psf_files.save_colours show.plot.colour"
         " optics.colour.spectrum.Spectrum optics.colour.spectrum.Component",
     ),
     Section(
         "Lenses, pupils, apertures",
-        "See [](conventions.md) for signs and units, [](command-line.md) for lens files.",
+        "Describe a lens or a pupil: aperture, wavefront, wavelength, f-number.",
+        "See [](../conventions.md) for signs and units, [](../command-line.md) for lens files.",
         (
             "optics.lens",
             "optics.pupil",
@@ -53,13 +63,15 @@ SECTIONS = [
     ),
     Section(
         "Measured wavefronts and Zernike tables",
-        "See [](formats.md#measured-wavefronts).",
+        "Read and write OPD maps and Zernike tables, and fit Zernike terms.",
+        "See [](../formats.md#measured-wavefronts).",
         ("optics.wavefront", "io.opd_files", "io.zernike_tables"),
         more="io.opd_files.OPDFileError io.zernike_tables.ZernikeFileError",
     ),
     Section(
         "Microscope objectives",
-        "See [](microscopes.md).",
+        "Describe an objective, its layers and the emitter.",
+        "See [](../microscopes.md).",
         ("optics.layers", "lensfiles.microscope"),
         more="optics.layers.objective_pupil.ObjectivePupil optics.layers.objective.Focus"
         " optics.layers.objective.FocalField optics.layers.objective.ScalarField optics.layers.objective.Nyquist"
@@ -67,30 +79,44 @@ SECTIONS = [
     ),
     Section(
         "Scanning microscopes, beads, deconvolution",
-        "See [](microscopes.md#confocal-two-photon-light-sheet-beads).",
+        "Confocal, two-photon, STED and light-sheet PSFs, images of beads, 3-D deconvolution.",
+        "See [](../microscopes.md#confocal-two-photon-light-sheet-beads).",
         package="microscopy",
         more="methods.Confocal methods.TwoPhoton methods.Sted methods.Bead",
     ),
     Section(
         "PSFs over the field",
-        "See [](field.md).",
+        "Wavefronts, vignetting and PSFs at every position of the sensor.",
+        "See [](../field.md).",
         ("field",),
         more="io.field_files.save lensfiles.tables.read_rows lensfiles.tables.read_csv"
         " lensfiles.tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.field_map"
         " adapters.rayoptics.pupil adapters.rayoptics.field_map",
     ),
-    Section("Stacks larger than memory", "See [](scale.md).", ("stacks",)),
+    Section(
+        "Stacks larger than memory",
+        "Write and read stacks of PSFs in Zarr and HDF5.",
+        "See [](../scale.md).",
+        ("stacks",),
+    ),
     Section(
         "Methods",
-        "A method is a frozen object whose fields are its options; [](choose.md) compares them. Your own method is a"
-        " subclass of `Method`, or of `RadialMethod` if a radial profile is enough.",
+        "Choose how the diffraction integral is evaluated; the fields of a method are its options.",
+        "[](../choose.md) compares the methods. Your own method is a subclass of `Method`, or of `RadialMethod`"
+        " if a radial profile is enough.",
         ("methods", "core.answers"),
         more="methods.RadialMethod methods.FieldMethod",
     ),
-    Section("Error functions of ClosedForm", "", ("special",)),
+    Section(
+        "Error functions of ClosedForm",
+        "Approximations of the error function for the closed form of the paper.",
+        "See [](../theory.md#the-closed-form-of-the-paper).",
+        ("special",),
+    ),
     Section(
         "Measures",
-        "See [](numbers.md).",
+        "MTF, Strehl ratio, encircled energy, widths, and differences of PSFs.",
+        "See [](../numbers.md).",
         ("measures",),
         more="measures.energy.encircled_energy measures.energy.ensquared_energy measures.energy.radial_energy"
         " measures.energy.window_energy measures.energy.encircled measures.energy.Encircled"
@@ -101,13 +127,15 @@ SECTIONS = [
     ),
     Section(
         "Fisher information and phase retrieval",
-        "See [](estimation.md) and [](retrieve.md).",
+        "Cramér-Rao bounds of parameters and depth; the wavefront from star images.",
+        "See [](../estimation.md) and [](../retrieve.md).",
         ("estimation",),
         more="estimation.pixel_transfer.pixel_transfer",
     ),
     Section(
         "Imaging",
-        "See [](imaging.md), [](restore.md) and [](depth.md).",
+        "Depth-of-field rendering, deblurring, depth from defocus, photographs and depth maps.",
+        "See [](../imaging.md), [](../restore.md) and [](../depth.md).",
         package="imaging",
         more="imaging.settings.Settings imaging.traced_blur.TracedBlur imaging.field_blur.FieldBank"
         " imaging.bank.Bank"
@@ -115,10 +143,11 @@ SECTIONS = [
         " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"
         " base.encoding.from_light base.encoding.clipped_share io.photos.write_frames",
     ),
-    Section("Live page", "See [](live.md).", ("page",)),
+    Section("Live page", "Open the live page as a notebook widget.", "See [](../live.md).", ("page",)),
     Section(
         "Plots",
-        "See [](pictures.md).",
+        "Plot PSFs, pupils, curves, spots and sections with matplotlib.",
+        "See [](../pictures.md).",
         more="show.plot.plot show.plot.sections show.plot.compare show.pupils.pupil show.pupils.wavefront"
         " show.plot.difference show.curves.mtf show.curves.encircled_energy show.rays.spots"
         " show.focus.through_focus show.focus.focus_curves show.rays.ray_positions show.focus.moved"
@@ -126,13 +155,15 @@ SECTIONS = [
     ),
     Section(
         "Files and units",
-        "See [](formats.md).",
+        "File formats of PSFs, and lengths with units.",
+        "See [](../formats.md).",
         more="io.psf_files.save io.psf_files.describe io.psf_files.FileError io.registry.Format io.registry.register"
         " base.units.parse_length base.units.parse_angle base.units.parse_radius base.units.format_length",
     ),
     Section(
         "Special functions",
         "Each documents its published source.",
+        "",
         more="special.bessel.bessel_sequence special.bessel.legendre_transforms special.bessel.j0_series"
         " special.bessel.j0_asymptotic special.bessel.tangent_line special.erf.chirp_moments"
         " special.erf.disk_moments special.erf.unit_moments special.disk.disk_overlap special.erf.Erf"
@@ -146,6 +177,12 @@ HEAD = """# API reference
 
 Written by `python docs/api.py` from the public names; do not edit. Names without a dot are names of `lommel`:
 `import lommel as lm`, then `lm.psf`. Lengths are in metres and phases in radians unless stated otherwise.
+"""
+
+MODULES = """# Modules
+
+Types that functions return, and functions of modules beneath the public names, for extensions. Import them by their
+path: `from lommel.measures.energy import encircled_energy`.
 """
 
 
@@ -166,22 +203,47 @@ def section_of(module: str) -> Section:
     raise ValueError(f"no section of docs/api.py takes the names of lommel.{module}")
 
 
-def page() -> str:
-    """Return the page as Markdown."""
-    parts, names = [HEAD], public()
+def groups() -> dict[str, tuple[Section, list[str], list[str]]]:
+    """Return, by name of the page, each section with its public names and those of its modules."""
+    found, names = {}, public()
     for section in SECTIONS:
         listed = sorted((name for name, module in names.items() if section_of(module) is section), key=str.lower)
         if section.package:
             package = import_module(f"lommel.{section.package}")
             listed += [f"{section.package}.{n}" for n in package.__all__ if callable(getattr(package, n))]
-        listed += section.more.split()
-        rows = "\n".join(f"   {name}" for name in dict.fromkeys(listed))
-        text = f"\n{section.text}\n" if section.text else ""
-        module = ".. currentmodule:: lommel\n\n" if section is SECTIONS[0] else ""
-        head = f"## {section.title}\n{text}\n```{{eval-rst}}\n{module}.. autosummary::\n   :toctree: api\n"
-        parts.append(f"{head}\n{rows}\n```\n")
-    return "\n".join(parts)
+        more = section.more.split()
+        # Functions of `lommel.show` and methods have a short name too.
+        short = [name for name in more if name.startswith("show.") or name.count(".") == 1]
+        listed = list(dict.fromkeys([*listed, *short]))
+        found[re.sub("[^a-z]+", "-", section.title.lower())] = section, listed, [n for n in more if n not in short]
+    return found
+
+
+def _table(names: list[str]) -> str:
+    rows = "\n".join(f"   {name}" for name in names)
+    head = ".. currentmodule:: lommel\n\n.. autosummary::\n   :nosignatures:\n   :toctree: ../api\n"
+    return f"```{{eval-rst}}\n{head}\n{rows}\n```\n"
+
+
+def pages() -> dict[str, str]:
+    """Return the pages as Markdown by their names: api.md and one for each group."""
+    made, overview, tree, modules = {}, [HEAD], [], []
+    for name, (section, listed, more) in groups().items():
+        see = f" {section.see}" if section.see else ""
+        if listed:
+            made[f"reference/{name}.md"] = f"# {section.title}\n\n{section.text}{see}\n\n{_table(listed)}"
+            links = ", ".join(f"{{py:obj}}`{each} <lommel.{each}>`" for each in listed)
+            overview.append(f"## [{section.title}](reference/{name}.md)\n\n{section.text}\n\n{links}\n")
+            tree.append(f"reference/{name}")
+        if more:
+            modules.append(f"## {section.title}\n\n{_table(more)}")
+    made["reference/modules.md"] = "\n".join([MODULES, *modules])
+    overview.append(f"## [Modules](reference/modules.md)\n\n{MODULES.split(maxsplit=2)[2]}")
+    made["api.md"] = "\n".join([*overview, "```{toctree}\n:hidden:\n", *tree, "reference/modules", "```\n"])
+    return made
 
 
 if __name__ == "__main__":
-    (HERE / "api.md").write_text(page(), encoding="utf-8")
+    for name, text in pages().items():
+        (HERE / name).parent.mkdir(exist_ok=True)
+        (HERE / name).write_text(text, encoding="utf-8")

@@ -1,52 +1,129 @@
-"""Figures of docs/pictures.md, each drawn by the code above it; run as a script, the figure of README.md."""
+"""Pictures and outputs of pages, from the code and commands above them; run as a script, the figure of README.md."""
 
 from __future__ import annotations
 
+import ast
+import io
+import os
 import re
+import shutil
+import subprocess
+import sys
+import tempfile
 from collections.abc import Iterator
+from contextlib import chdir, redirect_stdout
 from pathlib import Path
 from typing import Any
 
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.figure import Figure
 
-PAGE = Path(__file__).resolve().parent / "pictures.md"
-# A block of code, or a picture that the build makes.
-_PARTS = re.compile(r"^```python\n(.*?)^```|_generated/pictures/([\w-]+)\.png", re.MULTILINE | re.DOTALL)
+HERE = Path(__file__).resolve().parent
+PAGE = HERE / "pictures.md"
+# Pages whose code and commands run from top to bottom in an empty folder.
+TUTORIALS = [HERE / f"start{field}.md" for field in ("", "-camera", "-depth", "-microscope", "-telescope")]
+# A block of code, of commands or of a file named in its first line; a picture or a printed text that the build makes.
+_PARTS = re.compile(
+    r"^```(?P<language>python|sh|toml)\n(?P<code>.*?)^```"
+    r"|_generated/pictures/(?P<picture>[\w-]+)\.png"
+    r"|_generated/output/(?P<output>[\w-]+)\.txt",
+    re.MULTILINE | re.DOTALL,
+)
+# The numbers that a comment begins with.
+_NUMBERS = re.compile(r"\(?(-?\d[\d.e-]*(?:, ?-?\d[\d.e-]*)*)[,)]*(?=[ :;]|$)")
+
+Made = Figure | Path | str
 
 
-def figures(page: Path = PAGE) -> Iterator[tuple[str, Figure]]:
-    """Run the code of a page and yield the name of each picture with the last figure drawn above it."""
+def parts(page: Path, text: str | None = None) -> Iterator[tuple[str, Made]]:
+    """Run the code and commands of a page in the current folder; yield each picture and printed text with its name.
+
+    A picture is the file of its name, where a command wrote one, or else the last figure that code drew.
+    """
     names: dict[str, Any] = {}
-    for part in _PARTS.finditer(page.read_text(encoding="utf-8")):
-        code, name = part.groups()
-        if code is not None:
+    printed = ""
+    for part in _PARTS.finditer(page.read_text(encoding="utf-8") if text is None else text):
+        if part["language"] == "python":
             plt.close("all")
-            exec(compile(code, page.name, "exec"), names)
-        elif not plt.get_fignums():
-            raise ValueError(f"{page.name}: no code above the picture {name} draws one")
+            with redirect_stdout(io.StringIO()) as stream:
+                run(part["code"], names, page.name)
+            printed = stream.getvalue()
+        elif part["language"] == "sh":
+            if part["code"].startswith("lommel "):
+                printed = command(part["code"], page.name)
+        elif part["language"] == "toml":
+            first = part["code"].partition("\n")[0]
+            Path(first.removeprefix("# ")).write_text(part["code"], encoding="utf-8")  # a file that the reader saves
+        elif name := part["output"]:
+            if not printed:
+                raise ValueError(f"{page.name}: nothing above {name}.txt prints")
+            yield name, printed
         else:
-            yield name, plt.gcf()
+            name, written = part["picture"], Path(f"{part['picture']}.png")
+            if not (written.exists() or plt.get_fignums()):
+                raise ValueError(f"{page.name}: no code above the picture {name} draws one")
+            yield name, written if written.exists() else plt.gcf()
     plt.close("all")
+
+
+def run(code: str, names: dict[str, Any], where: str) -> None:
+    """Run code; of an expression with numbers in the comment behind it, check that these are its value."""
+    lines = code.splitlines()
+    for statement in ast.parse(code).body:
+        if not isinstance(statement, ast.Expr):
+            exec(compile(ast.Module([statement], []), where, "exec"), names)
+            continue
+        value = eval(compile(ast.Expression(statement.value), where, "eval"), names)
+        comment = lines[(statement.end_lineno or 1) - 1].encode()[statement.end_col_offset :].decode().strip()
+        if stated := _NUMBERS.match(comment.removeprefix("# ")):
+            _compare(value, stated[1].replace(" ", "").split(","), f"{where}: {ast.unparse(statement)}")
+
+
+def _compare(value: Any, stated: list[str], where: str) -> None:
+    """Raise ValueError if a value rounded to the digits stated is another."""
+    found = np.ravel(np.asarray(value, dtype=float))
+    digits = [len(re.sub(r"e.*|^-?0?[.]?0*|[.]", "", text)) or 1 for text in stated]
+    shown = [float(f"{each:.{count}g}") for each, count in zip(found, digits, strict=False)]
+    if len(found) != len(stated) or shown != [float(text) for text in stated]:
+        raise ValueError(f"{where}: the comment states {', '.join(stated)}, but the value is {value}")
+
+
+def command(lines: str, where: str) -> str:
+    """Run commands as a shell does, with the `lommel` of this Python, and return what they print."""
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ.get('PATH', '')}"
+    environment = os.environ | {"PATH": path, "COLUMNS": "92", "MPLBACKEND": "Agg", "PYTHONUTF8": "1"}
+    done = subprocess.run(["sh", "-euc", lines], env=environment, capture_output=True, encoding="utf-8", check=False)
+    if done.returncode:
+        raise ValueError(f"{where}: {lines}{done.stderr}")
+    return done.stdout
 
 
 def first_psf() -> Figure:
     """Return the figure that the first code of README.md draws."""
     plt.close("all")
-    part = _PARTS.search((PAGE.parents[1] / "README.md").read_text(encoding="utf-8"))
-    assert part
-    exec(compile(part[1], "README.md", "exec"), {})
+    text = (HERE.parent / "README.md").read_text(encoding="utf-8")
+    code = next(part["code"] for part in _PARTS.finditer(text) if part["language"] == "python")
+    exec(compile(code, "README.md", "exec"), {})
     return plt.gcf()
 
 
-def write(folder: Path) -> None:
-    """Write the figures of docs/pictures.md into a folder."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, figure in figures():
-        figure.savefig(folder / f"{name}.png", dpi=110)
+def write(folder: Path, pages: list[Path] | None = None) -> None:
+    """Write what pages, by default pictures.md and the tutorials, show into `pictures` and `output` in a folder."""
+    for kind in ("pictures", "output"):
+        (folder / kind).mkdir(parents=True, exist_ok=True)
+    for page in pages or [PAGE, *TUTORIALS]:
+        with tempfile.TemporaryDirectory() as empty, chdir(empty):
+            for name, made in parts(page):
+                if isinstance(made, str):
+                    (folder / "output" / f"{name}.txt").write_text(made, encoding="utf-8")
+                elif isinstance(made, Path):
+                    shutil.copy(made, folder / "pictures")
+                else:
+                    made.savefig(folder / "pictures" / f"{name}.png", dpi=110)
 
 
 if __name__ == "__main__":
     figure = first_psf()
     figure.set_size_inches(4.4, 3.4)
-    figure.savefig(PAGE.parent / "first-psf.png", dpi=100)
+    figure.savefig(HERE / "first-psf.png", dpi=100)

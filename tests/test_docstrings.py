@@ -22,7 +22,8 @@ import lommel as lm
 from lommel import imaging, methods
 from lommel.base import validation
 
-API = (Path(__file__).resolve().parents[1] / "docs" / "api.md").read_text(encoding="utf-8")
+REFERENCE = sorted((Path(__file__).resolve().parents[1] / "docs" / "reference").glob("*.md"))
+API = "\n".join(path.read_text(encoding="utf-8") for path in REFERENCE)
 LISTED = re.findall(r"^   ([\w.]+)$", API, flags=re.MULTILINE)
 MODULES = {module.__name__.removeprefix("lommel."): module.__all__ for module in (imaging, methods)}
 # Those that raise.

@@ -22,6 +22,7 @@ import tifffile
 from PIL import Image
 
 import api
+import drawn
 import lommel as lm
 from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
@@ -38,7 +39,12 @@ ELSEWHERE = ("optiland", "pylops", "pyxu", "deepinv", "photutils", "napari")
 LESS = {
     "colour": [("rgb = lm.colour_psf(lens.pupil(1.5)", "rgb = lm.colour_psf(lens.pupil(1.95)")],
     "sensor": [("(1.0, 3.0, 10.0)", "(1.0,)")],
-    "start-camera": [("object_distance=1.2)", "object_distance=1.95)")],
+    "start-camera": [
+        ("achromat.pupil(1.95), 65", "achromat.pupil(1.95), 17"),
+        ("(3, 65, 65)", "(3, 17, 17)"),
+        ("[:160, :240]", "[:100, :160]"),
+    ],
+    "start-depth": [("(72, 128)", "(48, 128)")],
 }
 
 
@@ -132,7 +138,10 @@ def interrupted(_: object) -> None:
     raise KeyboardInterrupt
 
 
-@pytest.mark.parametrize("path", [path for path in PAGES if blocks(path, "python")], ids=lambda path: path.stem)
+CODE = [path for path in PAGES if blocks(path, "python") and path not in drawn.TUTORIALS]
+
+
+@pytest.mark.parametrize("path", CODE, ids=lambda path: path.stem)
 def test_the_code_of_a_page_runs_from_top_to_bottom(path, folder, capsys):
     names: dict[str, Any] = {}
     less = dict(LESS.get(path.stem, ()))
@@ -157,7 +166,50 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(path, folder, capsys):
         assert np.ptp(taken[30, :30]) < 10 < np.ptp(names["image"][:, 0])
 
 
-@pytest.mark.parametrize("line", sorted({shlex.join(words) for _, words in LINES if words[0] == "lommel"}))
+@pytest.mark.parametrize("path", drawn.TUTORIALS, ids=lambda path: path.stem)
+def test_code_and_commands_of_a_tutorial_run_in_an_empty_folder_and_print_and_draw(path, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    text = path.read_text(encoding="utf-8")
+    for much, little in LESS.get(path.stem, ()):
+        assert much in text
+        text = text.replace(much, little)
+    made = dict(drawn.parts(path, text))
+    assert list(made) == re.findall(r"_generated/(?:pictures|output)/([\w-]+)\.", text)
+    for each in made.values():
+        if isinstance(each, str):
+            assert len(each.splitlines()) > 1 or "median error" in each
+        elif isinstance(each, Path):
+            assert each.stat().st_size > 1000
+
+
+def test_pictures_and_outputs_of_all_pages_have_names_of_their_own():
+    named = [
+        name
+        for path in (drawn.PAGE, *drawn.TUTORIALS)
+        for name in re.findall(r"_generated/(?:pictures|output)/([\w.-]+)", path.read_text(encoding="utf-8"))
+    ]
+    assert len(named) == len(set(named)) > 30
+
+
+def test_a_value_in_a_comment_that_is_not_that_of_the_code_is_an_error():
+    right = "a = 0.12345", "a  # 0.12: rounded", "[a, 2.0]  # 0.123, 2.0", "a + 1  # a number", "(3, 4)  # (3, 4)"
+    drawn.run("\n".join(right), {}, "page")
+    for wrong in ("0.123  # 0.13", "1.5e-5  # 1.6e-05 m", "(3, 4)  # (3, 4, 5)", "[1.0, 2.0]  # 1.0, 3.0; text"):
+        with pytest.raises(ValueError, match=r"page: .*the comment states"):
+            drawn.run(wrong, {}, "page")
+
+
+# Those of the tutorials run above.
+TESTED = sorted(
+    {
+        shlex.join(words)
+        for name, words in LINES
+        if words[0] == "lommel" and name not in {path.name for path in drawn.TUTORIALS}
+    }
+)
+
+
+@pytest.mark.parametrize("line", TESTED)
 def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, folder, call_lommel):
     words = shlex.split(line)
     if words[1] == "paper":
@@ -274,7 +326,11 @@ def test_every_method_has_a_row_in_the_tables_of_methods():
 
 
 def test_the_reference_is_written_from_the_public_names():
-    assert (ROOT / "docs" / "api.md").read_text(encoding="utf-8") == api.page()
+    made = api.pages()
+    assert {name: (ROOT / "docs" / name).read_text(encoding="utf-8") for name in made} == made
+    assert {path.name for path in (ROOT / "docs" / "reference").iterdir()} == {Path(name).name for name in made} - {
+        "api.md"
+    }
 
 
 # What people type into the search of the documentation, and the page that must come first: Sphinx ranks pages with a
@@ -333,7 +389,7 @@ def test_the_links_of_a_page_lead_to_pages_and_headings_that_exist(path):
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
 def test_the_names_that_a_page_refers_to_are_in_the_reference(path):
-    listed = set(re.findall(r"^   ([\w.]+)$", api.page(), flags=re.MULTILINE))
+    listed = set(re.findall(r"^   ([\w.]+)$", "".join(api.pages().values()), flags=re.MULTILINE))
     for target in re.findall(
         r"\{(?:py:)?(?:class|func|meth|attr)\}`(?:[^`<]*<)?~?lommel\.([\w.]+)>?`", path.read_text("utf-8")
     ):

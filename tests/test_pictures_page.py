@@ -16,7 +16,7 @@ def test_each_picture_of_the_page_is_drawn_and_says_what_it_shows(tmp_path):
     names = [name for _, name in shown]
     assert len(names) == len(set(names)) >= 12
     made = []
-    for name, figure in drawn.figures():
+    for name, figure in drawn.parts(drawn.PAGE):
         made.append(name)
         texts = [axes for axes in figure.axes if not axes.axison]  # of sections, which have words in a corner
         for axes in texts:
@@ -37,20 +37,19 @@ def test_the_code_of_readme_draws_its_picture():
     assert (drawn.PAGE.parent / "first-psf.png").exists()
 
 
-def test_pictures_are_written_as_files(tmp_path, monkeypatch):
+def test_pictures_are_written_as_files(tmp_path):
     page = tmp_path / "page.md"
     page.write_text(
         "```python\nimport matplotlib.pyplot as plt\nplt.plot([0, 1])\n```\n![a](_generated/pictures/one.png)\n",
         encoding="utf-8",
     )
-    assert [name for name, _ in drawn.figures(page)] == ["one"]
-    monkeypatch.setattr(drawn, "figures", lambda: iter([("one", plt.figure())]))
-    drawn.write(tmp_path / "out")
-    assert (tmp_path / "out" / "one.png").read_bytes()[:4] == b"\x89PNG"
+    assert [name for name, _ in drawn.parts(page)] == ["one"]
+    drawn.write(tmp_path / "out", [page])
+    assert (tmp_path / "out" / "pictures" / "one.png").read_bytes()[:4] == b"\x89PNG"
 
 
 def test_a_picture_without_code_is_an_error(tmp_path):
     page = tmp_path / "page.md"
     page.write_text("![a](_generated/pictures/one.png)\n", encoding="utf-8")
     with pytest.raises(ValueError, match=r"page\.md: no code above the picture one draws one"):
-        list(drawn.figures(page))
+        list(drawn.parts(page))

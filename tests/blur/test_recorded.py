@@ -252,7 +252,7 @@ def test_the_strehl_ratio_is_that_on_the_axis_of_what_is_recorded():
         ({"fill": (0.5, 0.0)}, r"fill\[1\] must be > 0"),
         ({"fill": 0.5, "integrate": False}, "integrate must not be False"),
         ({"pixel": (0.5, 0.6, 0.7)}, "pixel must be one number"),
-        ({"blur": lm.Seeing(0.001), "tol": 1e-8}, "larger tol"),
+        ({"blur": [lm.Seeing(0.001), lm.Motion(1.0)], "tol": 1e-8}, "larger tol"),
     ],
 )
 def test_what_cannot_be_is_told(changes, message):

@@ -197,19 +197,24 @@ class Seeing(Blur):
         q = np.hypot(x, y) / self.coherence(given)
         if self.outer_scale is None:
             return numbers(np.exp(-KOLMOGOROV * q ** (5.0 / 3.0)), x.shape)
-        colour = 1.0 if given is None or self.wavelength is None else (given / self.wavelength) ** 1.2
-        scales = self.outer_scale / (self.r0 * colour)
-        return numbers(np.exp(-_von_karman(q, scales)), x.shape)
+        size, rate = karman(self, given)
+        return numbers(np.exp(-_von_karman(rate * q, size)), x.shape)
 
 
-def _von_karman(q: Array, scales: float) -> Array:
-    """Return half of the structure function at q r0, the outer scale being so many r0."""
+def karman(air: Seeing, wavelength: float | None) -> tuple[float, float]:
+    """Return size s and rate a of half of von Karman's structure function, ``s (all - z^nu K_nu(z))``, z = a q."""
+    assert air.outer_scale is not None
+    colour = 1.0 if wavelength is None or air.wavelength is None else (wavelength / air.wavelength) ** 1.2
+    scales = air.outer_scale / (air.r0 * colour)
+    size = 0.5 * KOLMOGOROV * scales ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0)
+    return size * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3), 2.0 * math.pi / scales
+
+
+def _von_karman(at: Array, factor: float) -> Array:
+    """Return ``factor (all - z^nu K_nu(z))`` at z, half of the structure function."""
     from scipy.special import gamma, kv
 
-    z = np.atleast_1d(2.0 * math.pi / scales * q)
-    factor = (
-        0.5 * KOLMOGOROV * scales ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0) * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3)
-    )
+    z = np.atleast_1d(at)
     all_of_it = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
     far = np.minimum(np.maximum(z, 1.0), 700.0)
     found = np.where(z > 1.0, all_of_it - far**_NU * kv(_NU, far), 0.0)
@@ -219,7 +224,7 @@ def _von_karman(q: Array, scales: float) -> Array:
     rising = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * near ** (2.0 * _NU) * 2.0**-_NU
     even = (powers[1:] / gamma(k[1:] + 1.0 - _NU)).sum(axis=0) * 2.0**_NU
     series = 0.5 * math.pi / math.sin(math.pi * _NU) * (rising - even)
-    return np.asarray(factor * np.where(z > 1.0, found, series.reshape(z.shape))).reshape(q.shape)
+    return np.asarray(factor * np.where(z > 1.0, found, series.reshape(z.shape))).reshape(at.shape)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,16 +11,20 @@ import numpy as np
 from lommel.base.arrays import Array, Values, largest
 from lommel.blur.blurs import Blur, require_unit
 from lommel.blur.convolution import Short, Spread, spread
+from lommel.blur.fading import Fading
 from lommel.blur.readout import Readout, ends, readout
+from lommel.blur.transfer_integral import TransferIntegral
 from lommel.blur.turbulence import Gate, Halo
-from lommel.core.answers import Images, ToleranceError, Wanted, not_met
+from lommel.core.answers import Declined, Images, ToleranceError, Wanted, not_met
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, normalized_error, stored, storing, widened
+from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.methods.question import place, wanted_on
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 # The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
 # aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
@@ -181,6 +186,56 @@ def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array,
 _TRIES = 7
 
 
+def of_transfer(asked: Asked, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> Method | None:
+    """Return the quadrature over transfer functions, where that applies and takes less time, else None."""
+    method = asked.method
+    white = method if isinstance(method, Polychromatic) else None
+    single = method if white is None else white.method
+    if not (single is None or isinstance(single, NijboerZernike)) or not (several and grid.square):
+        return None
+    if Fading.of(several, pupil.scale, pupil.wavelength) is None:
+        return None
+    way, seconds = TransferIntegral(tol, several), 0.0
+    for _, _, part in white.components(pupil) if white else [Component(1.0, 1.0, pupil)]:
+        if not (isinstance(part, Pupil) and part.radial):
+            return None
+        seconds += max(1, math.prod(grid.stack)) * way.seconds(part, grid)
+        if seconds > _lattice_seconds(asked, part, grid, several):
+            return None
+    return way if white is None else Polychromatic(white.wavelengths, white.weights, way)
+
+
+def _lattice_seconds(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float:
+    """Estimate the time of images from a lattice of samples."""
+    count, far, pixels = (
+        math.prod(pupil.shape),
+        grid.reach(pupil),
+        4e-6 * max(grid.shape) ** 2 if grid.integrate else 0.0,
+    )
+    if not asked.margin:
+        short = Short.of(several, pupil.scale)
+        side = 2.0 * (far / math.sqrt(2.0) + max(short.reach(1e-9)) + 30.0) / STEP
+        return 1e-3 + pixels + 9e-8 * side**2 * count
+    return pixels + 2e-7 * (2.0 * (far / math.sqrt(2.0) + asked.margin) / STEP) ** 2 * count
+
+
+def transferred(way: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
+    """Return images of a stack by quadrature over transfer functions, each around its axis."""
+    if not grid.stack:
+        return way.images(pupil, grid, wanted)
+    values = np.empty((math.prod(grid.stack), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
+    scales, errors = np.empty(len(values)), np.empty(len(values))
+    for k, index in enumerate(np.ndindex(grid.stack)):
+        scale = wanted.scale
+        one = wanted._replace(
+            out=values[k : k + 1],
+            scale=scale if scale is None or np.ndim(scale) == 0 else np.asarray(scale)[k : k + 1],
+        )
+        made = way.images(pupil[index], grid[index], one)
+        scales[k], errors[k] = made.scale[0], made.bound[0]
+    return Images(values, scales, errors)
+
+
 def recorded_images(
     method: Method | None, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...], wanted: Wanted
 ) -> tuple[Method, Images]:
@@ -193,6 +248,10 @@ def recorded_images(
     dtype, peaked = wanted.dtype, wanted.scale is None
     aim = (0.45 if peaked else 0.9) * (tol - 1.1 * storing(dtype))
     asked = _first(method, pupil, grid, several, aim, wanted.threads)
+    way = of_transfer(asked, tol, pupil, grid, several)
+    if way is not None:
+        with suppress(ToleranceError, Declined):
+            return way, transferred(way, pupil, grid, wanted)
     elsewhere = 0.0 if peaked else _on_axis(asked, pupil, grid, several)
     for _ in range(_TRIES):
         made = summed(asked, pupil, grid, several)
@@ -288,8 +347,8 @@ def recorded(
     values = np.empty(shape, dtype) if out is None else place(out, shape, dtype)
     question = wanted._replace(out=values.reshape(-1, *grid.shape))
     used, made = recorded_images(method, tol, pupil, grid, several, question)
-    # Samples are asked for more than what is recorded.
-    used = method or used.with_tol(tol)
+    # Samples are asked for more than what is recorded; the quadrature is no method of its own.
+    used = method or (way if isinstance(used, TransferIntegral) else used).with_tol(tol)
     return {
         "values": values,
         "grid": grid,

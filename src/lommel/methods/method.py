@@ -203,6 +203,14 @@ class RadialMethod(Method[P]):
         """Return the method itself for a radial pupil, else None."""
         return self if pupil.radial else None
 
+    def _ceiling(self, pupil: P) -> float:
+        """Return what the image of `pupil` is nowhere brighter than."""
+        return self.unaberrated_peak(pupil)
+
+    def _likely_peak(self, pupil: P) -> float:
+        """Estimate the lowest peak of a stack."""
+        return pupil.likely_peak
+
     def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
@@ -231,8 +239,8 @@ class RadialMethod(Method[P]):
         allowed, finer = self.tol if tol is None else tol, self
         # The largest value may be the peak of I or, of pixels that hold all light, its average.
         side = grid.step(pupil) if grid.integrate else 0.0
-        likely = 1.0 / (1.0 / pupil.likely_peak + side**2 / (4.0 * math.pi * pupil.transmission))
-        needed = math.ceil(-math.log10(0.2 * allowed * likely / (0.5 * self.unaberrated_peak(pupil))))
+        likely = 1.0 / (1.0 / self._likely_peak(pupil) + side**2 / (4.0 * math.pi * pupil.transmission))
+        needed = math.ceil(-math.log10(0.2 * allowed * likely / (0.5 * self._ceiling(pupil))))
         level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
         if self.profile(pupil, np.zeros(1)).error is None:
             level = _USUAL  # whatever the stack
@@ -271,7 +279,7 @@ def _pixel_sums(
 ) -> tuple[Array, Array | None, Array]:
     """Return values of pixels, and what the profile and the sums add to the bound on their error."""
     # What varies faster than I is I of a larger window.
-    faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
+    faster, ceiling = method.stretch(pupil), method._ceiling(pupil)
     window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
     v, error, of_nodes, of_grid, rounding = pixel_radii(window, grid.integrate, level, threads)
     profile = method.profile(pupil, v / faster)

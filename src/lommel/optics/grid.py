@@ -204,9 +204,13 @@ class Grid(EqualByContent):
             raise ValueError(f"pixel must be one number for a Method, got {self.named}; lommel.psf takes two")
         return self.pixel
 
+    def reach(self, pupil: BasePupil) -> float:
+        """Return the largest distance from the axis, or what it is at most, in v of a `pupil`."""
+        return self._farthest * math.pi * max(self.pitch) / pupil.scale
+
     def require_reach(self, pupil: BasePupil) -> None:
         """Raise ValueError if pixels are beyond the largest radius that is computed for a `pupil`."""
-        v = self._farthest * math.pi * max(self.pitch) / pupil.scale
+        v = self.reach(pupil)
         if not v <= validation.MAX_REACH:
             center = (
                 "" if self.centered else f" around {'the farthest ' if self.stack else ''}center={self._far_center}"

@@ -65,7 +65,7 @@ def commands(path: Path) -> list[str]:
 HELP = [
     line.strip()
     for command in (main, *subcommands().values())
-    for line in (command.help or "").splitlines()
+    for line in (command.help or "").replace("\\\n", " ").splitlines()
     if line.strip().startswith("lommel ")
 ]
 SHOWN = [(path.name, line) for path in PAGES for line in commands(path)] + [("--help", line) for line in HELP]

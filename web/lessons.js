@@ -8,7 +8,8 @@ const BORN_WOLF = "M. Born and E. Wolf, Principles of Optics, 7th ed. (1999), do
 
 function math(name, ...parts) {
   const node = document.createElementNS(MATHML, name);
-  node.append(...parts.map((part) => (typeof part === "string" ? math("mrow", ...tokens(part)) : part)));
+  const children = (part) => (typeof part !== "string" ? part : name === "mrow" ? tokens(part) : math("mrow", part));
+  node.append(...parts.flatMap(children));
   return node;
 }
 

@@ -2,6 +2,7 @@
 
 import { saveCsv, savePng, saveTiff } from "./downloads.js";
 import { ownPicture } from "./pictures.js";
+import { decodedText, MOST_BYTES, readFile, SUFFIXES } from "./lensfiles.js";
 import { PRESETS } from "./presets.js";
 import { changed, DEFAULTS, toText } from "./state.js";
 import { psfSaid } from "./sentences.js";
@@ -31,20 +32,25 @@ export function actions(view) {
     }
   };
   const hold = () => {
-    const { shown, state, field } = view;
+    const { shown, state } = view;
     if (!shown?.psf || !shown.measures) return;
-    view.compare.hold({ ...shown, state, field, sentence: psfSaid(state, shown.psf, shown.measures) });
+    const { psf, measures, rays } = shown;
+    view.compare.hold({ state, psf, measures, rays, sentence: psfSaid(state, psf, measures) });
+    view.page.heldPicture.checked = false;
     view.draw();
   };
   return {
     pick(change) {
       if (change.picture !== "own" || view.own) return view.set(change);
       view.page.selects.picture.value = view.state.picture;
-      return view.page.file.click();
+      return view.page.choose.click();
     },
-    async own(files) {
+    // Lens files and tables by their suffix, others as pictures.
+    async file(files) {
       const file = files?.[0];
       if (!file) return;
+      view.page.file.value = "";
+      if (SUFFIXES.some((suffix) => file.name.toLowerCase().endsWith(suffix)) || !/^image\//.test(file.type)) return openFile(view, file);
       try {
         view.own = await ownPicture(file);
         view.tell("");
@@ -55,9 +61,8 @@ export function actions(view) {
       } catch (error) {
         view.tell(error.message);
       }
-      view.page.file.value = "";
     },
-    before: () => view.draw({ recorded: view.shown?.recorded }),
+    before: () => view.drawRecorded(),
     preset(index) {
       const preset = PRESETS[Number(index)];
       if (index === "" || !preset) return;
@@ -74,18 +79,42 @@ export function actions(view) {
     },
     release() {
       view.compare.release();
+      view.page.heldPicture.checked = false;
       view.draw();
     },
-    mode: (mode) => view.compare.show(mode),
+    mode(mode) {
+      view.compare.show(mode);
+      view.draw();
+    },
+    scale(scale) {
+      view.compare.shared = scale === "one";
+      view.draw();
+    },
+    turn: () => view.compare.swap(),
     link: () => {
       const text = toText(changed(DEFAULTS, view.state));
       return copy(view.page.link, location.href.split("#")[0] + (text ? `#${text}` : ""));
     },
     python: () => (view.shown?.psf ? copy(view.page.python, (view.settled ?? view.shown).psf.python) : undefined),
-    png: () => save((settled) => savePng(view.page, view.state, settled)),
+    png: () => save(() => savePng(view.figure())),
     csv: () => save((settled) => saveCsv(view.state, settled)),
     tiff: () => save((settled) => saveTiff(view.state, settled)),
   };
+}
+
+// A lens file or a table of Zernike coefficients; true where the page shows it, else the page says why not.
+export async function openFile(view, file) {
+  try {
+    if (file.size > MOST_BYTES) throw new Error(`${file.name} has ${file.size} bytes; the limit is ${MOST_BYTES}.`);
+    const text = decodedText(new Uint8Array(await file.arrayBuffer()));
+    if (view.gone) return false;
+    view.take(readFile(file.name, text, view.state));
+    view.tell("");
+    return true;
+  } catch (error) {
+    view.tell(error.message);
+    return false;
+  }
 }
 
 // Where the clipboard is refused, the text to copy by hand.
@@ -101,16 +130,19 @@ function showText(view, text) {
   area.select();
 }
 
-// A picture may be dropped on its figure.
-export function acceptDrops(figure, take) {
+// Files may be dropped anywhere on the page.
+export function acceptDrops(node, take) {
+  const over = (event) => node.classList.toggle("over", event.type === "dragenter" || event.type === "dragover");
+  const mine = (event) => [...(event.dataTransfer?.types ?? [])].includes("Files");
   for (const name of ["dragenter", "dragover"])
-    figure.addEventListener(name, (event) => {
-      if (![...event.dataTransfer.types].includes("Files")) return;
+    node.addEventListener(name, (event) => {
+      if (!mine(event)) return;
       event.preventDefault();
-      figure.classList.add("over");
+      over(event);
     });
-  for (const name of ["dragleave", "drop"]) figure.addEventListener(name, () => figure.classList.remove("over"));
-  figure.addEventListener("drop", (event) => {
+  for (const name of ["dragleave", "drop"]) node.addEventListener(name, over);
+  node.addEventListener("drop", (event) => {
+    if (!mine(event)) return;
     event.preventDefault();
     take(event.dataTransfer.files);
   });

@@ -34,6 +34,7 @@ BANNER = """\
 musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
 """
 IMPORT = re.compile(r'^import\s*\{([^}]*)\}\s*from\s*"\./([\w-]+\.js)";\n', re.MULTILINE)
+COMMENT = re.compile(r"^[ \t]*//.*\n", re.MULTILINE)  # alone on its line
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b)", re.MULTILINE)
 
 
@@ -76,7 +77,7 @@ def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
         for names, other in IMPORT.findall(text):
             if " as " in names:
                 raise ValueError(f"{name} renames what it imports from {other}, which joined files cannot")
-        text = IMPORT.sub("", text)
+        text = COMMENT.sub("", IMPORT.sub("", text))
         if re.search(r"^import\b", text, re.MULTILINE):
             raise ValueError(f'{name} has an import of another form than `import {{ a }} from "./b.js";`')
         if not (exports and name == entry):

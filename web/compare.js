@@ -1,23 +1,23 @@
-// A setting that is held as A, beside or in turn with the one at hand, B.
-
-import { drawAtScale, colour } from "./draw.js";
+// A setting that is held as A, beside the present one, B, in turn with it, or subtracted from it.
 
 const ALTERNATE = 800; // ms, slower than what may harm anybody
+
+export const MODES = { beside: "side by side", flicker: "in turn", difference: "difference, B − A" };
+export const SCALES = { one: "one scale", own: "each its own scale" };
 
 export class Compare {
   constructor(page) {
     this.page = page;
     this.mode = "beside";
+    this.shared = true;
     this.held = null;
     this.still = matchMedia("(prefers-reduced-motion: reduce)");
   }
 
-  // shown: {state, psf, measures}, with a copy of what is on the canvas.
-  hold(shown) {
-    const copy = document.createElement("canvas");
-    [copy.width, copy.height] = [this.page.psf.width, this.page.psf.height];
-    copy.getContext("2d").drawImage(this.page.psf, 0, 0);
-    this.held = { ...shown, copy };
+  // held: {state, psf, measures, rays, sentence}.
+  hold(held) {
+    this.held = held;
+    this.page.held.setAttribute("aria-label", `A. ${held.sentence}`);
     this.arrange();
   }
 
@@ -31,26 +31,40 @@ export class Compare {
     this.arrange();
   }
 
+  // "beside", "flicker", "difference", or "one" where nothing is held.
+  get shown() {
+    return this.held ? this.mode : "one";
+  }
+
+  // Which of both is seen where one is seen at a time; the sensor shows the same.
+  get turn() {
+    return this.page.stage.dataset.turn;
+  }
+
   arrange() {
-    const { page, held } = this;
+    const { page, held, shown } = this;
     clearInterval(this.timer);
     page.compare.hidden = !held;
     page.hold.hidden = Boolean(held);
-    page.node.dataset.compare = page.stage.dataset.mode = held ? this.mode : "one";
-    page.stage.dataset.turn = "b";
+    page.node.dataset.compare = page.stage.dataset.mode = shown;
+    page.scale.hidden = shown === "difference";
+    page.turn.hidden = shown !== "flicker";
+    page.heldPicture.parentNode.hidden = !held;
     for (const tag of page.stage.querySelectorAll(".tag")) tag.hidden = !held;
-    page.held.parentNode.hidden = !held;
-    if (held && this.mode === "flicker" && !this.still.matches) {
-      this.timer = setInterval(() => (page.stage.dataset.turn = page.stage.dataset.turn === "a" ? "b" : "a"), ALTERNATE);
-    }
+    page.held.parentNode.hidden = !held || shown === "difference";
+    this.see("b");
+    if (shown === "flicker" && !this.still.matches) this.timer = setInterval(() => this.see(this.turn === "a" ? "b" : "a"), ALTERNATE);
   }
 
-  // A over the field of B, so that both have one scale.
-  draw(field, map) {
-    if (!this.held) return;
-    const { page, held } = this;
-    drawAtScale(page.held, held.copy, held.field / field, Math.max(256, page.psf.width), `rgb(${colour(map, 0).join()})`);
-    page.held.setAttribute("aria-label", `A. ${held.sentence}`);
+  see(turn) {
+    this.page.stage.dataset.turn = turn;
+    this.page.turn.textContent = turn === "a" ? "Show B" : "Show A";
+  }
+
+  // By hand, which ends the change by itself.
+  swap() {
+    clearInterval(this.timer);
+    this.see(this.turn === "a" ? "b" : "a");
   }
 
   destroy() {

@@ -3,6 +3,9 @@
 import { crc32 } from "./checksum.js";
 import { describedPsf } from "./description.js";
 import { FIELDS } from "./fields.js";
+import { figureOf } from "./figures.js";
+import { short } from "./plots.js";
+import { errorsOf, numbersSaid, stated } from "./sentences.js";
 import { DEFAULTS, toText } from "./state.js";
 
 function saveBlob(blob, name) {
@@ -28,17 +31,9 @@ async function withText(blob, keyword, text) {
   return new Blob([data.slice(0, head), piece, data.slice(head)], { type: "image/png" });
 }
 
-// The canvases that are seen, side by side.
-export function savePng(page, state) {
-  const seen = [page.held, page.psf].filter((canvas) => !canvas.parentNode.hidden && canvas.getClientRects().length);
-  const height = Math.max(...seen.map((canvas) => canvas.height));
-  const whole = document.createElement("canvas");
-  whole.width = height * seen.length;
-  whole.height = height;
-  const context = whole.getContext("2d");
-  context.imageSmoothingEnabled = false;
-  seen.forEach((canvas, index) => context.drawImage(canvas, index * height, 0, height, height));
-  whole.toBlob(async (blob) => saveBlob(await withText(blob, "Description", toText(state) || "defaults"), "lommel-psf.png"));
+// A figure of what is seen; given as of figureOf.
+export function savePng(given) {
+  figureOf(given).toBlob(async (blob) => saveBlob(await withText(blob, "Description", toText(given.state) || "defaults"), "lommel-psf.png"));
 }
 
 const HEADS = {
@@ -48,18 +43,24 @@ const HEADS = {
 };
 
 export function csvText(state, { psf, measures }) {
+  const numbers = numbersSaid(state, psf, measures);
+  const number = (key) => numbers[key].text.replace(/ %$/, "");
+  const { strehl: error } = errorsOf(psf, measures);
   const said = [
     "# lommel live",
     ...Object.keys(FIELDS).map((key) => `# ${key}=${state[key]}${state[key] === DEFAULTS[key] ? "" : " *"}`),
-    `# strehl_on_axis=${measures.strehl}`,
-    `# largest_value=${measures.peak_strehl}`,
-    `# diameter_80_percent_um=${measures.d80 ?? ""}`,
-    `# light_in_window=${measures.inside}`,
-    `# proven_error_over_peak=${psf.bound}`,
+    `# strehl_on_axis=${number("strehl")}`,
+    `# largest_value=${number("largest")}`,
+    `# diameter_80_percent_um=${measures.d80 === null ? "" : short(measures.d80)}`,
+    `# light_in_window_percent=${number("inside")}`,
+    `# proven_error_over_peak=${psf.bound === null ? "" : stated(psf.bound, 0, 2)}`,
+    `# proven_error_of_profile_and_energy=${stated(error, 0, 2)}`,
   ];
+  const places = Math.min(12, Math.max(0, Math.floor(-Math.log10(error || 1e-12))));
+  const proven = (values) => Array.from(values, (value) => String(Math.max(0, Number(value.toFixed(places)))));
   const columns = Object.entries(HEADS).flatMap(([name, heads]) => {
     const { r, f, mean, reference, share, x, y, limit } = measures[name];
-    const parts = { profile: [r, mean, reference], energy: [r, share, reference], mtf: [f, x, y, limit] }[name];
+    const parts = { profile: [r, proven(mean ?? []), reference], energy: [r, proven(share ?? []), reference], mtf: [f, x, y, limit] }[name];
     return heads.map((head, index) => [head, parts[index]]);
   });
   const rows = Math.max(...columns.map(([, values]) => values.length));

@@ -23,6 +23,11 @@ export function colour(map, t) {
 }
 
 export const DECADES = 5; // that the logarithmic stretch shows
+export const RAYS = "#5ee0ff";
+export const TRUE_COLOUR = "colour";
+
+// The table of colours of a state: "auto" is true colour where there is one.
+export const mapOf = ({ map, light }) => (map !== "auto" ? map : light === "white" ? TRUE_COLOUR : "inferno");
 
 const STRETCHES = {
   linear: (share) => share,
@@ -62,36 +67,114 @@ function pixels(canvas, width, height) {
   return { context, image, out: new Uint32Array(image.data.buffer) };
 }
 
-// The middle `crop` pixels of a square of values, the brightest of them as the top of the stretch.
-export function drawPsf(canvas, psf, { map, stretch, crop = psf.side }) {
-  const { values, side } = psf;
-  const { context, image, out } = pixels(canvas, crop, crop);
-  const first = Math.floor(side / 2) - Math.floor(crop / 2);
+export function largest(values) {
   let top = 0;
   for (let i = 0; i < values.length; i++) if (values[i] > top) top = values[i];
-  const colours = table(map, stretch);
-  const scale = top > 0 ? 1 / top : 0;
-  for (let y = 0, i = 0; y < crop; y++) {
-    const row = (first + y) * side + first;
-    for (let x = 0; x < crop; x++, i++) {
-      const value = values[row + x];
-      out[i] = colours[value > 0 ? (Math.sqrt(Math.sqrt(value * scale)) * STEPS + 0.5) | 0 : 0];
-    }
-  }
-  context.putImageData(image, 0, 0);
   return top;
 }
 
-export function drawBar(canvas, { map, stretch }) {
-  const { context, image, out } = pixels(canvas, 256, 1);
-  for (let x = 0; x < 256; x++) out[x] = pack(colour(map, x / 255));
+// The middle `crop` pixels of a square of values, with `top` as the top of the stretch. Planes of linear colour, scaled as the
+// values are, keep their hue: their brightest component is as bright as the grey of the value.
+export function drawPsf(canvas, { values, side, colour: planes }, { map, stretch, crop = side, top = largest(values) }) {
+  const { context, image, out } = pixels(canvas, crop, crop);
+  const first = Math.floor(side / 2) - Math.floor(crop / 2);
+  const scale = top > 0 ? 1 / top : 0;
+  const coloured = map === TRUE_COLOUR && planes;
+  const colours = table(map === TRUE_COLOUR ? "gray" : map, stretch);
+  const gain = coloured ? largest(values) * scale : scale;
+  const size = side * side;
+  const stretched = STRETCHES[stretch];
+  for (let y = 0, i = 0; y < crop; y++) {
+    const row = (first + y) * side + first;
+    for (let x = 0; x < crop; x++, i++) {
+      if (!coloured) {
+        const value = values[row + x];
+        out[i] = colours[value > 0 ? Math.min(STEPS, (Math.sqrt(Math.sqrt(value * scale)) * STEPS + 0.5) | 0) : 0];
+        continue;
+      }
+      const r = planes[row + x];
+      const g = planes[size + row + x];
+      const b = planes[2 * size + row + x];
+      const most = Math.max(r, g, b);
+      const factor = most > 0 ? LIGHT[(4095 * Math.max(0, stretched(Math.min(1, most * gain))) + 0.5) | 0] / most : 0;
+      out[i] = (255 << 24) | (SRGB[level(b * factor)] << 16) | (SRGB[level(g * factor)] << 8) | SRGB[level(r * factor)];
+    }
+  }
   context.putImageData(image, 0, 0);
-  if (stretch === "log") return [0, 0.2, 0.4, 0.6, 0.8, 1].map((at) => [at, powerOfTen(Math.round((at - 1) * DECADES))]);
-  return [0, 0.25, 0.5, 0.75, 1].map((at) => [at, String(stretch === "sqrt" ? Number((at * at).toFixed(2)) : at)]);
 }
 
-const raised = (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]);
-export const powerOfTen = (power) => (power === 0 ? "1" : `10${[...String(power)].map(raised).join("")}`);
+// The colours from nothing to the brightest value, and [place, label] of its ticks; `top` is in electrons where counts are drawn.
+export function drawBar(canvas, { map, stretch }, top = 1) {
+  const { context, image, out } = pixels(canvas, 256, 1);
+  for (let x = 0; x < 256; x++) out[x] = pack(colour(map === TRUE_COLOUR ? "gray" : map, x / 255));
+  context.putImageData(image, 0, 0);
+  if (stretch === "log") {
+    const first = Math.ceil(Math.log10(top) - DECADES - 1e-9);
+    const last = Math.floor(Math.log10(top) + 1e-9);
+    return integers(first, last).map((power) => [1 + (power - Math.log10(top)) / DECADES, powerOfTen(power)]);
+  }
+  const step = tickStep(top);
+  const floored = (value) => Math.floor(value / 10 ** Math.floor(Math.log10(value)) + 1e-9) * 10 ** Math.floor(Math.log10(value));
+  const marks = stretch === "sqrt" ? [0, ...[0.05, 0.2, 0.5, 1].map((share) => floored(share * top))] : integers(0, Math.floor(1e-9 + top / step)).map((k) => k * step);
+  return marks.map((mark) => [STRETCHES[stretch](mark / top), String(Number(mark.toPrecision(4)))]);
+}
+
+const integers = (first, last) => Array.from({ length: last - first + 1 }, (_, i) => first + i);
+const tickStep = (top) => {
+  const power = 10 ** Math.floor(Math.log10(top / 4));
+  return power * [1, 2, 2.5, 5, 10].find((step) => step * power >= (top / 4) * (1 - 1e-9));
+};
+
+// As Python and files of tables have it, so that it reads alike in pictures, sentences and CSV.
+export const powerOfTen = (power) => (power === 0 ? "1" : `1e${power}`);
+
+// B minus A on the grid of the middle `crop` pixels of B, as light per area over `top`; A is interpolated where grids differ.
+export function difference(b, a, crop, top) {
+  const made = new Float32Array(crop * crop);
+  const ratio = b.pixel / a.pixel;
+  const [middleB, middleA, half] = [Math.floor(b.side / 2), Math.floor(a.side / 2), Math.floor(crop / 2)];
+  const [perB, perA] = [1 / (b.pixel * b.pixel * top), 1 / (a.pixel * a.pixel * top)];
+  const at = (x, y) => (x >= 0 && y >= 0 && x < a.side && y < a.side ? a.values[y * a.side + x] : 0);
+  for (let row = 0, i = 0; row < crop; row++) {
+    const y = middleA + (row - half) * ratio;
+    const [y0, dy] = [Math.floor(y), y - Math.floor(y)];
+    for (let column = 0; column < crop; column++, i++) {
+      const x = middleA + (column - half) * ratio;
+      const [x0, dx] = [Math.floor(x), x - Math.floor(x)];
+      let held = at(x0, y0);
+      if (dx || dy) held = (1 - dy) * ((1 - dx) * held + dx * at(x0 + 1, y0)) + dy * ((1 - dx) * at(x0, y0 + 1) + dx * at(x0 + 1, y0 + 1));
+      made[i] = b.values[(middleB + row - half) * b.side + middleB + column - half] * perB - held * perA;
+    }
+  }
+  return made;
+}
+
+// Values with a sign, -1 to 1 over `reach`; the colour in the middle of the table is nothing.
+export function drawSigned(canvas, values, side, reach, stretch) {
+  const { context, image, out } = pixels(canvas, side, side);
+  const colours = ramp("signed");
+  const scale = reach > 0 ? 1 / reach : 0;
+  for (let i = 0; i < out.length; i++) out[i] = colours[Math.round(255.5 + 255.5 * signedPlace(values[i] * scale, stretch))];
+  context.putImageData(image, 0, 0);
+}
+
+const signedPlace = (value, stretch) => Math.sign(value) * Math.max(0, STRETCHES[stretch](Math.abs(value)));
+
+export function drawSignedBar(canvas, stretch, reach) {
+  const { context, image, out } = pixels(canvas, 256, 1);
+  for (let x = 0; x < 256; x++) out[x] = pack(colour("signed", x / 255));
+  context.putImageData(image, 0, 0);
+  const shares = stretch === "log" ? [1e-4, 1e-2, 1] : stretch === "sqrt" ? [0.25, 1] : [0.5, 1];
+  const word = (share) => String(Number((share * reach).toPrecision(2)));
+  const [low, high] = [-1, 1].map((sign) => shares.map((share) => [0.5 + 0.5 * signedPlace(sign * share, stretch), `${sign < 0 ? "−" : "+"}${word(share)}`]));
+  return [...low.reverse(), [0.5, "0"], ...high];
+}
+
+// Where rays arrive, micrometres from the axis, as [across, down] over a picture of a field with the axis at `middle` of its side.
+export function placesOfRays({ x, y }, { middle, field }) {
+  const places = Array.from(x, (at, i) => [middle + at / field, middle + y[i] / field]);
+  return places.filter((place) => place.every((at) => at >= 0 && at <= 1));
+}
 
 const ramps = new Map();
 function ramp(map) {
@@ -144,6 +227,7 @@ export function statistics(wavefront) {
 
 const encoded = (light) => (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
 const SRGB = Uint8ClampedArray.from({ length: 4096 }, (_, i) => 255 * encoded(i / 4095));
+const LIGHT = Float32Array.from({ length: 4096 }, (_, i) => (i <= 165 ? i / 4095 / 12.92 : ((i / 4095 + 0.055) / 1.055) ** 2.4)); // of a level
 const GREYS = Uint32Array.from(SRGB, (level) => pack([level, level, level]));
 const level = (light) => (light >= 1 ? 4095 : light > 0 ? (light * 4095 + 0.5) | 0 : 0);
 
@@ -159,11 +243,16 @@ export function drawPicture(canvas, { planes, width, height, count }) {
   context.putImageData(image, 0, 0);
 }
 
-// What is drawn of a field, redrawn over another field: the same number of micrometres in both.
-export function drawAtScale(canvas, source, ratio, side, background) {
+// Where the axis is in a square of so many pixels, over its side: the middle of a pixel.
+export const axisOf = (count) => (Math.floor(count / 2) + 0.5) / count;
+
+// What is drawn of a field, redrawn over another: `ratio` times as large, with the axis from one share of the side to another.
+export function drawAtScale(canvas, source, { ratio, side, from, to, ground, smooth }) {
   const context = fit(canvas, side, side);
-  context.fillStyle = background;
+  context.fillStyle = ground;
   context.fillRect(0, 0, side, side);
   const size = side * ratio;
-  context.drawImage(source, (side - size) / 2, (side - size) / 2, size, size);
+  const corner = side * to - size * from;
+  context.imageSmoothingEnabled = smooth;
+  context.drawImage(source, corner, corner, size, size);
 }

@@ -1,6 +1,8 @@
 // The skeleton of the page: what is where. What it shows is drawn by view.js.
 
+import { MODES, SCALES } from "./compare.js";
 import { el, menu } from "./dom.js";
+import { SUFFIXES } from "./lensfiles.js";
 import { PICTURES } from "./pictures.js";
 import { Plot } from "./plots.js";
 import { explainOnClick, help, NUMBERS } from "./words.js";
@@ -9,7 +11,7 @@ export const UNNAMED = "Point spread function, live";
 
 const VIEWS = { fine: "finely sampled", sampled: "at the pixels’ centres", averaged: "averaged by pixels" };
 const STRETCH_NAMES = { linear: "linear", sqrt: "square root", log: "logarithm" };
-const MAPS = { inferno: "inferno", viridis: "viridis", cividis: "cividis", gray: "grey" };
+const MAPS = { auto: "automatic", inferno: "inferno", viridis: "viridis", cividis: "cividis", gray: "grey" };
 
 // level: of the heading; docs: address of the documentation, if there is one.
 export function layout({ state, set, controls, lessons, presets, actions, only, level, docs }) {
@@ -57,19 +59,23 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     el("div", { class: "scale" }, page.bar, page.ticks),
   );
 
-  const onchange = () => actions.own(page.file.files);
-  const file = { type: "file", accept: "image/*", class: "unseen", tabindex: -1, "aria-label": "Own picture", onchange };
-  page.file = el("input", file);
-  page.before = el("input", { type: "checkbox", onchange: () => actions.before(page.before.checked) });
+  const onchange = () => actions.file(page.file.files);
+  page.file = el("input", { type: "file", class: "unseen", tabindex: -1, "aria-label": "File", onchange });
+  const choose = (accept) => {
+    page.file.accept = accept;
+    page.file.click();
+  };
+  page.heldPicture = el("input", { type: "checkbox", onchange: actions.before });
+  page.before = el("input", { type: "checkbox", onchange: actions.before });
   const hint = "A picture of your own; it stays in this browser. Or drop one here";
   const picture = figure(
     "picture",
     "On the sensor",
     [
       pick("picture", "Picture", PICTURES),
-      shows("picture") ? button("choose", "Open …", hint, () => page.file.click()) : null,
+      shows("picture") ? button("choose", "Open …", hint, () => choose("image/*"), { "aria-label": "Open a picture" }) : null,
       shows("picture") ? el("label", { class: "tick" }, page.before, "without lens") : null,
-      page.file,
+      el("label", { class: "tick", hidden: true }, page.heldPicture, "through A"),
     ],
     el("div", { class: "stage" }, canvas("recorded", "Test picture")),
   );
@@ -97,7 +103,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     { class: "plots" },
     plot("profile", "Profile", [["main", "mean over angle"], ["limit", "unaberrated"]]),
     plot("energy", "Encircled energy", [["main", "share of light"], ["limit", "unaberrated"]]),
-    plot("mtf", "MTF", [["main", "along x"], ["second", "along y"], ["limit", "diffraction limit"]]),
+    plot("mtf", "MTF", [["main", "x"], ["second", "y"], ["main pixel", "with pixel"], ["limit", "diffraction limit"]]),
   );
 
   page.preset = el("select", { "aria-label": "Preset", "data-key": "preset", onchange: () => actions.preset(page.preset.value) });
@@ -114,7 +120,9 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     (page.compare = el(
       "span",
       { class: "group", hidden: true },
-      menu("How to compare", { beside: "side by side", flicker: "flicker" }, "beside", actions.mode),
+      menu("How to compare", MODES, "beside", actions.mode),
+      (page.scale = menu("Scale of A and B", SCALES, "one", actions.scale)),
+      button("turn", "Show A", "Change between A and B by hand", actions.turn),
       button("exchange", "Exchange", "Go back to A, and hold what is here now", actions.exchange),
       button("release", "Let go", "Forget A", actions.release),
     )),
@@ -128,11 +136,14 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     button("csv", "CSV", "Profile, encircled energy and MTF", actions.csv),
     button("tiff", "TIFF", "The values, float32, with their description; lm.PSF.load reads it", actions.tiff),
   );
+  const opened = "A lens file (TOML) or Zernike coefficients (CSV, TXT, INT, TOML, JSON). Or drop one anywhere; it stays in this browser";
   const tools = el(
     "div",
     { class: "tools" },
     shows("presets") ? page.preset : null,
     shows("lessons") ? lessons.menu : null,
+    shows("presets") ? button("open", "Open …", opened, () => choose(SUFFIXES.join())) : null,
+    page.file,
     shows("compare") ? compare : null,
   );
 

@@ -1,5 +1,6 @@
 // The entry: a page in an element, after a script, in a notebook by anywidget; and the engine for scripts.
 
+import { openFile } from "./actions.js";
 import { createCore } from "./core.js";
 import { Engine } from "./engine.js";
 import { FIELDS } from "./fields.js";
@@ -21,6 +22,7 @@ export function mount(element, options = {}) {
       return { ...view.state };
     },
     set: (change) => view.set(change),
+    open: (file) => openFile(view, file),
     result: () => view.settled,
     destroy: () => view.destroy(),
   };

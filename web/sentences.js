@@ -1,45 +1,74 @@
-// What is said in words: numbers in the line below the pictures, and sentences for those who do not see these.
+// What is said in words: numbers beside the pictures, read-outs, and sentences for those who do not see these.
 
-import { powerOfTen } from "./draw.js";
 import { short } from "./plots.js";
 import { lengthUnit, wavesUnit } from "./units.js";
 
-export function plain(value, digits = 3) {
+// A value in at most four digits, none of them below its proven error: "0.1234", "1.2e-4", "< 3e-7".
+export function stated(value, error = 0, digits = 4) {
   if (!Number.isFinite(value)) return "–";
-  if (value !== 0 && Math.abs(value) < 1e-4) {
-    const [mantissa, power] = value.toExponential(1).split("e");
-    return `${mantissa} · ${powerOfTen(Number(power))}`;
-  }
-  return short(value, digits);
+  const size = Math.abs(value);
+  if (error > 0 && size < error) return `< ${upwards(error)}`;
+  if (size === 0) return "0";
+  const justified = error > 0 ? Math.floor(Math.log10(size)) - Math.ceil(Math.log10(error) - 1e-9) + 1 : digits;
+  const rounded = Number(value.toPrecision(Math.max(1, Math.min(digits, justified))));
+  return Math.abs(rounded) < 1e-3 || Math.abs(rounded) >= 1e7 ? rounded.toExponential().replace("e+", "e") : String(rounded);
 }
 
-const fixed = (value) => (Math.abs(value) >= 1e-4 || value === 0 ? value.toFixed(4) : plain(value));
-const percent = (share) => `${(100 * share).toFixed(share > 0.9995 ? 2 : 1)} %`;
+export const withMinus = (text) => text.replace(/^-/, "−");
 
-// {key: [text, number]} of what the line of numbers shows.
+// One digit that is not below a bound: 2.1e-7 -> "3e-7".
+function upwards(bound) {
+  const power = 10 ** Math.floor(Math.log10(bound) + 1e-9);
+  return stated(Number((Math.ceil(bound / power - 1e-9) * power).toPrecision(1)));
+}
+
+// A ratio that is not negative, with four decimals as long as these are above its error.
+export function ratioSaid(value, error = 0) {
+  const size = Math.max(0, value);
+  return size < 1e-3 || error > 1e-4 ? stated(size, error, 2) : size.toFixed(4);
+}
+
+export function percentSaid(share, error = 0) {
+  const value = Math.max(0, 100 * share);
+  if (100 * error > value) return `< ${upwards(100 * error)} %`;
+  const most = share > 0.9995 ? 2 : 1;
+  return `${value.toFixed(Math.max(0, Math.min(most, Math.floor(-Math.log10(100 * error || 1e-9)))))} %`;
+}
+
+// Bounds on the errors of the numbers: over the unaberrated peak, and of the light in the window.
+export function errorsOf(psf, measures) {
+  const { strehl_error: circles, peak_strehl: peak } = measures;
+  const perPixel = psf.peak / peak; // of the unaberrated peak
+  const summed = Number.isFinite(perPixel) ? (psf.bound ?? 0) * perPixel * psf.side ** 2 : 0;
+  return { strehl: circles, largest: psf.bound ?? 0, inside: Math.min(1, Math.max(circles, summed)) };
+}
+
+// {key: {text, value, error}} of what the numbers show; value in the unit that is shown, NaN where there is none to compare.
 export function numbersSaid(state, psf, measures) {
   const said = {};
-  if (measures) {
+  if (psf && measures) {
     const { factor, name } = lengthUnit(state);
+    const { strehl, largest, inside } = errorsOf(psf, measures);
     const wide = measures.d80 === null ? NaN : measures.d80 * factor;
-    said.strehl = [fixed(measures.strehl), measures.strehl];
-    said.largest = [fixed(measures.peak_strehl), measures.peak_strehl];
-    said.d80 = [measures.d80 === null ? "beyond the window" : `${short(wide)} ${name}`, wide];
-    said.inside = [percent(measures.inside), measures.inside];
+    said.strehl = { text: ratioSaid(measures.strehl, strehl), value: measures.strehl, error: strehl };
+    said.largest = { text: ratioSaid(measures.peak_strehl, largest), value: measures.peak_strehl, error: largest };
+    said.d80 = { text: measures.d80 === null ? "beyond the window" : `${short(wide)} ${name}`, value: wide, error: 0, unit: name };
+    said.inside = { text: percentSaid(measures.inside, inside), value: 100 * measures.inside, error: 100 * inside, unit: "points" };
   }
   if (psf) {
-    said.bound = [`≤ ${plain(psf.bound, 2)}`, NaN];
-    said.time = [`${psf.ms < 10 ? psf.ms.toFixed(1) : Math.round(psf.ms)} ms`, NaN];
+    said.bound = { text: psf.bound === null ? "none" : `≤ ${stated(psf.bound, 0, 2)}`, value: NaN };
+    said.time = { text: `${psf.ms < 10 ? psf.ms.toFixed(1) : Math.round(psf.ms)} ms`, value: NaN };
   }
   return said;
 }
 
-// How B differs from A, where both are numbers.
+// How B differs from A, where both are numbers; shares of light in percentage points.
 export function differenceSaid(now, held) {
-  if (!Number.isFinite(now) || !Number.isFinite(held)) return "";
-  const by = now - held;
-  if (by === 0) return "as A";
-  return `${by < 0 ? "−" : "+"}${plain(Math.abs(by))} from A`;
+  if (!Number.isFinite(now.value) || !Number.isFinite(held?.value)) return "";
+  const by = now.value - held.value;
+  if (Math.abs(by) <= now.error + held.error || Math.abs(by) < 1e-12) return "as A";
+  const size = now.unit === "points" ? Number(Math.abs(by).toFixed(Math.abs(by) < 0.1 ? 2 : 1)) : stated(Math.abs(by), now.error + held.error, 2);
+  return `${by < 0 ? "−" : "+"}${size}${now.unit ? ` ${now.unit}` : ""} from A`;
 }
 
 export function psfSaid(state, psf, measures) {
@@ -47,13 +76,38 @@ export function psfSaid(state, psf, measures) {
   const field = short(psf.side * psf.pixel * unit.factor, 3);
   const wide = measures.d80 === null ? "" : short(measures.d80 * unit.factor, 3);
   const spot = wide ? `80 % of the light within ${wide} ${unit.said} across` : "a spot wider than the window";
-  const bright = `Strehl on the axis ${fixed(measures.strehl)}, brightest point ${fixed(measures.peak_strehl)}`;
+  const { strehl, largest } = numbersSaid(state, psf, measures);
+  const bright = `Strehl ratio on the axis ${strehl.text}, brightest point ${largest.text}`;
   return `Point spread function over ${field} ${unit.said}: ${spot}; ${bright}.`;
+}
+
+// The value of the PSF at a place (in its pixels from the middle), over the brightest point and over the unaberrated peak.
+export function valueSaid(state, psf, measures, column, row) {
+  const { side, pixel, values, counts, bound } = psf;
+  const middle = Math.floor(side / 2);
+  const at = (middle + row) * side + middle + column;
+  const { factor, name } = lengthUnit(state);
+  const place = [column, row].map((steps) => withMinus(short(steps * pixel * factor, 3))).join(", ");
+  const said = [];
+  if (counts) said.push(`${Math.round(counts[at])} electrons`);
+  const unaberrated = measures && psf.peak / measures.peak_strehl;
+  const error = bound ?? 0;
+  const over = unaberrated ? values[at] / unaberrated : NaN;
+  if (psf.peak > 0) said.push(`${stated(Math.max(0, values[at] / psf.peak), unaberrated ? (error * unaberrated) / psf.peak : 0, 3)} of the brightest`);
+  if (unaberrated) said.push(`${stated(Math.max(0, over), error, 3)} of the unaberrated peak`);
+  return `x, y = ${place} ${name}: ${said.join(", ")}`;
 }
 
 export function wavefrontSaid(state, seen) {
   const { factor, name } = wavesUnit(state);
   return `${short((seen.high - seen.low) * factor, 3)} ${name} P–V, ${short(seen.rms * factor, 3)} rms`;
+}
+
+export function waveSaid(state, wavefront, side, column, row) {
+  const waves = wavefront[row * side + column];
+  const place = [column, row].map((at) => withMinus(short((2 * at + 1) / side - 1, 2))).join(", ");
+  const { factor, name } = wavesUnit(state);
+  return `x, y = ${place} of the radius: ${waves === waves ? `${withMinus(stated(waves * factor, 0, 3))} ${name}` : "no light"}`;
 }
 
 export function plotSaid(title, x, curves) {

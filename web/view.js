@@ -5,14 +5,15 @@ import { Client } from "./client.js";
 import { Compare } from "./compare.js";
 import { Controls } from "./controls.js";
 import { el } from "./dom.js";
-import { drawBar, drawFringes, drawPicture, drawPsf, drawWavefront } from "./draw.js";
+import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { layout, UNNAMED } from "./layout.js";
 import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { testPicture } from "./pictures.js";
-import { niceStep, niceTop, short } from "./plots.js";
+import { niceTop, short } from "./plots.js";
 import { PRESETS } from "./presets.js";
 import { differenceSaid, numbersSaid, plotSaid, psfSaid, wavefrontSaid } from "./sentences.js";
 import { FIELDS } from "./fields.js";
+import { Stage } from "./stage.js";
 import { changed, DEFAULTS, fromText, History, toText } from "./state.js";
 import { styleText } from "./style.js";
 import { followTheme } from "./theme.js";
@@ -25,6 +26,13 @@ const LATE = "a newer setting was asked for";
 const GREY = 200; // ms after which an answer to an older setting is greyed
 const WORDS = 2000; // ms after which the page says what it computes
 const MAP_SIDE = 160;
+const MTF_CURVES = [
+  ["main", "x", "x"],
+  ["second", "y", "y"],
+  ["main pixel", "x with the pixel", "pixel_x"],
+  ["second pixel", "y with the pixel", "pixel_y"],
+  ["limit", "limit", "limit"],
+];
 const SEEN = 128;
 // Keys that change how answers are shown, not the answers.
 const LOOKS = new Set(["stretch", "map", "waves_unit", "length_unit", "focal_length", "picture"]);
@@ -87,6 +95,7 @@ export class View {
     this.parts = partsOf(this.page);
     lessons.show(asked);
     this.compare = new Compare(this.page);
+    this.stage = new Stage(this.page, MAP_SIDE);
     this.host = el("div", { class: "lommel-live-host", "data-lm-suppress-shortcuts": "true", "data-busy": true });
     if (url && new URLSearchParams(location.search).has("large")) this.host.dataset.large = ""; // for a projector
     const root = this.host.attachShadow({ mode: "open" });
@@ -94,7 +103,7 @@ export class View {
     // Shortcuts of the page around are not meant for what is typed here.
     root.addEventListener("keydown", (event) => this.key(event));
     root.addEventListener("click", (event) => this.guard(event), true);
-    acceptDrops(this.page.recorded.closest("figure"), does.own);
+    acceptDrops(this.page.node, does.file);
     element.append(this.host);
     this.unfollow = followTheme(this.page.node, theme);
     this.fromLink = () => {
@@ -336,6 +345,8 @@ export class View {
       if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => got({ wavefront })));
       this.pupil = pupil;
     }
+    if (state.rays !== "on") this.shown = { ...this.shown, rays: null };
+    else if (quality !== "picture") jobs.push(client.call("rays", state).then((rays) => got({ rays })));
     if (!this.page.panels.sensor.hidden) jobs.push(this.record(state, quality, got));
     const patience = setInterval(() => this.wanted && client.worker && client.renew({ message: LATE }), PATIENCE);
     const ends = await Promise.allSettled(jobs);
@@ -348,7 +359,8 @@ export class View {
     if (ended && !this.wanted) this.blank(Object.keys(this.parts).filter((part) => !this.current(part)));
     if (ends.some((end) => end.status === "rejected")) this.pupil = "";
     else if (quality === "settled") {
-      this.settled = { state, psf: this.shown.psf, measures: this.shown.measures };
+      const { psf, measures, rays } = this.shown;
+      this.settled = { state, psf, measures, rays };
       this.of.code = asked;
     }
     if (this.wanted) this.schedule();
@@ -388,42 +400,52 @@ export class View {
     if (part.wavefront) {
       this.seen = drawWavefront(page.wavefront, part.wavefront, MAP_SIDE);
       drawFringes(page.fringes, part.wavefront, MAP_SIDE);
+      this.stage.showWavefront(part.wavefront);
       page.wavefrontSaid.textContent = wavefrontSaid(state, this.seen);
       const dark = short(state.obscuration, 3);
       page.fringesSaid.textContent = state.obscuration ? `the inner ${dark} of the radius obscured` : "clear to the middle";
     }
-    if (part.recorded && this.shown.recorded) drawPicture(page.recorded, page.before.checked ? this.shown.picture : this.shown.recorded);
-    if (part.psf || part.measures) this.drawNumbers();
+    if (part.recorded) this.drawRecorded();
+    if (part.psf || part.measures) {
+      this.drawNumbers();
+      this.stage.renew(this.shown);
+    }
+    if (part.rays && !part.psf && this.shown.psf) this.drawPsf();
   }
 
   drawPsf() {
-    const { page, shown, compare } = this;
+    const { shown, compare } = this;
     const state = this.stateOf("psf");
-    const { psf } = shown;
-    const crop = state.view === "fine" ? psf.side : this.crop(psf);
-    drawPsf(page.psf, psf, { map: state.map, stretch: state.stretch, crop });
-    page.stage.dataset.view = state.view;
-    const field = crop * psf.pixel;
-    this.field = field;
-    const { factor, name } = lengthUnit(state);
-    const step = niceStep(field * factor, 4);
-    const [text, bar] = page.ruler.children;
-    text.textContent = `${short(step)} ${name}`;
-    bar.style.width = `${(100 * step) / (field * factor)}%`;
-    compare.draw(field, state.map);
-    const looks = `${state.map} ${state.stretch}`;
-    if (looks === this.looks) return;
-    this.looks = looks;
-    const ticks = drawBar(page.bar, state).map(([at, label]) => el("span", { style: `left:${100 * at}%` }, label));
-    page.ticks.replaceChildren(...ticks);
+    this.stage.draw({ state, shown, held: compare.held, mode: compare.shown, shared: compare.shared });
   }
 
-  // Of the sensor's pixels, the middle that holds most light, in steps so that it does not breathe.
-  crop({ side, pixel }) {
-    const d80 = this.shown.measures?.d80;
-    if (!d80) return side;
-    const wanted = 2 ** (Math.ceil(2 * Math.log2((4 * d80) / pixel)) / 2);
-    return Math.min(side, Math.max(16, 2 * Math.round(wanted / 2)));
+  // What figureOf draws: settled answers, as they look now.
+  figure() {
+    const { settled, compare, page } = this;
+    const looks = Object.fromEntries([...LOOKS].map((key) => [key, this.state[key]]));
+    const name = page.name.textContent === UNNAMED ? "" : page.name.textContent;
+    return { state: { ...settled.state, ...looks }, shown: settled, held: compare.held, mode: compare.shown, shared: compare.shared, name };
+  }
+
+  // The picture on the sensor: as it is, through the lens, or through the held one, A.
+  drawRecorded() {
+    const { page, shown, compare } = this;
+    if (!shown?.recorded) return;
+    const { held } = compare;
+    if (page.before.checked) drawPicture(page.recorded, shown.picture);
+    else if (!held || !page.heldPicture.checked) drawPicture(page.recorded, shown.recorded);
+    else if (held.picture === shown.picture) drawPicture(page.recorded, held.recorded);
+    else this.recordHeld(held, shown.picture);
+  }
+
+  async recordHeld(held, picture) {
+    const { planes, width, height } = picture;
+    const recorded = await this.client.call("blur", held.state, planes, width, height, "settled").catch(({ message }) => {
+      this.tell(`The picture through A cannot be computed: ${message}`);
+    });
+    if (this.gone || !recorded) return;
+    Object.assign(held, { picture, recorded: { ...picture, planes: recorded, count: recorded.length / (width * height) } });
+    this.drawRecorded();
   }
 
   drawPlots() {
@@ -436,8 +458,14 @@ export class View {
     const curves = (table, factor, list, old) => {
       const x = scaled(table[Object.keys(table)[0]], factor);
       const now = list.map(([kind, name, key]) => ({ kind, name, x, y: table[key] }));
-      const [first] = list;
-      const before = old ? [{ kind: "held", name: "A", x: scaled(old[Object.keys(old)[0]], factor), y: old[first[2]] }] : [];
+      // Of A the curves that have a meaning without its sensor.
+      const lasting = (old ? list : []).filter(([kind]) => kind === "main" || kind === "second");
+      const before = lasting.map(([kind, name, key]) => ({
+        kind: kind === "main" ? "held" : "held second",
+        name: lasting.length > 1 ? `A ${name}` : "A",
+        x: scaled(old[Object.keys(old)[0]], factor),
+        y: old[key],
+      }));
       return [...before, ...now];
     };
     const end = (table, factor) => (table.r ?? table.f).at(-1) * factor;
@@ -458,7 +486,7 @@ export class View {
     page.plots.mtf.draw({
       x: { unit: frequency.name, label: frequency.name, top: end(mtf, frequency.factor) },
       y: { top: 1 },
-      curves: curves(mtf, frequency.factor, [["main", "x", "x"], ["second", "y", "y"], ["limit", "limit", "limit"]], held?.mtf),
+      curves: curves(mtf, frequency.factor, MTF_CURVES, held?.mtf),
     });
   }
 
@@ -467,12 +495,11 @@ export class View {
     const state = this.stateOf("measures");
     const now = numbersSaid(state, shown.psf, shown.measures);
     // Of fewer pixels, while something moves.
-    if (shown.measures && shown.measures.side < state.side) now.inside = ["–", NaN];
-    const held = compare.held && numbersSaid(state, compare.held.psf, compare.held.measures);
+    if (shown.measures && shown.measures.side < state.side) delete now.inside;
+    const held = compare.held ? numbersSaid(state, compare.held.psf, compare.held.measures) : {};
     for (const [key, node] of Object.entries(page.numbers)) {
-      const [text, value] = now[key] ?? ["–", NaN];
-      const by = held ? differenceSaid(value, held[key][1]) : "";
-      node.replaceChildren(text, ...(by ? [el("small", {}, by)] : []));
+      const by = now[key] && differenceSaid(now[key], held[key]);
+      node.replaceChildren(now[key]?.text ?? "–", ...(by ? [el("small", {}, by)] : []));
     }
   }
 
@@ -482,7 +509,7 @@ export class View {
     if (!shown?.psf || !shown.measures) return;
     const said = psfSaid(state, shown.psf, shown.measures);
     if (this.settled) page.code.textContent = this.settled.psf.python;
-    page.psf.setAttribute("aria-label", said);
+    page.psf.setAttribute("aria-label", this.compare.shown === "difference" ? `Difference, B minus A. B: ${said}` : said);
     if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
     const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";
     const pitch = `a sensor with pixels of ${short(state.pixel)} micrometres`;

@@ -77,7 +77,7 @@ def test_a_state_is_whole_and_checked():
         complete({"field": 1.0})
     with pytest.raises(ValueError, match=r"coma must be from 0 to 10, got 11"):
         complete({"coma": 11})
-    with pytest.raises(ValueError, match=r"map must be one of 'inferno'"):
+    with pytest.raises(ValueError, match=r"map must be one of 'auto'"):
         complete({"map": "jet"})
     with pytest.raises(ValueError, match=r"side must be .*got 2000"):
         complete({"side": 2000})

@@ -293,7 +293,10 @@ FIELDS: dict[str, Real | Word | Terms] = {
     ),
     "rays": Word(("off", "on"), "Points where rays through the pupil meet the sensor, without diffraction."),
     "stretch": Word(("sqrt", "linear", "log"), "Brightness scale of the PSF: square root, linear or logarithmic."),
-    "map": Word(("inferno", "viridis", "cividis", "gray"), "Colours of the PSF."),
+    "map": Word(
+        ("auto", "inferno", "viridis", "cividis", "gray"),
+        "Colours of the PSF; automatic: true colour in white light, inferno in light of one wavelength.",
+    ),
     "waves_unit": Word(("waves", "rad", "nm"), "Unit of the wavefront: waves, radians, or nanometres of path."),
     "length_unit": Word(
         ("um", "arcsec", "lambdaN"),

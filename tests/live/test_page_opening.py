@@ -1,0 +1,232 @@
+"""Lens files and Zernike coefficients that are opened on the live page, against the package's own reading of them."""
+
+from __future__ import annotations
+
+import math
+import re
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lens_file_texts import lens_file
+from live_page import rest, state
+from lommel.page.state import FIELDS, Terms, complete, further_terms, state_of
+
+OPEN = """async ([name, text]) => {
+    const taken = await live.open(new File([text], name));
+    const root = document.querySelector(".lommel-live-host").shadowRoot;
+    return { taken, state: live.state, said: root.querySelector(".notice").textContent };
+}"""
+LOOKS = ("view", "side", "stretch", "map", "waves_unit", "length_unit", "picture", "light", "noise", "rays")
+
+
+def opened(page: Any, name: str, text: str) -> dict[str, Any]:
+    """Open a file on the page and return whether it was taken, the state, and the notice."""
+    return page.evaluate(OPEN, [name, text])
+
+
+def assert_same(found: dict[str, Any], wanted: dict[str, Any]) -> None:
+    """Compare two states to the nine digits that they are rounded to; directions only where there is something."""
+    for key, field in FIELDS.items():
+        got, value = found[key], wanted[key]
+        if key in LOOKS or (key == "defocus" and wanted["focus"] == "distances"):
+            continue
+        if isinstance(field, Terms):
+            got, value = further_terms(got), further_terms(value)
+            for term in {*got, *value}:
+                assert got.get(term, 0.0) == pytest.approx(value.get(term, 0.0), rel=2e-8, abs=2e-10), (key, term)
+        elif isinstance(value, str):
+            assert got == value, key
+        elif not key.endswith("_angle") or wanted.get(key.removesuffix("_angle"), 1) > 1e-9:
+            assert got == pytest.approx(value, rel=2e-8, abs=2e-9), key
+
+
+def test_every_lens_file_of_the_package_is_read_as_the_package_does(
+    visit: Callable[..., Any], lenses: dict[str, Path]
+) -> None:
+    page = visit("/mounted?controls=numbers#side=32")
+    for path in lenses.values():
+        instrument = lm.load_instrument(path)
+        seen = opened(page, path.name, path.read_text(encoding="utf-8"))
+        assert seen["taken"], seen["said"]
+        assert_same(seen["state"], complete(state_of(instrument)[0]))
+
+
+def test_random_lens_files_are_read_as_the_package_does(visit: Callable[..., Any], tmp_path: Path) -> None:
+    page = visit("/mounted?controls=numbers#side=32")
+    rng = np.random.default_rng(20)
+    path = tmp_path / "random.toml"
+    taken = 0
+    for _ in range(120):
+        text = lens_file(rng)
+        path.write_text(text, encoding="utf-8")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)
+            instrument = lm.load_instrument(path)
+        wanted, refused = {}, ""
+        try:
+            wanted, _ = state_of(instrument)
+        except ValueError as error:
+            refused = str(error).split(",")[0].replace("the live page", "this page")
+        seen = opened(page, path.name, text)
+        if refused:
+            assert not seen["taken"]
+            assert refused in seen["said"]
+            continue
+        assert seen["taken"], (text, seen["said"])
+        assert_same(seen["state"], complete(wanted))
+        taken += 1
+    assert taken > 100
+
+
+LISTING = """\
+Listing of Zernike {kind} Coefficient Data
+
+File : /lens.zmx
+Wavelength                      : 0.6328 \u00b5m
+Peak to Valley (to centroid)    : 1.2 waves
+RMS (to centroid)               : 0.2 waves
+
+Z   1     0.10000000    :  1
+Z   2    -0.01250000    :  p COS (A)
+Z   4     0.25000000    :  (2p^2 - 1)
+Z   5    -0.03000000    :  p^2
+Z   7     0,12500000    :  p^3
+Z  11     4.5E-002      :  p^4
+Z  22    -0.00125000    :  p^6
+"""
+CODE_V = "A lens\n{kind} 9 WFR WVL 0.55 SSZ 1000.0\n! comment\n 0 10 -20 300 40.5\n-50 60 7.0D1 -80\n"
+TABLES = {
+    "fringe.txt": LISTING.format(kind="Fringe"),
+    "standard.txt": LISTING.format(kind="Standard"),
+    "zrn.int": CODE_V.format(kind="ZRN"),
+    "zfr.int": CODE_V.format(kind="ZFR"),
+    "nm.csv": "# unit: nm\n# normalization: rms\n# wavelength: 633 nm\nn, m, value\n3, 1, 25\n2, -2, -3.5e1\n",
+    "noll.csv": "# normalization: rms\nnoll;name;coeff (waves)\n4;defocus;0.1\n8;coma;-0.2\n",
+    "row.csv": "# order: ansi\n# unit: radians\n# normalization: edge\nZ3,Z4,Z12\n0.5,-1,0.25\n",
+    "table.json": '{"order": "noll", "unit": "um", "normalization": "rms", "wavelength":"1 um","terms": {"7": 0.1}}',
+    "table.toml": 'order = "fringe"\nunit = "waves"\nnormalization = "edge"\n[terms]\n4 = 0.5 # defocus\n37 = 0.01\n',
+}
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_zernike_coefficients_become_the_wavefront(visit: Callable[..., Any], tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    path.write_text(TABLES[name], encoding="utf-8")
+    table = lm.load_zernike(path)
+    page = visit("/mounted?controls=numbers#side=32&f_number=7&pixel=3&obscuration=0.25&coma=2")
+    seen = opened(page, name, TABLES[name])
+    assert seen["taken"], seen["said"]
+    got = seen["state"]
+    assert (got["f_number"], got["pixel"], got["obscuration"]) == (7, 3, 0.25)
+    wavelength = table.wavelength or 550e-9
+    assert got["wavelength"] == pytest.approx(wavelength * 1e9, rel=1e-8)
+    wavefront = table.wavefront(None if table.unit in ("waves", "radians") else wavelength)
+    wanted = {term: float(c) / math.tau for term, c in wavefront.edge_terms().items() if term != (0, 0)}
+    found = {(2, 0): 0.5 * (got["defocus"] + got["spherical"]), (4, 0): got["spherical"] / 6}
+    for key, (n, m) in {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}.items():
+        turn = m * math.radians(got[f"{key}_angle"])
+        found[n, m], found[n, -m] = got[key] * math.cos(turn), got[key] * math.sin(turn)
+    for (n, m), rms in further_terms(got["zernike"]).items():
+        found[n, m] = rms * math.sqrt((n + 1) * (2 if m else 1))
+    for term in {*wanted, *found}:
+        assert found.get(term, 0.0) == pytest.approx(wanted.get(term, 0.0), abs=1e-8), term
+
+
+def test_plain_columns_and_utf_16_are_read(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?controls=numbers#side=32")
+    text = "# unit: waves\n# normalization: rms\nn m value\n2 0 0.1\n3 -3 0.05\n"
+    assert opened(page, "columns.txt", text)["taken"]
+    assert state(page)["defocus"] == pytest.approx(0.2 * math.sqrt(3), rel=1e-8)
+    page.evaluate("live.set({ defocus: 0 })")
+    listing = list(LISTING.format(kind="Fringe").encode("utf-16"))
+    taken = page.evaluate("bytes => live.open(new File([new Uint8Array(bytes)], 'zemax.TXT'))", listing)
+    assert taken
+    assert state(page)["defocus"] == pytest.approx(0.5 - 0.0, rel=1e-8)
+
+
+GOOD = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\n'
+FAULTS = {
+    "not TOML": (GOOD + "name = \n", ".toml", ["line 7"]),
+    "a date": (GOOD + "shape = 1979-05-27", ".toml", ["line 7", "1979-05-27"]),
+    "a key given twice": (GOOD + 'pixel = "4 um"', ".toml", ["line 7: pixel is given twice"]),
+    "an array of tables": (GOOD + "[[field]]", ".toml", ["line 7", "arrays of tables"]),
+    "an unclosed text": (GOOD + 'shape = "x', ".toml", ["line 7", "closing quote"]),
+    "an unknown key": (GOOD.replace("f_number", "fnumber"), ".toml", ["lens.fnumber (line 3)", "f_number"]),
+    "a key of another section": (GOOD + "f_number = 2", ".toml", ["sensor.f_number (line 7)", "it is in [lens]"]),
+    "an unknown section": (GOOD + "[sensors]\n", ".toml", ["sensors (line 7)", "aperture"]),
+    "no unit": (GOOD.replace('"50 mm"', "50"), ".toml", ["lens.focal_length (line 2)", "unit", "50"]),
+    "an unknown unit": (GOOD.replace("mm", "furlongs"), ".toml", ["line 2", "furlongs", "km, m, cm"]),
+    "a missing key": (GOOD.replace('wavelength = "550 nm"\n', ""), ".toml", ["lens.wavelength", "missing"]),
+    "a negative length": (GOOD.replace("50 mm", "-50 mm"), ".toml", ["lens.focal_length (line 2)", "positive"]),
+    "both apertures": (GOOD.replace("f_number = 2", 'f_number = 2\naperture_diameter = "2 mm"'), ".toml", ["one of"]),
+    "rectangular pixels": (GOOD.replace('"3 um"', '["3 um", "4 um"]'), ".toml", ["sensor.pixel (line 6)", "square"]),
+    "a wavelength out of range": (GOOD.replace("550 nm", "5 um"), ".toml", ["wavelength", "2000"]),
+    "a wrong word": (GOOD.replace("f_number = 2", 'f_number = 2\nmodel = "thick"'), ".toml", ["paraxial, aplanatic"]),
+    "a microscope": ("[objective]\nna = 1\n", ".toml", ["microscope"]),
+    "deep brackets": (GOOD + "shape = " + "[" * 5000, ".toml", ["line 7", "deep"]),
+    "a suffix": ("x", ".doc", [".toml", ".csv"]),
+    "no unit of coefficients": ("# normalization: rms\nn,m,value\n3,1,2\n", ".csv", ["unit", "waves"]),
+    "no such term": ("# normalization: rms\n# unit: waves\nn,m,value\n3,2,2\n", ".csv", ["line 4", "n - m even"]),
+    "other columns": ("# normalization: rms\na,b\n3,2\n", ".csv", ["line 2", "n,m,value"]),
+    "annular terms": (LISTING.format(kind="Annular"), ".txt", ["annular"]),
+    "a surface": (CODE_V.format(kind="ZFR").replace("WFR", "SUR"), ".int", ["WFR"]),
+    "too few values": (CODE_V.format(kind="ZFR").replace(" 9 ", " 12 "), ".int", ["12 values, got 9"]),
+    "no JSON": ("{", ".json", ["JSON"]),
+}
+
+
+def test_errors_name_the_line_and_what_is_allowed_and_change_nothing(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?controls=numbers#side=32&coma=1")
+    before = state(page)
+    for name, (text, suffix, told) in FAULTS.items():
+        seen = opened(page, f"file{suffix}", text)
+        assert not seen["taken"], name
+        assert seen["said"].startswith(f"file{suffix}: "), name
+        for part in told:
+            assert part in seen["said"], (name, part, seen["said"])
+        assert seen["state"] == before, name
+    assert opened(page, "big.toml", "# " + "x" * 1_000_001)["said"].endswith("the limit is 1000000.")
+    assert opened(page, "good.toml", GOOD)["taken"]
+    assert page.locator(".notice").is_hidden()
+
+
+DROP = """([name, text]) => {
+    const dropped = new DataTransfer();
+    dropped.items.add(new File([text], name));
+    const node = document.querySelector(".lommel-live-host").shadowRoot.querySelector(".numbers");
+    node.dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, bubbles: true, cancelable: true }));
+}"""
+
+
+def test_a_dropped_lens_file_names_the_lens_and_what_is_left_out(
+    visit: Callable[..., Any], lenses: dict[str, Path]
+) -> None:
+    page = visit("/mounted#side=64")
+    text = lenses["camera-field"].read_text(encoding="utf-8")
+    page.evaluate(DROP, ["mine.toml", text.replace('name = "35 mm', 'name = "My 35 mm')])
+    page.wait_for_function("live.state.spherical === 0.4")
+    rest(page)
+    assert page.get_by_text("My 35 mm").first.is_visible()
+    assert "Left out here: aberrations of the field" in page.locator(".source").inner_text()
+    page.evaluate("live.set({ defocus: 1 })")
+    rest(page)
+    assert page.get_by_text(re.compile("My 35 mm .*, changed")).first.is_visible()
+
+
+def test_a_file_is_opened_by_keyboard(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    page.on("filechooser", lambda chooser: None)  # caught from now on
+    page.get_by_role("button", name="Open …").first.focus()
+    page.wait_for_timeout(200)
+    with page.expect_file_chooser() as caught:
+        page.keyboard.press("Enter")
+    caught.value.set_files({"name": "bench lens.toml", "mimeType": "text/plain", "buffer": GOOD.encode()})
+    page.wait_for_function("live.state.f_number === 2")
+    rest(page)
+    assert page.get_by_text("bench lens").first.is_visible()

@@ -42,14 +42,15 @@ print(f"largest difference: {np.abs(again.values - grid.values).max() / grid.val
 # Strehl ratio (peak of each PSF over that of a perfect lens) along the diagonal, with the sensor in place and moved
 # by 10 µm either way: with field curvature no sensor position suits the whole field.
 
-fraction = np.linspace(0.0, 1.0, 21)
+fraction = np.linspace(0.0, 1.0, 81)
 along = fraction[:, None] * corner * np.array([0.8, 0.6])
 figure, axes = plt.subplots(figsize=(8, 4.2), layout="constrained")
 for shift, color in ((-10e-6, "C0"), (0.0, "C1"), (10e-6, "C2")):
     # Towards the lens, defocus rises by pi shift / (8 lambda N^2).
     moved = field + lm.Wavefront(-np.pi * shift / (8 * 550e-9 * 2.0**2))
     psf = moved.psf(along[:, 0], along[:, 1], 61, 0.2e-6, normalize="strehl")
-    axes.plot(fraction * corner * 1e3, psf.values.max(axis=(1, 2)), color=color, label=f"{shift * 1e6:+.0f} µm")
+    label = f"{shift * 1e6:+.0f} µm".replace("-", "−")
+    axes.plot(fraction * corner * 1e3, psf.values.max(axis=(1, 2)), color=color, label=label)
 axes.set_xlabel("distance from the axis (mm)")
 axes.set_ylabel("peak over that of a perfect lens")
 axes.set_ylim(0.0, None)

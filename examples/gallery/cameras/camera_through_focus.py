@@ -31,7 +31,7 @@ defocus = slices.pupil.wavefront.defocus
 figure = plt.figure(figsize=(10.5, 5.6), layout="constrained")
 above, below = figure.subfigures(2, 1, height_ratios=(1, 1.7))
 for axes, image, s in zip(above.subplots(1, len(vergence)), stack.values, 1 / vergence, strict=True):
-    axes.imshow(np.sqrt(image), cmap="magma", extent=(-half, half, half, -half))
+    axes.imshow(np.sqrt(image), cmap="inferno", extent=(-half, half, half, -half))
     axes.set_title(f"{s:.2f} m", fontsize=10)
     axes.set_xticks([-25, 0, 25])
     axes.set_yticks([-25, 0, 25] if axes.get_subplotspec().is_first_col() else [])
@@ -41,7 +41,7 @@ above.suptitle("square root of the intensity over its peak, by object distance\n
 
 axes = below.subplots()
 level = np.log10(np.maximum(slices.values[:, 0, :].T, 1e-6))
-mesh = axes.pcolormesh(defocus, slices.grid.x * 1e6, level, cmap="magma", vmin=-5, vmax=0, rasterized=True)
+mesh = axes.pcolormesh(defocus, slices.grid.x * 1e6, level, cmap="inferno", vmin=-5, vmax=0, rasterized=True)
 blur = slices.pupil.geometric_radius() * 1e6
 for side in (1, -1):
     axes.plot(defocus, side * blur, color="white", linewidth=0.8, linestyle="--")

@@ -26,7 +26,7 @@ for column, pixel in zip(rows.T, sizes, strict=True):
     for axes, integrate in zip(column, (False, True), strict=True):
         answer = lm.psf(pupil, side, pixel, integrate=integrate)
         density = answer.values / pixel**2
-        axes.imshow(density, cmap="magma", extent=(-half, half, half, -half), vmin=0, vmax=0.0042)
+        axes.imshow(density, cmap="inferno", extent=(-half, half, half, -half), vmin=0, vmax=0.0042)
         axes.set_title(f"pixels of {pixel:g} λN\nsum of all {answer.values.sum():.3f}", fontsize=10)
         axes.set_xlim(-20, 20)
         axes.set_ylim(20, -20)

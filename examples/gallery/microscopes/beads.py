@@ -32,8 +32,8 @@ for row, depth in zip(panels, (2e-6, 20e-6), strict=True):
     pupil = objective.pupil(depth=depth, z=z, wavelength=wavelength)
     stack = lm.microscopy.bead(pupil, size, shape=17, pixel=pixel, tol=1e-3)
     for axes, at, image in zip(row, z, stack.values, strict=True):
-        axes.imshow(np.sqrt(image / stack.values.max()), cmap="magma", vmin=0.0, vmax=1.0, extent=window)
-        axes.set_title(f"z {1e6 * at:+.1f} µm", fontsize=9)
+        axes.imshow(np.sqrt(image / stack.values.max()), cmap="inferno", vmin=0.0, vmax=1.0, extent=window)
+        axes.set_title(f"z {1e6 * at:+.1f} µm".replace("-", "−"), fontsize=9)
     row[0].set_ylabel(f"{1e6 * depth:g} µm deep\ny (µm)")
     print(f"{1e6 * depth:g} um: each value is off by at most {stack.error_bound:.1e} of the peak of its plane")
 for axes in panels[1]:
@@ -56,7 +56,7 @@ for depth, color in ((2e-6, "C0"), (20e-6, "C1")):
     print(f"width along z {1e9 * stack.axial_fwhm():.0f} nm, of a point {1e9 * focus.axial_fwhm:.0f} nm")
 axes.axvline(0.0, color="0.6", label="paraxial focus, $d\\, n_i / n_s$")
 axes.set_xlabel("movement of the stage beyond the paraxial focus (µm)")
-axes.set_ylabel("light on the axis, over its largest (1)")
+axes.set_ylabel("light on the axis, over its largest")
 axes.legend(fontsize=9)
 axes.grid(alpha=0.3)
 plt.show()

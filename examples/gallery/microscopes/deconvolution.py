@@ -69,7 +69,7 @@ shown = {"specimen": specimen, "recording": stack} | {name: found.values for nam
 figure, panels = plt.subplots(2, 5, figsize=(10.5, 4.6), layout="constrained", height_ratios=(1.0, 0.8))
 for (above, below), (name, values) in zip(panels.T, shown.items(), strict=True):
     for axes, part, height in ((above, values[8], 4.0), (below, values[:, 18], 3.2)):
-        axes.imshow(np.sqrt(np.maximum(part, 0.0)), cmap="magma", vmin=0.0, extent=(0.0, 4.0, height, 0.0))
+        axes.imshow(np.sqrt(np.maximum(part, 0.0)), cmap="inferno", vmin=0.0, extent=(0.0, 4.0, height, 0.0))
     above.set_title(name, fontsize=10)
     below.set_xlabel("x (µm)")
 panels[0, 0].set_ylabel("y (µm)")
@@ -91,10 +91,10 @@ for name, psf in psfs.items():
     left.plot(counts, [error(one.values) for one in found], "o-", label=name)
     middle.semilogy(counts, [one.discrepancy for one in found], "o-")
 left.axhline(error(stack), color="0.6", label="recording")
-left.set_ylabel("rms error over that of nothing (1)")
+left.set_ylabel("rms error over that of nothing")
 left.legend(fontsize=9)
-middle.set_ylabel("discrepancy (1)")
+middle.set_ylabel("discrepancy")
 for axes in (left, middle):
-    axes.set_xlabel("steps (1)")
+    axes.set_xlabel("steps")
     axes.grid(alpha=0.3)
 plt.show()

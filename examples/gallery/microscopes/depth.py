@@ -33,7 +33,7 @@ figure, panels = plt.subplots(1, depths.size, figsize=(10.5, 4.6), sharey=True, 
 for axes, depth, best, peak in zip(panels, depths, focus.brightest, focus.peak, strict=True):
     light = objective.fields(r, depth=depth, focus=best + z, wavelength=wavelength)
     both = np.hstack([light.intensity[:, :0:-1], light.intensity])
-    axes.imshow(np.sqrt(both / both.max()), cmap="magma", extent=(-1.2, 1.2, 3, -3))
+    axes.imshow(np.sqrt(both / both.max()), cmap="inferno", extent=(-1.2, 1.2, 3, -3))
     axes.set_title(f"{1e6 * depth:g} µm deep\npeak {peak:.2f}", fontsize=10)
     axes.set_xlabel("x (µm)")
     print(f"{1e6 * depth:g} um: each value is off by at most {light.intensity_error.max():.0e}")
@@ -43,19 +43,19 @@ panels[0].set_ylabel("z of the stage, from the brightest plane (µm)")
 # Ratio of depth to stage movement: nowhere the ratio of the refractive indices, and the axial width grows with
 # depth. An emitter closer to the glass than a wavelength sends supercritical light.
 
-depths = np.geomspace(0.2e-6, 100e-6, 25)
+depths = np.geomspace(0.2e-6, 100e-6, 97)
 focus = objective.focus(depths, wavelength=wavelength)
 figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.5, 3.6), layout="constrained")
 left.semilogx(1e6 * depths, focus.ratio, label="where it is brightest")
 left.axhline(objective.sample / objective.immersion, color="0.6", label="paraxial, $n_s / n_i$")
-left.set_ylabel("depth over movement of the stage (1)")
+left.set_ylabel("depth over movement of the stage")
 left.legend(fontsize=9)
 middle.loglog(1e6 * depths, 1e9 * focus.axial_fwhm, label="along z")
 middle.loglog(1e6 * depths, 1e9 * focus.lateral_fwhm, label="across")
 middle.set_ylabel("full width at half maximum (nm)")
 middle.legend(fontsize=9)
 right.semilogx(1e6 * depths, objective.collected(depths, wavelength=wavelength))
-right.set_ylabel("light collected, over that far away (1)")
+right.set_ylabel("light collected, over that far away")
 for axes in (left, middle, right):
     axes.set_xlabel("depth (µm)")
     axes.grid(alpha=0.3)

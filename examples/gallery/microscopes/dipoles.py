@@ -41,11 +41,11 @@ half = 1e6 * window * pixel / 200
 figure, panels = plt.subplots(z.size, len(stacks), figsize=(9.0, 5.6), sharex=True, sharey=True, layout="constrained")
 for column, stack, name in zip(panels.T, stacks, names, strict=True):
     for axes, values in zip(column, stack.values, strict=True):
-        axes.imshow(values, cmap="magma", extent=(-half, half, half, -half))
+        axes.imshow(values, cmap="inferno", extent=(-half, half, half, -half))
     column[0].set_title(name, fontsize=10)
     column[-1].set_xlabel("x (µm)")
 for axes, at in zip(panels[:, 0], z, strict=True):
-    axes.set_ylabel(f"z {1e6 * at:+.1f} µm\ny (µm)")
+    axes.set_ylabel(f"z {1e6 * at:+.1f} µm\ny (µm)".replace("-", "−"))
 
 # %%
 # Centroid of the image, in the sample: out of focus the image of a tilted dipole shifts by up to a hundred
@@ -55,7 +55,7 @@ fine = np.radians(np.arange(0.0, 91.0, 15.0))
 shift = np.array([[part[0] for part in image(lm.Dipole(tilt, 0.0)).centroid] for tilt in fine]) / 100
 figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")
 for at, moved in zip(z, shift.T, strict=True):
-    axes.plot(np.degrees(fine), 1e9 * moved, "o-", label=f"z {1e6 * at:+.1f} µm")
+    axes.plot(np.degrees(fine), 1e9 * moved, "o-", label=f"z {1e6 * at:+.1f} µm".replace("-", "−"))
 axes.set_xlabel("tilt from the axis (degrees)")
 axes.set_ylabel("centroid in the window, in the sample (nm)")
 axes.legend(fontsize=9)

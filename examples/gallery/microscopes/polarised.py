@@ -40,7 +40,7 @@ spots = {
 figure, panels = plt.subplots(1, len(spots), figsize=(12.0, 3.1), sharey=True, layout="constrained")
 half = 1e6 * 24.5 * pixel / 100
 for axes, (name, spot) in zip(panels, spots.items(), strict=True):
-    axes.imshow(spot.values, cmap="magma", interpolation="bicubic", extent=(-half, half, half, -half))
+    axes.imshow(spot.values, cmap="inferno", interpolation="bicubic", extent=(-half, half, half, -half))
     title = name
     if name != "doughnut":
         title += f"\n{1e7 * float(spot.fwhm('x')):.0f} × {1e7 * float(spot.fwhm('y')):.0f} nm"
@@ -57,7 +57,7 @@ figure, axes = plt.subplots(figsize=(6.4, 3.6), layout="constrained")
 widths = np.array([1e7 * float(spot.fwhm()) for spot in made])
 axes.loglog(1.0 + saturation, widths, "o-")
 print("at saturations of", ", ".join(f"{s:g}: {w:.1f} nm" for s, w in zip(saturation, widths, strict=True)))
-axes.set_xlabel("1 + saturation on the crest of the doughnut (1)")
+axes.set_xlabel("1 + saturation on the crest of the doughnut")
 axes.set_ylabel("width of the spot (nm)")
 axes.set_xticks([1, 10, 100], ["1", "10", "100"])
 axes.set_yticks([30, 50, 100, 200], ["30", "50", "100", "200"])

@@ -40,7 +40,7 @@ half = 1e6 * 16.5 * pixel / 60
 for axes, (name, stack) in zip(panels, stacks.items(), strict=True):
     slice_ = stack.values[:, 16]
     axes.imshow(
-        np.sqrt(slice_ / slice_.max()), cmap="magma", interpolation="bicubic", extent=(-half, half, 2.0, -2.0)
+        np.sqrt(slice_ / slice_.max()), cmap="inferno", interpolation="bicubic", extent=(-half, half, 2.0, -2.0)
     )
     across, along = 1e9 * stack[10].fwhm() / 60, 1e9 * stack.axial_fwhm()
     axes.set_title(f"{name}\n{across:.0f} × {along:.0f} nm", fontsize=10)
@@ -61,7 +61,7 @@ for name, stack in layers.items():
     light = stack.encircled_energy(radius)
     axes.plot(1e6 * z, light / light.max(), label=name)
 axes.set_xlabel("z of the stage (µm)")
-axes.set_ylabel("light of a layer, over the most (1)")
+axes.set_ylabel("light of a layer, over the most")
 axes.legend(fontsize=9)
 axes.grid(alpha=0.3)
 plt.show()

@@ -66,7 +66,7 @@ for edge in ("binary", "grey"):
 axes.axhline(
     lm.peak_error(lm.psf(pupil, 65, 0.5, dtype="float64"), exact), color="C3", label="NonuniformFFT, tol = 1e-6"
 )
-axes.set_xlabel("samples across the aperture (1)")
+axes.set_xlabel("samples across the aperture")
 axes.set_ylabel("largest error over the peak")
 axes.grid(alpha=0.3)
 axes.legend()

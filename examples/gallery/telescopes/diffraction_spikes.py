@@ -45,6 +45,8 @@ for name, image in (("along a spike", line), ("no vanes", bare)):
     distance, values = image.profile()
     blocks = values[: values.size // 30 * 30].reshape(-1, 30).mean(axis=1)
     axes.loglog(distance[15 : 15 + 30 * blocks.size : 30], blocks, label=name)
+axes.set_xticks([2, 5, 10, 20, 50], ["2", "5", "10", "20", "50"])
+axes.minorticks_off()
 axes.set_xlabel("distance from the axis (λN)")
 axes.set_ylabel("intensity over the peak, averaged over 3 λN")
 axes.grid(alpha=0.3)

@@ -33,7 +33,7 @@ for axes, answer, title in zip(pictures.subplots(1, 2), (before, after), ("1990"
     shown = axes.imshow(
         np.log10(np.maximum(answer.values / after.values.max(), 1e-9)),
         extent=(-2.005, 2.005, 2.005, -2.005),
-        cmap="magma",
+        cmap="inferno",
         vmin=-6,
         vmax=0,
     )

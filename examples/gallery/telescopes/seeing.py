@@ -37,7 +37,9 @@ stars = {night: lm.psf(telescope, shape=101, pixel=pixel, blur=blur, tol=1e-4) f
 figure, axes = plt.subplots(1, 4, figsize=(11, 3.4), layout="constrained")
 peak = stars["no air"].values.max()
 for ax, (night, star) in zip(axes, stars.items(), strict=True):
-    shown = ax.imshow(np.log10(star.values / peak), extent=(-5.05, 5.05, 5.05, -5.05), cmap="magma", vmin=-5, vmax=0)
+    shown = ax.imshow(
+        np.log10(star.values / peak), extent=(-5.05, 5.05, 5.05, -5.05), cmap="inferno", vmin=-5, vmax=0
+    )
     ax.set_title(f"{night}\n{float(star.values.max() / peak):.2g} of the peak", fontsize=9)
     ax.set_xlabel("arcsec")
     print(f"{night}: bound on the error {star.error_bound:.1g} of its peak")

@@ -29,8 +29,8 @@ stars = np.round(camera.record(electrons, seed=1885))
 
 figure, axes = plt.subplots(1, 3, figsize=(9, 3.4), layout="constrained")
 for image, extra, ax in zip(stars, defocus, axes, strict=True):
-    shown = ax.imshow(np.sqrt(np.maximum(image - 95.0, 0.0)), cmap="magma")
-    ax.set_title(f"C_d {extra:+g} rad: {image.max():.0f} counts at most", fontsize=9)
+    shown = ax.imshow(np.sqrt(np.maximum(image - 95.0, 0.0)), cmap="inferno")
+    ax.set_title(f"$C_d$ {extra:+g} rad: {image.max():.0f} counts at most".replace("-", "−"), fontsize=9)
     ax.set_xlabel("column (pixels)")
 axes[0].set_ylabel("row (pixels)")
 

@@ -95,7 +95,8 @@ def main() -> None:
     """Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.
 
     Lenses and microscopes are described by TOML files; `lommel examples` lists those that come with lommel.
-    Lengths have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m".
+    Lengths have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m". Each command has --help
+    with examples.
 
     \b
     Examples:
@@ -109,7 +110,6 @@ def main() -> None:
       lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o s.tif
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2
-      lommel COMMAND --help                  # all options, with examples
     """  # noqa: D301 (\b is meant)
 
 

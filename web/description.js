@@ -2,7 +2,7 @@
 
 import { crc32 } from "./checksum.js";
 import { WHITE } from "./fields.js";
-import { focused, linesOf, termsOf, unitOfLength } from "./optics.js";
+import { focused, linesOf, termsOf, unitOfLength, vanesOf } from "./optics.js";
 
 // JSON as Python writes it, with keys in order and the digits of its floats, so that checksums agree.
 export function pythonJson(value, sorted) {
@@ -31,7 +31,7 @@ const digitsOf = (value) => value.toExponential().split("e")[0].replace(/[-.]/g,
 export function describedPsf(given, psf) {
   const state = focused(given);
   const float = (value) => new Float(value);
-  const { side, pixel, bound, values } = psf;
+  const { side, pixel, bound, area, values } = psf;
   const terms = termsOf(state).map(([n, m, c]) => [n, m, float(c)]);
   const lengthOf = unitOfLength(state);
   const shape = [side, side];
@@ -44,6 +44,7 @@ export function describedPsf(given, psf) {
       f_number: float(state.f_number),
       apodization: float(0),
       geometry: null,
+      ...(state.vanes ? { spider: { width: float(state.vane_width), angles: vanesOf(state).map(float) } } : {}),
     },
     method: methodOf(state, float),
     sampling: state.view === "averaged" ? "pixel" : "center",
@@ -52,9 +53,9 @@ export function describedPsf(given, psf) {
     center: [float(side >> 1), float(side >> 1)],
     integrate: state.view === "averaged",
     unit: "m",
-    error_bound: float(bound),
+    error_bound: bound === null ? null : float(bound),
     derivative_bounds: {},
-    scale: float(((pixel / lengthOf) ** 2 * Math.PI) / 4 / (1 - state.obscuration ** 2)),
+    scale: float(((pixel / lengthOf) ** 2 * Math.PI) / 4 / area),
     shape,
     dtype: "float32",
   };
@@ -65,7 +66,7 @@ export function describedPsf(given, psf) {
 }
 
 function methodOf(state, float) {
-  if (state.light !== "white") return { name: "NijboerZernike", tol: float(1e-6) };
+  if (state.light !== "white") return { name: state.vanes ? "NonuniformFFT" : "NijboerZernike", tol: float(1e-6) };
   const wavelengths = WHITE.map((line) => float(line * 1e-9));
   const weights = linesOf(state).map(([, share]) => float(share));
   return { name: "Polychromatic", wavelengths, weights, method: null, tol: float(1e-6) };

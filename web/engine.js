@@ -3,7 +3,7 @@ import { COLOURS } from "./fields.js";
 import { counted } from "./noise.js";
 import { changed, DEFAULTS } from "./state.js";
 import {
-  clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, slopes, spreadReach, stepOf, termsOf, waves,
+  clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
 } from "./optics.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
@@ -26,9 +26,10 @@ export class Engine {
     const state = focused(stated);
     const { side, pixel, tol } = asked(state, quality);
     const values = new Float32Array(side * side);
-    const [bound, peak, sum] = this.image(state, side, pixel, state.view === "averaged", tol, values);
+    const [proven, peak, sum, area] = this.image(state, side, pixel, state.view === "averaged", tol, values);
+    const bound = Number.isNaN(proven) ? null : proven; // none is proven with vanes
     this.seen = { key: keyOf(state, side, pixel, tol), bound, peak, sum };
-    const made = { values, side, pixel, bound, peak, sum, python: pythonOf(stated, side, pixel) };
+    const made = { values, side, pixel, bound, peak, sum, area, python: pythonOf(stated, side, pixel) };
     if (state.light === "white") made.colour = this.colour(side * side);
     if (state.noise === "on") {
       const expected = values.map((share) => share * state.photons);
@@ -51,29 +52,62 @@ export class Engine {
     const { error, radii, frequencies, nodes } = QUALITY[quality];
     this.light(state);
     const reach = stepOf(state, fineReach(state));
-    this.core.call("set_circles", reach, error);
-    const v = evenly(radii, reach);
-    const strehl_error = this.core.call("circle_error");
-    const [mean, reference] = this.circles(v, false);
-    const [share, flat] = this.circles(v, true);
-    const radius = this.core.call("radius_of", 0.8, reach);
+    const circles = (state.vanes ? this.cutCircles : this.wholeCircles).call(this, state, reach, radii, error);
     // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
     const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;
-    const edge = Float64Array.of(Math.min(reach, stepOf(state, 0.5 * side * pixel)));
-    const r = v.map((at) => lengthOf(state, at));
-    // Of the reference, and of all lines.
-    const unaberrated = ((1 - state.obscuration ** 2) * stepOf(state, pixel) ** 2) / (4 * Math.PI);
-    const bright = linesOf(state).reduce((all, [stretch, part]) => all + part * stretch ** 2, 0);
+    const edge = Math.min(reach, stepOf(state, 0.5 * side * pixel));
+    const r = evenly(radii, lengthOf(state, reach));
+    const { mean, reference, share, flat, area, radius } = circles;
     return {
       strehl: mean[0],
-      strehl_error,
-      unaberrated: unaberrated * bright, // value of a pixel at the peak
+      strehl_error: circles.error,
+      unaberrated: (area * brightness(state) * stepOf(state, pixel) ** 2) / (4 * Math.PI), // value of a pixel at the peak
       d80: radius < 0 ? null : 2 * lengthOf(state, radius),
-      within: summed ? null : this.circles(edge, true)[0][0],
+      within: summed ? null : circles.within(edge),
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
       mtf: withPixel(state, this.contrast(state, frequencies, nodes)),
     };
+  }
+
+  // Mean intensities and encircled energies up to a radius in v, of a pupil without vanes.
+  wholeCircles(state, reach, radii, allowed) {
+    this.core.call("set_circles", reach, allowed);
+    const error = this.core.call("circle_error");
+    const v = evenly(radii, reach);
+    const [mean, reference] = this.circles(v, false);
+    const [share, flat] = this.circles(v, true);
+    const radius = this.core.call("radius_of", 0.8, reach);
+    const within = (at) => this.circles(Float64Array.of(at), true)[0][0];
+    return { mean, reference, share, flat, error, radius, within, area: 1 - state.obscuration ** 2 };
+  }
+
+  // The same of one with vanes, whose energies are sums by Simpson's rule over `finer` steps; no error is proven.
+  cutCircles(state, reach, radii) {
+    const { core } = this;
+    const finer = [2, 4, 8].find((times) => reach < 0.2 * times * (radii - 1)) ?? 16;
+    const v = evenly(finer * (radii - 1) + 1, reach);
+    const [lit, plain] = [1, 0].map((aberrated) => {
+      const out = core.room("numbers", Float64Array, v.length);
+      const area = core.call("on_cut_circles", core.put("points", v), v.length, aberrated, out);
+      const mean = core.view(out, Float64Array, v.length).slice();
+      const light = mean.map((value, i) => (0.5 * area * brightness(state) * value * v[i] * v[1]) / 3);
+      const share = new Float64Array(v.length);
+      for (let i = 2; i < v.length; i += 2) {
+        share[i] = share[i - 2] + light[i - 2] + 4 * light[i - 1] + light[i];
+        share[i - 1] = 0.5 * (share[i - 2] + share[i]);
+      }
+      return { mean, share, area };
+    });
+    const coarse = (values) => values.filter((_, i) => i % finer === 0);
+    const within = (at) => {
+      const place = Math.min(v.length - 2, Math.floor(at / v[1]));
+      return lit.share[place] + (at / v[1] - place) * (lit.share[place + 1] - lit.share[place]);
+    };
+    const next = lit.share.findIndex((share) => share >= 0.8);
+    const radius = next < 0 ? -1 : v[next] - (v[1] * (lit.share[next] - 0.8)) / (lit.share[next] - lit.share[next - 1]);
+    const curves = { mean: coarse(lit.mean), reference: coarse(plain.mean), share: coarse(lit.share), flat: coarse(plain.share) };
+    return { ...curves, error: null, radius, within, area: lit.area };
   }
 
   maps(given, side) {
@@ -159,14 +193,14 @@ export class Engine {
     return planes.map((value) => Math.max(0, value * scale));
   }
 
-  // Fractions of all light per pixel, left in the block of values, and copied where one wants them; the bound on their error over
-  // the peak, the largest, and the sum.
+  // Fractions of all light per pixel, left in the block of values, and copied into an array; returns the bound on their error over
+  // the peak, the largest, the sum, and the clear area over that of the disk.
   image(state, side, pixel, integrate, tol, copy = null) {
     const { core } = this;
     for (let asked = tol; ; asked *= 10) {
       this.light(state);
       const out = core.room("values", Float32Array, side * side);
-      const numbers = core.room("numbers", Float64Array, 3);
+      const numbers = core.room("numbers", Float64Array, 4);
       try {
         const white = state.light === "white";
         const weights = white ? core.put("weights", Float64Array.from(COLOURS.flat())) : 0;
@@ -178,7 +212,7 @@ export class Engine {
         throw error;
       }
       copy?.set(core.view(out, Float32Array, side * side));
-      return core.view(numbers, Float64Array, 3).slice();
+      return core.view(numbers, Float64Array, 4).slice();
     }
   }
 
@@ -236,6 +270,7 @@ export class Engine {
       core.put("lines", Float64Array.from(lines.flat())),
       lines.length,
     );
+    core.call("set_vanes", core.put("points", Float64Array.from(vanesOf(state))), state.vanes, state.vane_width);
   }
 }
 
@@ -249,12 +284,14 @@ export function completed({ unaberrated, within, ...curves }, { peak, sum }) {
 function asked(state, quality) {
   const slow = state.light === "white" || termsOf(state).some(([, m]) => m !== 0);
   const { tol, side: most } = QUALITY[slow ? quality : "settled"];
-  const side = state.view === "fine" ? Math.min(most, state.side) : state.side;
+  let side = state.view === "fine" ? Math.min(most, state.side) : state.side;
+  // Vanes are paid for by the window: of the sensor's pixels those in twice the fine window.
+  if (state.vanes && state.view !== "fine") side = Math.min(side, Math.max(16, 4 * Math.ceil(fineReach(state) / state.pixel)));
   return { side, pixel: pixelOf(state, side), tol };
 }
 
 function keyOf(state, side, pixel, tol) {
-  return JSON.stringify([termsOf(state), linesOf(state), state.obscuration, state.view === "averaged", stepOf(state, pixel), side, tol]);
+  return JSON.stringify([termsOf(state), linesOf(state), state.obscuration, vanesOf(state), state.vane_width, state.view === "averaged", stepOf(state, pixel), side, tol]);
 }
 
 // Of settings that change the expected numbers, not of those of the display.
@@ -267,6 +304,11 @@ function withPixel({ pixel }, mtf) {
   const turn = (f) => Math.PI * f * pixel * 1e-3;
   const of = (curve) => curve.map((contrast, i) => (i ? Math.abs((contrast * Math.sin(turn(mtf.f[i]))) / turn(mtf.f[i])) : contrast));
   return { ...mtf, pixel_x: of(mtf.x), pixel_y: of(mtf.y) };
+}
+
+// Of all lines, over that of the reference.
+function brightness(state) {
+  return linesOf(state).reduce((all, [stretch, part]) => all + part * stretch ** 2, 0);
 }
 
 // From 0 to the last.

@@ -199,6 +199,10 @@ export function pythonOf(state, side, pixel) {
   if (listed.length) lines.push(`wavefront += lm.Wavefront.zernike({${listed.join(", ")}}, unit="waves")`);
   const light = [`wavelength=${metres(state.wavelength, -9)}`];
   if (state.obscuration) light.push(`obscuration=${state.obscuration}`);
+  if (state.vanes) {
+    const [first] = vanesOf(state);
+    light.push(`spider=lm.Spider.equal(${state.vanes}, width=${state.vane_width}${first ? `, first=${first}` : ""})`);
+  }
   if (distances) {
     // Of a focal length above 1 m the package takes the diameter for granted, and warns of an f-number.
     const { focal_length, f_number } = state;

@@ -29,6 +29,8 @@ struct Light {
     std::vector<double> edge;  // of each term, radians in light of the reference
     double obscuration = 0.0;
     std::vector<Line> lines;
+    std::vector<double> vanes;  // directions, radians
+    double vane_width = 0.0;    // over the radius
 
     bool radial() const {
         return std::all_of(terms.begin(), terms.end(), [](const lommel::ZernikeTerm& term) { return term.m == 0; });

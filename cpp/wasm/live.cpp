@@ -15,6 +15,7 @@
 #include "lommel/measures/overlap.hpp"
 
 #include "light.hpp"
+#include "vanes.hpp"
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
@@ -83,13 +84,22 @@ void set_light(const std::int32_t* terms, const double* edge, std::size_t count,
     }
 }
 
-// Fractions of all light per pixel; numbers: the bound on their error over the peak, the largest value, the sum. Where `weights`
+// Straight vanes from the axis to the edge, in these directions; none by default.
+EXPORT(set_vanes) void set_vanes(const double* angles, std::size_t count, double width) {
+    light.vanes.assign(angles, angles + count);
+    light.vane_width = width;
+}
+
+// Fractions of all light per pixel; numbers: the bound on their error over the peak, the largest value, the sum,
+// the clear area over that of the disk. Where `weights`
 // has three for each line, `planes` gets the sums over the lines by them.
 EXPORT(psf)
 void psf(std::size_t side, double step, bool integrate, double tol, float* out, double* numbers, const double* weights,
          float* planes) {
     const live::View view{side, step, integrate};
-    const live::Proof proof = live::image_of(light, view, tol, out, weights, planes);
+    numbers[3] = light.area();
+    const live::Proof proof = light.vanes.empty() ? live::image_of(light, view, tol, out, weights, planes)
+                                                  : live::cut_image_of(light, view, out, weights, planes, &numbers[3]);
     // In lanes, as the compiler may not by itself.
     constexpr std::size_t lanes = 16;
     const std::size_t pixels = side * side;
@@ -123,6 +133,11 @@ EXPORT(set_circles) void set_circles(double reach, double error) { circles = liv
 // Bound on the error of means on circles, over the peak without aberration.
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
+// Means at radii in v of a pupil with vanes, over the peak without aberration; with aberrations or without. Returns the clear area.
+EXPORT(on_cut_circles) double on_cut_circles(const double* v, std::size_t count, bool lit, double* out) {
+    return live::cut_circles(light, lit, v, count, out);
+}
+
 // At radii in v, with aberrations and without: means over the peak without aberration, or shares of all light within.
 EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -149,7 +164,10 @@ EXPORT(radius_of) double radius_of(double share, double reach) {
 // Contrast at frequencies over the cutoff of the reference: along columns, along rows, and without aberration.
 EXPORT(contrast) void contrast(const double* f, std::size_t count, std::size_t more, double* x, double* y, double* limit) {
     std::vector<std::complex<double>> sums(2 * count);
-    std::fill_n(limit, count, 0.0);
+    if (!light.vanes.empty()) {
+        live::cut_contrast(light, f, count, x, y, limit);
+        return;
+    }
     for (const live::Line& line : light.lines) {
         lommel::Overlap overlap(light.terms, light.stretched(line.stretch).data(), light.obscuration);
         for (std::size_t axis = 0; axis < (light.radial() ? 1 : 2); ++axis) {

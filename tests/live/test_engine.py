@@ -531,3 +531,86 @@ def test_the_same_setting_has_the_same_noise_and_another_one_another(engine):
     assert np.array_equal(noisy, blurred_planes(engine, {**state, "photons": 100, "read_noise": 0}, picture))
     assert noisy.mean() == pytest.approx(0.5, abs=5 * math.sqrt(0.005 / 2000))
     assert noisy.var() == pytest.approx(0.005, rel=0.2)
+
+
+VANES = [
+    {"vanes": 4, "vane_width": 0.03, "obscuration": 0.3, "defocus": 0},
+    {"vanes": 3, "vane_width": 0.05, "vane_angle": 17, "obscuration": 0.3, "coma": 0.3},
+    {"vanes": 1, "vane_width": 0.2, "vane_angle": -100, "defocus": 1},
+    {"vanes": 8, "vane_width": 0.1, "vane_angle": 1, "defocus": 0.5, "astigmatism": 0.3},
+    {"vanes": 5, "vane_width": 0.5, "vane_angle": 33, "obscuration": 0.6, "zernike": "5,-3:.1;10,2:.05"},
+    {"vanes": 2, "vane_width": 0.001, "vane_angle": 90.01, "focus": "distances", "spherical": 1},
+    {"vanes": 6, "light": "white", "obscuration": 0.2},
+    {"vanes": 7, "vane_width": 0.02, "vane_angle": 179.999, "defocus": 8, "pixel": 3},
+]
+
+
+@pytest.mark.parametrize("state", VANES, ids=lambda state: str(state["vanes"]))
+@pytest.mark.parametrize("view", ["fine", "sampled", "averaged"])
+def test_the_image_of_a_pupil_with_vanes_is_that_of_the_package(engine, state, view):
+    state = {**state, "view": view, "side": 48}
+    made, exact = engine.psf(state), psf_of(state, tol=1e-7, dtype=np.float64)
+    assert "error" not in made, made
+    assert made["bound"] is None
+    values = np.array(made["values"]).reshape(made["side"], -1)
+    assert made["pixel"] == pytest.approx(1e6 * exact.pixel, rel=1e-12)
+    assert np.abs(values - exact.values).max() <= 1e-6 * exact.values.max()
+    if view == "averaged":
+        scope = {}
+        exec(made["python"], scope)
+        assert np.abs(values - scope["psf"].values).max() <= 3e-6 * exact.values.max()
+        assert ("colour" in made) == ("light" in state)
+
+
+@pytest.mark.parametrize("turn", [0.0, 30.0])
+def test_the_image_of_a_pupil_with_vanes_is_that_of_quadrature(engine, turn):
+    """Directly, over the sector beside one vane: without the package."""
+    state = {"vanes": 1, "vane_width": 0.25, "vane_angle": turn, "defocus": 0.7, "spherical": -0.3, "coma": 0.2}
+    made = engine.psf({**state, "side": 32})
+    nodes, weights = np.polynomial.legendre.leggauss(80)
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    points = []
+    for t, weight in zip(0.5 * math.pi * nodes, 0.5 * math.pi * weights, strict=True):
+        # The disk without the half of it, then that half without the strip, in coordinates along the vane.
+        for first, last in ((-1.0, 1.0), (0.125, 1.0), (-1.0, -0.125)):
+            middle, half = 0.5 * (first + last), 0.5 * (last - first)
+            across = middle + half * math.sin(t)
+            rim = math.sqrt(1 - across**2)
+            low, high = (-rim, 0.0) if half == 1.0 else (0.0, rim)
+            along = 0.5 * (low + high) + 0.5 * (high - low) * nodes
+            points.append((along, np.full(80, across), weight * half * math.cos(t) * 0.5 * (high - low) * weights))
+    along, across, weight = (np.concatenate(part) for part in zip(*points, strict=True))
+    x, y = c * along - s * across, s * along + c * across
+    rho, theta = np.hypot(x, y), np.arctan2(y, x)
+    phase = 2 * math.pi * ((0.7 - 0.3 * rho**2) * rho**2 + 0.2 * (3 * rho**3 - 2 * rho) * np.cos(theta))
+    v = math.pi * made["pixel"] / (0.55 * 4) * (np.arange(32) - 16)
+    waves = np.exp(-1j * np.outer(v, x)), np.exp(-1j * np.outer(v, y))
+    field = (waves[1] * (weight * np.exp(1j * phase))) @ waves[0].T / math.pi
+    exact = np.abs(field) ** 2 * (v[1] - v[0]) ** 2 / (4 * weight.sum())
+    values = np.array(made["values"]).reshape(32, 32)
+    assert np.abs(values - exact).max() <= 3e-7 * exact.max()
+
+
+@pytest.mark.parametrize("state", [VANES[1], VANES[3]], ids=["3", "8"])
+def test_measures_with_vanes_are_those_of_the_package(engine, state):
+    state = {**state, "side": 96}
+    found, pupil = engine.measures(state), stated_pupil(state)
+    assert found["strehl"] == pytest.approx(float(lm.strehl(pupil)), abs=1e-6)
+    assert found["strehl_error"] is None
+    f = np.array(found["mtf"]["f"])[::8]
+    for name, (fx, fy) in {"x": (1e3 * f, 0.0), "y": (0.0, 1e3 * f)}.items():
+        assert np.array(found["mtf"][name])[::8] == pytest.approx(lm.mtf(pupil, fx, fy, tol=1e-6), abs=3e-5), name
+    limit = lm.mtf(pupil.unaberrated(), 1e3 * f, tol=1e-6)
+    assert np.array(found["mtf"]["limit"])[::8] == pytest.approx(limit, abs=3e-5)
+    # Of what a wide window of samples holds, and of its rings.
+    made = engine.psf({**state, "side": 512})
+    values, place = np.array(made["values"]).reshape(512, 512), (np.arange(512) - 256) * made["pixel"]
+    distance = np.hypot(place[:, None], place)
+    for i in (60, 120, 180):
+        radius = found["energy"]["r"][i]
+        assert values[distance < radius].sum() == pytest.approx(found["energy"]["share"][i], abs=2e-3)
+        ring = np.abs(distance - radius) < made["pixel"]
+        mean = values[ring].mean() / values.max() * found["peak_strehl"]
+        assert mean == pytest.approx(found["profile"]["mean"][i], rel=0.05, abs=1e-5)
+    assert values[distance < found["d80"] / 2].sum() == pytest.approx(0.8, abs=2e-3)
+    assert found["inside"] == pytest.approx(values.sum(), abs=1e-4)

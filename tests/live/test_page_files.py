@@ -21,7 +21,13 @@ def saved(page: Any, name: str) -> bytes:
 
 
 @pytest.mark.parametrize(
-    "look", ["view=fine&coma=0.4&coma_angle=30", "view=averaged&obscuration=0.3", "view=sampled&light=white"]
+    "look",
+    [
+        "view=fine&coma=0.4&coma_angle=30",
+        "view=averaged&obscuration=0.3",
+        "view=sampled&light=white",
+        "vanes=3&zernike=4,0:.1",
+    ],
 )
 def test_the_tiff_is_one_that_the_package_reads(visit: Callable[..., Any], tmp_path: Path, look: str) -> None:
     page = visit(f"/mounted#side=96&{look}&defocus=-0.00004&f_number=5.6")

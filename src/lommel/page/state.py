@@ -475,12 +475,17 @@ def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
     pupil = pupil_of(whole)
     if whole["light"] == "white":
         options.setdefault("method", Polychromatic(list(WHITE * 1e-9), [1.0] * len(WHITE)))
-    pixel = _fine_pixel(pupil, whole["side"]) if whole["view"] == "fine" else whole["pixel"] * 1e-6
-    return psf(pupil, whole["side"], pixel, integrate=whole["view"] == "averaged", **options)
+    reach, side, pixel = _fine_reach(pupil), whole["side"], whole["pixel"] * 1e-6
+    if whole["view"] == "fine":
+        pixel = 2.0 * reach / side
+    elif whole["vanes"]:
+        # As on the page, where the time with vanes grows with the window.
+        side = min(side, max(16, 4 * math.ceil(reach / pixel)))
+    return psf(pupil, side, pixel, integrate=whole["view"] == "averaged", **options)
 
 
-def _fine_pixel(pupil: Pupil, side: int) -> float:
-    """Return the pixel of the page's own window, which holds the geometric blur and some rings."""
+def _fine_reach(pupil: Pupil) -> float:
+    """Return half of the page's own window, which holds the geometric blur and some rings, metres."""
     # The same samples and steps of sqrt(2) as in fineReach() of the page.
     rho = pupil.obscuration + (1.0 - pupil.obscuration) * np.arange(25)[:, None] / 24.0
     theta = math.tau * np.arange(48) / 48.0
@@ -498,4 +503,4 @@ def _fine_pixel(pupil: Pupil, side: int) -> float:
     assert pupil.wavelength is not None
     assert pupil.f_number is not None
     reach = v * pupil.wavelength * 1e6 * pupil.f_number / math.pi
-    return float(2e-6 * 2.0 ** (math.ceil(2.0 * math.log2(reach)) / 2.0) / side)
+    return float(1e-6 * 2.0 ** (math.ceil(2.0 * math.log2(reach)) / 2.0))

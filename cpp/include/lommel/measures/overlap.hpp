@@ -49,6 +49,7 @@ class Overlap {
    public:
     // Beyond this degree a polynomial of x and y would lose digits.
     static constexpr std::size_t most = 12;
+    using Line = std::array<double, most + 1>;
 
     // Terms with radians at the edge.
     Overlap(const std::vector<ZernikeTerm>& terms, const double* edge, double eps) : eps_(eps) {
@@ -101,10 +102,11 @@ class Overlap {
         return {re_ / all, even_ ? 0.0 : im_ / all};
     }
 
-   private:
-    static constexpr std::size_t size = most + 1;
-    using Line = std::array<double, size>;
+    // Of the phase, in the coordinates faced: coefficients [power of x][power of y], and the longest gradient.
+    const std::array<Line, most + 1>& powers() const { return powers_; }
+    double slope() const { return steepest_; }
 
+    // Gauss-Legendre.
     struct Rule {
         Doubles x, w;  // on [0, 1]; filled up with weights of 0
         std::size_t nodes;
@@ -124,6 +126,10 @@ class Overlap {
         }
         return made;
     }
+
+   private:
+    static constexpr std::size_t size = most + 1;
+
     // For a part of the swing; few different ones.
     const Rule& rule_for(double part) const {
         const std::size_t wanted = static_cast<std::size_t>(6.0 + 0.3 * swing_ * std::min(1.0, part)) + more_;

@@ -88,7 +88,12 @@ def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
             if owner.setdefault(found, name) != name:
                 raise ValueError(f"{found} is declared both in {owner[found]} and in {name}")
         texts.append(text)
-    return "\n".join(texts)
+    return bare("\n".join(texts))
+
+
+def bare(text: str) -> str:
+    """Return a text without indentation, empty lines and lines of comments, which nothing here depends on."""
+    return re.sub(r"^(?:\s*//.*\n|\s+)", "", text, flags=re.MULTILINE)
 
 
 def constants(**values: object) -> str:
@@ -99,15 +104,16 @@ def constants(**values: object) -> str:
 def module(entry: str) -> str:
     """Return the text of the module."""
     made = {"packed.js": constants(wasmText=packed(compiled()))}
-    made["style.js"] = constants(styleText=(HERE / "live.css").read_text(encoding="utf-8"))
+    style = re.sub(r"/\*.*?\*/", "", (HERE / "live.css").read_text(encoding="utf-8"), flags=re.DOTALL)
+    made["style.js"] = constants(styleText=bare(style))
     made["shipped.js"] = constants(SHIPPED=presets())
     terms = [{"name": name, "n": n, "m": m} for name, (n, m) in DIRECTED.items()]
     fields = {name: field.told() for name, field in FIELDS.items()}
     other = {"DIRECTED": terms, "WHITE": WHITE.tolist(), "COLOURS": colour_weights().round(6).tolist()}
     made["fields.js"] = constants(FIELDS=fields, **other)
     # The worker gets its own text, without rows and help, and the compiled core from the page.
-    bare = {name: {k: v for k, v in field.items() if k not in ("row", "about")} for name, field in fields.items()}
-    without = {"packed.js": constants(wasmText=""), "fields.js": constants(FIELDS=bare, **other)}
+    short = {name: {k: v for k, v in field.items() if k not in ("row", "about")} for name, field in fields.items()}
+    without = {"packed.js": constants(wasmText=""), "fields.js": constants(FIELDS=short, **other)}
     worker = joined("worker.js", {**made, **without}, exports=False)
     made["workertext.js"] = constants(workerText=packed(worker.encode()))
     return BANNER + joined(entry, made, exports=True)

@@ -168,6 +168,7 @@ EXPORT(contrast) void contrast(const double* f, std::size_t count, std::size_t m
         live::cut_contrast(light, f, count, x, y, limit);
         return;
     }
+    std::fill_n(limit, count, 0.0);
     for (const live::Line& line : light.lines) {
         lommel::Overlap overlap(light.terms, light.stretched(line.stretch).data(), light.obscuration);
         for (std::size_t axis = 0; axis < (light.radial() ? 1 : 2); ++axis) {

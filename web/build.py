@@ -27,7 +27,7 @@ HERE = Path(__file__).resolve().parent
 FLAGS = [
     *("-target", "wasm32-wasi", "-mexec-model=reactor", "-Wl,--strip-all"),
     *("-std=c++17", "-O3", "-msimd128", "-ffp-contract=off", "-fno-math-errno", "-fignore-exceptions"),
-    *("-Wall", "-Wextra", "-Wno-psabi"),
+    *("-fno-unroll-loops", "-Wall", "-Wextra", "-Wno-psabi"),  # unrolled loops make a tenth of the download
 ]
 BANNER = """\
 /*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of

@@ -309,3 +309,11 @@ def test_stacks_fill_their_rows(count, columns):
 
 def test_lengths_of_scale_bars_are_round():
     assert [round_length(most) for most in (1.0, 1.9, 2.3, 7.0, 0.03)] == pytest.approx([1.0, 1.0, 2.0, 5.0, 0.02])
+
+
+def test_a_grid_in_colour_has_no_bar_of_one_colour_map():
+    field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
+    grid = field.grid(1, 2, sensor=(10e-3, 20e-3), shape=9, pixel=1e-6, channels=lm.Channels.rgb())
+    axes = grid.plot(stretch="linear")
+    assert axes.figure.axes == [axes]
+    assert axes.get_title("left") == "1 × 2 PSFs, each over its largest value\nbrightness: the value"

@@ -395,7 +395,7 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     ----------
     grid : PSFGrid
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title and a colour bar.
+        By default those of a new figure, which has a title and, unless in colour, a colour bar.
     stretch : {"sqrt", "linear", "log"}
         Scale of the values; "log" reaches down to 1e-5 of the largest value.
 
@@ -437,7 +437,11 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     axes.set_xticks(grid.x * factor, [true_minus(f"{value:.3g}") for value in grid.x * factor + 0.0])
     axes.set_yticks(grid.y * factor, [true_minus(f"{value:.3g}") for value in grid.y * factor + 0.0])
     if ax is None:
-        axes.set_title(f"{rows} × {columns} PSFs, each over its largest value", fontsize=9, loc="left", pad=22)
+        title = f"{rows} × {columns} PSFs, each over its largest value"
+        # A bar of one colour map says nothing of colours.
+        title += f"\nbrightness: {' '.join(STRETCHES[stretch].split())}" if coloured else ""
+        axes.set_title(title, fontsize=9, loc="left", pad=22)
+    if ax is None and not coloured:
         scale = library("matplotlib.cm", *USER).ScalarMappable(norm_of(stretch, np.ones(1)), colors)
         axes.figure.colorbar(scale, ax=axes, shrink=0.75, label="value over the largest of each PSF")
     axes.set(xlabel=f"x on the sensor ({unit})", ylabel=f"y on the sensor ({unit})")

@@ -186,6 +186,16 @@ def test_a_lesson_shows_the_controls_that_matter_and_all_on_demand(visit: Callab
     assert rows.count() == 2
 
 
+def test_the_lesson_on_the_axis_draws_rays_over_its_dark_centre(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?lesson=axis#defocus=1")
+    path = page.locator("svg.rays path").last.get_attribute("d")
+    places = np.array([[float(x) for x in pair.split()] for pair in re.findall(r"M([\d.]+ [\d.]+)", path)])
+    assert len(places) > 50
+    away = np.hypot(*(places - 500).T)
+    assert away.min() < 0.2 * away.max()  # in the middle too, where the light vanishes
+    assert page.locator('[data-number="strehl"]').inner_text().startswith("<")
+
+
 def test_lessons_are_walked_through_by_keyboard_and_the_address_follows(visit: Callable[..., Any]) -> None:
     page = visit("/mounted")
     assert page.locator(".lesson").is_hidden()

@@ -14,15 +14,31 @@ for (const [key, { row }] of Object.entries(FIELDS)) {
 }
 
 const LIGHTS = { mono: "one wavelength", white: "white light" };
+// Rows of a menu, before or after the sliders of their group.
+const FOCUS = { waves: "defocus in waves", distances: "by distances" };
+const ABOVE = { Wavefront: [["focus", "Focus", FOCUS]] };
+const BELOW = {
+  Wavefront: [["rays", "Rays", { off: "not shown", on: "over the image" }]],
+  Sensor: [["noise", "Noise", { off: "none", on: "photons and read noise" }]],
+};
+
+const SIDEWAYS = 6; // px that a finger moves before a slider follows it
+const PAUSE = 700; // ms without a change that end a gesture of the keyboard
 
 export class Controls {
-  // set(change, moving) is told of every change; `only` lists the keys to show, or is empty for all.
-  constructor({ state, set, only = [], level = 2 }) {
-    this.set = set;
+  // set(change, moving, gesture) takes every change, say(node, text) shows a remark; `only` lists the keys to show, or is empty for
+  // all. touched(key) is called with the slider that is used.
+  constructor({ state, set, say, touched, only = [], level = 2 }) {
+    Object.assign(this, { set, say, touched });
     this.rows = new Map();
+    this.menus = {};
+    this.gesture = { count: 0, key: "", time: 0 };
     const shows = (key) => !only.length || only.includes(key);
     const groups = GROUPS.map(([title, entries]) => {
-      const rows = entries.map((entry) => this.entry(entry, state, shows)).filter(Boolean);
+      const choices = (list = []) => list.filter(([key]) => shows(key)).map((choice) => this.choice(...choice, state));
+      const sliders = entries.map((entry) => this.entry(entry, state, shows)).filter(Boolean);
+      const further = title === "Wavefront" && shows("zernike") ? [this.further()] : [];
+      const rows = [...choices(ABOVE[title]), ...sliders, ...further, ...choices(BELOW[title])];
       const extra = this.extra(title, state, shows);
       if (!rows.length && !extra.length) return null;
       const head = el("div", { class: "head" }, el(`h${level + 1}`, { class: "title" }, title), ...extra);
@@ -40,54 +56,122 @@ export class Controls {
   }
 
   extra(title, state, shows) {
-    if (title === "Wavefront" && shows("waves_unit")) {
-      this.waves = menu("Unit of the wavefront", WAVES_UNITS, state.waves_unit, (waves_unit) => this.set({ waves_unit }), { "data-key": "waves_unit" });
-      return [el("div", { class: "inline" }, el("span", { "data-word": "edge" }, "at the edge, in"), this.waves)];
-    }
-    if (title === "Lens and light" && shows("light")) {
-      this.light = menu("Light", LIGHTS, state.light, (light) => this.set({ light }), { "data-key": "light" });
-      return [el("div", { class: "inline" }, this.light)];
-    }
-    if (title === "Sensor" && shows("length_unit")) {
-      this.length = menu("Unit of lengths", LENGTH_UNITS, state.length_unit, (length_unit) => this.set({ length_unit }), { "data-key": "length_unit" });
-      return [el("div", { class: "inline" }, el("span", {}, "lengths in"), this.length)];
-    }
+    const inline = (key, word, label, choices) => {
+      if (!shows(key)) return [];
+      this.menus[key] = menu(label, choices, state[key], (value) => this.set({ [key]: value }), { "data-key": key });
+      const text = word ? [el("span", { "data-word": title === "Wavefront" ? "edge" : key }, word)] : [];
+      return [el("div", { class: "inline" }, ...text, this.menus[key])];
+    };
+    if (title === "Wavefront") return inline("waves_unit", "at the edge, in", "Unit of the wavefront", WAVES_UNITS);
+    if (title === "Lens and light") return inline("light", "", "Light", LIGHTS);
+    if (title === "Sensor") return inline("length_unit", "lengths in", "Unit of lengths", LENGTH_UNITS);
     return [];
+  }
+
+  choice(key, label, choices, state) {
+    this.menus[key] = menu(label, choices, state[key], (value) => this.set({ [key]: value }), { "data-key": key });
+    return el("div", { class: "row choice", "data-row": key }, el("span", { "data-word": key }, label), this.menus[key]);
+  }
+
+  // Zernike terms of a lens file or listing, which have no sliders.
+  further() {
+    const remove = el("button", { type: "button", onclick: () => this.set({ zernike: "" }) }, "Remove");
+    this.terms = el("span", { "data-word": "zernike" });
+    this.termsRow = el("div", { class: "row choice", "data-row": "zernike" }, this.terms, remove);
+    return this.termsRow;
+  }
+
+  // The name of the gesture that a change belongs to: a drag from touch to release, keys or typing without a pause.
+  gestureOf(key, dragging) {
+    const { gesture } = this;
+    const now = performance.now();
+    if (gesture.key !== key || (!dragging && now - gesture.time > PAUSE)) gesture.count++;
+    Object.assign(gesture, { key, time: now });
+    return `${key} ${gesture.count}`;
   }
 
   row(key, state) {
     const spec = FIELDS[key].row;
     const id = unique(key);
     const name = spec.name ?? spec.label;
-    const hint = "Double click, or Delete, for the default";
+    const hint = `${FIELDS[key].about ?? name}\nDouble click, or Delete, for the default`;
     const slider = el("input", { type: "range", "aria-label": name, "data-key": key, title: hint });
     const box = el("input", { type: "number", id, "data-key": key, inputmode: "decimal", autocomplete: "off", step: "any" });
     const unit = el("span", { class: "unit" }, spec.unit ?? "");
     const row = { key, spec, slider, box, unit, name, dragging: false };
     const reset = () => this.set({ [key]: FIELDS[key].initial });
-    slider.addEventListener("pointerdown", () => (row.dragging = true));
-    for (const end of ["pointerup", "pointercancel", "blur", "lostpointercapture"])
-      slider.addEventListener(end, () => (row.dragging = false));
-    slider.addEventListener("input", () => {
-      const at = slider.valueAsNumber;
-      this.set({ [key]: spec.step === null ? Number((10 ** at).toPrecision(3)) : at }, true);
-    });
+    this.slide(row);
     slider.addEventListener("dblclick", reset);
     slider.addEventListener("keydown", (event) => {
       if (event.key === "Delete" || event.key === "Backspace") reset();
     });
+    this.type(row);
+    const label = el("label", { for: id, title: hint, "data-word": key, ondblclick: reset }, spec.label);
+    this.rows.set(key, row);
+    return el("div", { class: "row", "data-row": key }, el("div", { class: "line" }, label, box, unit), slider);
+  }
+
+  // A mouse moves a slider at once. A finger does after some way sideways, or as a tap; what scrolls the page leaves it as it was.
+  slide(row) {
+    const { key, slider } = row;
+    let touch = null;
+    const take = (at) => this.set({ [key]: valueAt(row, at) }, true, this.gestureOf(key, true));
+    const restore = () => {
+      row.shown = undefined;
+      this.update(this.state);
+    };
+    slider.addEventListener("pointerdown", (event) => {
+      this.gesture.key = "";
+      this.touched(key);
+      row.dragging = true;
+      touch = event.pointerType === "touch" ? { id: event.pointerId, x: event.clientX, before: this.state[key], at: null, moves: false } : null;
+    });
+    slider.addEventListener("pointermove", (event) => {
+      if (touch?.id !== event.pointerId || touch.moves || Math.abs(event.clientX - touch.x) < SIDEWAYS) return;
+      touch.moves = true;
+      if (touch.at !== null) take(touch.at);
+    });
+    slider.addEventListener("input", () => {
+      if (touch) touch.at = slider.valueAsNumber;
+      if (touch && !touch.moves) return restore();
+      this.touched(key);
+      if (!row.dragging) return this.set({ [key]: valueAt(row, slider.valueAsNumber) }, true, this.gestureOf(key, false));
+      return take(slider.valueAsNumber);
+    });
+    const end = (event) => {
+      if (touch && event.type === "pointercancel") {
+        if (touch.moves) this.set({ [key]: touch.before }, false, this.gestureOf(key, true));
+        else restore();
+      } else if (touch && event.type === "pointerup" && !touch.moves && touch.at !== null) take(touch.at);
+      if (event.type === "pointercancel" || event.type === "pointerup") touch = null;
+      row.dragging = false;
+    };
+    for (const name of ["pointerup", "pointercancel", "blur", "lostpointercapture"]) slider.addEventListener(name, end);
+  }
+
+  // What is typed counts as it is typed where it is in range; what is not is said, and moved into the range at the end.
+  type(row) {
+    const { key, box, name, spec } = row;
+    const { low, high } = FIELDS[key];
+    const typed = () => box.valueAsNumber / row.factor;
+    const outside = () => typed() < low * (1 - 1e-12 * Math.sign(low)) || typed() > high * (1 + 1e-12);
+    const range = () => `${name} is ${short(low * row.factor)} to ${short(high * row.factor)} ${spec.waves ? row.unit.textContent : spec.said}`.trim();
+    box.addEventListener("focus", () => (box.value = short(this.state[key] * row.factor, 12)));
     box.addEventListener("input", () => {
       this.edited = box;
-      if (Number.isFinite(box.valueAsNumber)) this.set({ [key]: box.valueAsNumber / row.factor }, true);
+      if (outside()) this.say(box, range());
+      else if (Number.isFinite(typed())) this.set({ [key]: typed() }, true, this.gestureOf(key, false));
     });
     const written = () => {
+      if (this.edited === box && outside()) {
+        const inside = Math.min(high, Math.max(low, typed()));
+        this.set({ [key]: inside }, false, this.gestureOf(key, false));
+        this.say(box, `${range()}: set to ${short(inside * row.factor)}`);
+      }
       this.edited = row.shown = undefined;
       this.update(this.state);
     };
     for (const end of ["change", "blur"]) box.addEventListener(end, written);
-    const label = el("label", { for: id, title: hint, ondblclick: reset }, spec.label);
-    this.rows.set(key, row);
-    return el("div", { class: "row", "data-row": key }, el("div", { class: "line" }, label, box, unit), slider);
   }
 
   // Whether a box holds what is not taken yet.
@@ -99,8 +183,13 @@ export class Controls {
     this.state = state;
     const waves = wavesUnit(state);
     for (const row of this.rows.values()) this.show(row, state, row.spec.waves ? waves : { factor: 1, name: row.spec.unit });
-    const menus = { waves_unit: this.waves, light: this.light, length_unit: this.length };
-    for (const [key, node] of Object.entries(menus)) if (node) node.value = state[key];
+    for (const [key, node] of Object.entries(this.menus)) node.value = state[key];
+    if (this.terms) {
+      const count = state.zernike.split(";").filter(Boolean).length;
+      this.termsRow.hidden = !count;
+      this.terms.textContent = `Further Zernike terms: ${count}`;
+      this.terms.title = state.zernike;
+    }
     for (const { spec, box } of this.rows.values())
       box.closest("[data-row]").hidden = spec.when.length > 0 && !spec.when.some(([key, ...values]) => values.includes(state[key]));
   }
@@ -113,13 +202,24 @@ export class Controls {
     row.factor = factor;
     const { slider, box, spec } = row;
     if (!row.dragging) this.range(row, value);
-    slider.value = spec.step === null ? Math.log10(value) : value;
-    const text = short(value * factor, 6);
-    if (this.edited !== box) box.value = text; // else when the typing is over
+    slider.value = placeOf(row, value);
+    this.fill(row);
+    const text = short(value * factor);
+    // What is typed stays until the typing is over.
+    if (this.edited !== box) box.value = box.matches(":focus") ? short(value * factor, 12) : text;
     row.unit.textContent = name;
     slider.setAttribute("aria-valuetext", `${text} ${spec.waves ? name : spec.said}`.trim());
     const said = spec.waves ? `${row.name}, ${name}` : [row.name, spec.said].filter(Boolean).join(", ");
     if (box.getAttribute("aria-label") !== said) box.setAttribute("aria-label", said);
+  }
+
+  // From zero, where the slider has it, else from its least.
+  fill({ slider, spec }) {
+    const [least, most] = [Number(slider.min), Number(slider.max)];
+    const share = (at) => Math.min(1, Math.max(0, (at - least) / (most - least)));
+    const [zero, now] = [spec.step === null ? 0 : share(0), share(slider.valueAsNumber)];
+    slider.style.setProperty("--from", Math.min(zero, now).toFixed(4));
+    slider.style.setProperty("--to", Math.max(zero, now).toFixed(4));
   }
 
   range({ slider, spec, key }, value) {
@@ -129,5 +229,77 @@ export class Controls {
     const wanted = { min: least, max: most, step: spec.step === null ? (most - least) / 400 : spec.step };
     // The step counts from the least: a value between two steps would be moved to one of them, on the screen only.
     for (const [name, number] of Object.entries(wanted)) if (slider[name] !== String(number)) slider[name] = number;
+  }
+}
+
+// Between a value and its place on the slider, which is logarithmic where it has no step.
+const placeOf = ({ spec }, value) => (spec.step === null ? Math.log10(value) : value);
+const valueAt = ({ spec }, place) => (spec.step === null ? Number((10 ** place).toPrecision(3)) : place);
+
+const ONE_WAY = 8000; // ms that a slider takes through its reach
+const STEPS_OF_REACH = 20;
+
+// Runs a slider to and fro through its reach, until anything is touched. Where motion is to be reduced, one step at a time.
+export class Play {
+  constructor({ controls, button, set, state }) {
+    Object.assign(this, { controls, button, set, state });
+    this.still = matchMedia("(prefers-reduced-motion: reduce)");
+    this.count = 0;
+    this.choose([...controls.rows.keys()][0]);
+  }
+
+  choose(key) {
+    this.stop();
+    this.key = key;
+    this.button.hidden = !key;
+    this.show();
+  }
+
+  show() {
+    if (!this.key) return;
+    const { name } = this.controls.rows.get(this.key);
+    const does = this.running ? "Pause" : this.still.matches ? "Step" : "Play";
+    this.button.textContent = `${this.running ? "❚❚" : "▶"} ${name}`;
+    this.button.setAttribute("aria-label", `${does} ${name}`);
+    this.button.title = `${does}: run the slider used last through its range`;
+  }
+
+  press() {
+    if (this.running) return this.stop();
+    const row = this.controls.rows.get(this.key);
+    const [least, most] = row.spec.reach.map((value) => placeOf(row, value));
+    const reach = most - least;
+    const from = Math.min(most, Math.max(least, placeOf(row, this.state()[this.key])));
+    const step = row.spec.step ?? reach / 400;
+    const gesture = `play ${++this.count}`;
+    // Up to the end, and back: the way gone counts from the least of the slider.
+    const go = (way) => {
+      const along = way % (2 * reach);
+      const place = least + Math.min(along, 2 * reach - along);
+      const value = row.spec.step === null ? place : least + Math.round((place - least) / step) * step;
+      this.set({ [this.key]: Number(valueAt(row, value).toPrecision(12)) }, true, gesture);
+    };
+    if (this.still.matches) {
+      this.way = this.stepped === this.key ? this.way + reach / STEPS_OF_REACH : from - least + reach / STEPS_OF_REACH;
+      this.stepped = this.key;
+      return go(this.way);
+    }
+    this.running = true;
+    this.show();
+    const begin = performance.now();
+    const turn = (now) => {
+      if (!this.running) return;
+      go(from - least + (Math.max(0, now - begin) / ONE_WAY) * reach);
+      this.raf = requestAnimationFrame(turn);
+    };
+    this.raf = requestAnimationFrame(turn);
+    return undefined;
+  }
+
+  stop() {
+    cancelAnimationFrame(this.raf);
+    if (!this.running) return;
+    this.running = false;
+    this.show();
   }
 }

@@ -166,6 +166,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     button("undo", "↶", "Undo (Ctrl+Z)", actions.undo, { "aria-label": "Undo" }),
     button("redo", "↷", "Redo (Ctrl+Shift+Z)", actions.redo, { "aria-label": "Redo" }),
     button("reset", "Reset", "All settings as at the start", actions.reset),
+    button("play", "▶", "", actions.play),
   );
   page.side = el("div", { class: "side" }, lessons.node, hands, controls);
 

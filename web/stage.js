@@ -135,7 +135,7 @@ export class Stage {
     this.legend.style.setProperty("--rays", RAYS);
     page.bar.parentNode.append(this.label);
     page.psf.after(this.legend);
-    this.place = new Readout(page.psf, () => this.drawn?.crop ?? 1, (column, row) => this.value(column, row));
+    this.place = new Readout(page.psf, () => this.drawn?.crop ?? 0, (column, row) => this.value(column, row));
     this.wave = new Readout(page.wavefront, () => mapSide, (column, row) =>
       this.wavefront ? waveSaid(this.given.state, this.wavefront, mapSide, column, row) : "",
     );
@@ -168,6 +168,15 @@ export class Stage {
       if (k) this.legend.hidden = !there;
     });
     this.place.update();
+  }
+
+  // Nothing is drawn, and nothing can be read.
+  clear() {
+    this.drawn = this.given = this.wavefront = undefined;
+    this.page.ruler.firstChild.textContent = "";
+    this.legend.hidden = true;
+    for (const overlay of this.overlays) overlay.toggleAttribute("hidden", true);
+    for (const readout of [this.place, this.wave]) readout.update();
   }
 
   // Numbers that came after what is drawn.

@@ -3,7 +3,7 @@
 import { acceptDrops, actions } from "./actions.js";
 import { Client } from "./client.js";
 import { Compare } from "./compare.js";
-import { Controls } from "./controls.js";
+import { Controls, Play } from "./controls.js";
 import { el } from "./dom.js";
 import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { layout, UNNAMED } from "./layout.js";
@@ -17,6 +17,7 @@ import { Stage } from "./stage.js";
 import { changed, DEFAULTS, fromText, History, toText } from "./state.js";
 import { styleText } from "./style.js";
 import { followTheme } from "./theme.js";
+import { sayBeside } from "./words.js";
 import { frequencyUnit, lengthUnit } from "./units.js";
 
 const SETTLE = 150; // ms after the last change
@@ -50,7 +51,8 @@ const CANVASES = { psf: ["psf"], wavefront: ["wavefront", "fringes"], recorded: 
 // The nodes in which each part of an answer is shown.
 function partsOf(page) {
   const { sensor, pupil, numbers, curves, code } = page.panels;
-  return { psf: [page.psf.parentNode, numbers], measures: [numbers, curves], wavefront: [pupil], recorded: [sensor], code: [code] };
+  const frame = page.psf.parentNode;
+  return { psf: [frame, numbers], rays: [frame], measures: [numbers, curves], wavefront: [pupil], recorded: [sensor], code: [code] };
 }
 
 // Whether a part of an answer depends on a setting.
@@ -81,18 +83,22 @@ export class View {
     if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.start });
     const set = (change, moving, gesture) => this.set(change, moving, gesture);
     const level = Math.min(5, Math.max(1, Number(heading) || 2));
-    this.controls = new Controls({ state: this.state, set, only, level });
+    const say = (node, text) => sayBeside(this.page.node, this.page.tip, node, text);
+    const touched = (key) => key !== this.play.key && this.play.choose(key);
+    this.controls = new Controls({ state: this.state, set, say, touched, only, level });
     const does = {
       ...actions(this),
       undo: () => this.travel(this.history.undo(this.state)),
       redo: () => this.travel(this.history.redo(this.state)),
       stop: () => (this.stopped ? this.settle() : this.stop()),
+      play: () => this.play.press(),
     };
     this.lessons = new Lessons((name, state) => this.learn(name, state), level);
     const { lessons } = this;
     const parts = { controls: this.controls.node, lessons, presets: PRESETS, actions: does, only, level, docs };
     this.page = layout({ state: this.state, set, ...parts });
     this.parts = partsOf(this.page);
+    this.play = new Play({ controls: this.controls, button: this.page.play, set, state: () => this.state });
     lessons.show(asked);
     this.compare = new Compare(this.page);
     this.stage = new Stage(this.page, MAP_SIDE);
@@ -104,6 +110,15 @@ export class View {
     root.addEventListener("keydown", (event) => this.key(event));
     root.addEventListener("click", (event) => this.guard(event), true);
     acceptDrops(this.page.node, does.file);
+    root.addEventListener("pointerdown", (event) => event.target !== this.page.play && this.play.stop());
+    this.hide = () => document.hidden && this.play.stop();
+    document.addEventListener("visibilitychange", this.hide);
+    // Keys while nothing has the focus are for the page that has the address.
+    this.keys = (event) => {
+      if (event.key === "Escape") this.page.tip.hidden = true;
+      if (url && event.target === document.body) this.key(event);
+    };
+    document.addEventListener("keydown", this.keys);
     element.append(this.host);
     this.unfollow = followTheme(this.page.node, theme);
     this.fromLink = () => {
@@ -132,6 +147,9 @@ export class View {
     this.gone = true;
     cancelAnimationFrame(this.raf);
     clearInterval(this.watch);
+    this.play.stop();
+    document.removeEventListener("visibilitychange", this.hide);
+    document.removeEventListener("keydown", this.keys);
     for (const timer of [this.settling, this.linking, this.telling, this.warming]) clearTimeout(timer);
     removeEventListener("hashchange", this.fromLink);
     removeEventListener("popstate", this.fromHistory);
@@ -186,13 +204,16 @@ export class View {
   look() {
     const { page } = this;
     const now = performance.now();
+    const late = new Map();
     let most = 0;
     for (const [part, nodes] of Object.entries(this.parts)) {
+      if (part === "rays" && !this.of.rays) continue;
       const since = this.of[part] ? this.of[part].left[part] : this.born;
       const age = since === undefined ? 0 : now - since;
       if (nodes.some((node) => !node.hidden) && part !== "code") most = Math.max(most, age);
-      for (const node of nodes) node.classList.toggle("late", age > GREY);
+      for (const node of nodes) late.set(node, late.get(node) || age > GREY);
     }
+    for (const [node, old] of late) node.classList.toggle("late", old);
     const busy = "busy" in this.host.dataset;
     page.node.classList.toggle("working", busy && most > GREY);
     const said = this.stopped ? "Stopped: nothing is computed for this setting." : busy && most > WORDS ? `Computing: ${longSaid(this.state)} …` : "";
@@ -224,12 +245,14 @@ export class View {
       for (const canvas of CANVASES[part] ?? []) this.page[canvas].getContext("2d").clearRect(0, 0, 1e5, 1e5);
     }
     if (parts.includes("code")) this.settled = undefined;
+    if (parts.includes("psf")) this.stage.clear();
     this.drawNumbers();
   }
 
   // Shortcuts of the page around are not meant for what is typed here.
   key(event) {
     event.stopPropagation();
+    if (event.target !== this.page.play) this.play.stop();
     if (!(event.ctrlKey || event.metaKey) || event.altKey || !/^[zy]$/i.test(event.key)) return;
     if (this.controls.typing()) return; // the box undoes what is typed
     event.preventDefault();
@@ -345,8 +368,10 @@ export class View {
       if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => got({ wavefront })));
       this.pupil = pupil;
     }
-    if (state.rays !== "on") this.shown = { ...this.shown, rays: null };
-    else if (quality !== "picture") jobs.push(client.call("rays", state).then((rays) => got({ rays })));
+    if (state.rays !== "on") {
+      this.shown = { ...this.shown, rays: null };
+      delete this.of.rays;
+    } else if (quality !== "picture") jobs.push(client.call("rays", state).then((rays) => got({ rays })));
     if (!this.page.panels.sensor.hidden) jobs.push(this.record(state, quality, got));
     const patience = setInterval(() => this.wanted && client.worker && client.renew({ message: LATE }), PATIENCE);
     const ends = await Promise.allSettled(jobs);
@@ -387,7 +412,8 @@ export class View {
   // The state that a part answers, looking as the controls say.
   stateOf(part) {
     const { state } = this;
-    return { ...(this.of[part]?.state ?? state), ...Object.fromEntries([...LOOKS].map((key) => [key, state[key]])) };
+    const own = (key) => matters(part, key, state) && this.of[part];
+    return Object.fromEntries(Object.keys(state).map((key) => [key, (own(key)?.state ?? state)[key]]));
   }
 
   draw(part = this.shown) {

@@ -43,6 +43,8 @@ def test_the_page_that_it_opens_shows_the_lens(running, browser):
     page.goto(line.split()[0])
     page.wait_for_selector(".lommel-live-host:not([data-busy])", state="attached")
     assert page.title().startswith("Hubble Space Telescope")
+    assert page.locator("main h1").inner_text() == page.title()
+    assert page.locator("main").count() == page.locator("h1").count() == 1
     assert page.locator('input[type=number][data-key="f_number"]').input_value() == "24"
     page.close()
     assert complaints == []

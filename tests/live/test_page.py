@@ -43,7 +43,7 @@ def test_dragging_any_slider_moves_its_value_its_box_and_the_picture(visit: Call
         assert len(seen) >= 3, key
         after = state(page)[key]
         assert after != before, key
-        assert float(box(page, key).input_value()) == pytest.approx(after, rel=1e-5), key
+        assert float(box(page, key).input_value()) == pytest.approx(after, rel=5e-4), key
         if key not in ("pixel", "vanes"):  # which the fine view does not show
             assert page.evaluate(PIXELS) != picture, key
         assert page.evaluate("live.result().state")[key] == after, key
@@ -113,7 +113,7 @@ def test_units_change_what_is_shown_and_not_the_state(visit: Callable[..., Any])
     page = visit("/mounted#side=64&defocus=0.5&wavelength=600&f_number=5&focal_length=1000&length_unit=um")
     before = state(page)
     wide = float(page.locator('dd[data-number="d80"]').inner_text().split()[0])
-    for unit, text in (("rad", "3.14159"), ("nm", "300"), ("waves", "0.5")):
+    for unit, text in (("rad", "3.142"), ("nm", "300"), ("waves", "0.5")):
         page.get_by_label("Unit of the wavefront").select_option(unit)
         rest(page)
         assert box(page, "defocus").input_value() == text

@@ -35,18 +35,18 @@ def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | No
       lommel live hubble-1990.toml --save hubble.html
     """
     state: dict[str, float] = {}
-    title = "lommel"
+    name = ""
     if lens is not None:
         instrument = load_instrument(lens)
         state, left_out = state_of(instrument)
-        title = instrument.name or lens.name
+        name = instrument.name or lens.name
         if left_out:
             click.echo(f"The page does not show {left_out}.", err=True)
     if saved is not None:
-        atomic.write(saved, module.html(state, title, alone=True).encode())
+        atomic.write(saved, module.html(state, name, alone=True).encode())
         return
-    with PageServer(state, title, port or 0) as server:
-        click.echo(f"{server.url} shows {title}; Ctrl-C stops it.")
+    with PageServer(state, name, port or 0) as server:
+        click.echo(f"{server.url} shows {name or 'lommel'}; Ctrl-C stops it.")
         if not no_browser:
             webbrowser.open(server.url)
         try:

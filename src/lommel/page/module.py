@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from html import escape
+from importlib import metadata
 from pathlib import Path
 
 from lommel.page.state import link
@@ -19,7 +20,7 @@ _PAGE = """<!doctype html>
 <title>{title}</title>
 <style>body {{ margin: 0; }}</style>
 <body>
-<script type="module" {source}data-lommel="{state}">{text}</script>
+<main><script type="module" {source}data-lommel="{state}" data-lommel-heading="1"{more}>{text}</script></main>
 </body>
 </html>
 """
@@ -36,9 +37,25 @@ def path() -> Path:
     return found
 
 
-def html(state: Mapping[str, object], title: str = "lommel", *, alone: bool = False) -> str:
-    """Return the HTML of a page that starts in a state, `alone` with the module inside, else with it beside."""
+def documentation() -> str:
+    """Return the address of the documentation that the installed package names, or an empty string."""
+    try:
+        addresses = metadata.metadata("lommel").get_all("Project-URL") or []
+    except metadata.PackageNotFoundError:
+        return ""
+    named = (address.partition(", ") for address in addresses)
+    return next((url for name, _, url in named if name.lower() == "documentation" and url.startswith("https://")), "")
+
+
+def html(state: Mapping[str, object], lens: str = "", *, alone: bool = False) -> str:
+    """Return the HTML of a page that starts in a state, that of the lens of this name if one is given.
+
+    `alone` it has the module inside, else beside it.
+    """
     # Within a script only its end has a meaning; in strings of the module it may be written so too.
     text = path().read_text(encoding="utf-8").replace("</script", "<\\/script") if alone else ""
     source = "" if alone else f"src={json.dumps(NAME)} "
-    return _PAGE.format(title=escape(title), source=source, state=escape(link(state)), text=text)
+    more = "".join(
+        f' data-lommel-{key}="{escape(value)}"' for key, value in (("name", lens), ("docs", documentation())) if value
+    )
+    return _PAGE.format(title=escape(lens or "lommel"), source=source, state=escape(link(state)), more=more, text=text)

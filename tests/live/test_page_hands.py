@@ -1,0 +1,323 @@
+"""The live page by hand: touch, keys, undo, play, help; and nothing shown beside a setting that it is not of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from live_page import box, rest, slider, state
+
+HUBBLE = "Hubble Space Telescope before its 1993 repair, at its best focus"
+PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
+# Answers of the core take as long as window.slow says, in ms.
+SLOW = """window.slow = 0; window.questions = []; const { postMessage } = Worker.prototype;
+Worker.prototype.postMessage = function (message) {
+  if (message.method === "start" || !window.slow) return postMessage.call(this, message);
+  setTimeout(() => postMessage.call(this, message), window.slow);
+};"""
+
+
+def touch(page: Any, *points: tuple[float, float]) -> None:
+    """Swipe along points with one finger."""
+    session = page.context.new_cdp_session(page)
+    for index, (x, y) in enumerate(points):
+        kind = "touchMove" if index else "touchStart"
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y}]})
+        page.wait_for_timeout(16)
+    session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+
+def middle(page: Any, key: str) -> tuple[float, float, float]:
+    """Return the middle of a slider, in view, and its width."""
+    slider(page, key).scroll_into_view_if_needed()
+    page.wait_for_timeout(100)
+    place = slider(page, key).bounding_box()
+    return place["x"] + place["width"] / 2, place["y"] + place["height"] / 2, place["width"]
+
+
+def text(page: Any, key: str) -> str:
+    """Return a number as it is shown."""
+    return page.locator(f'dd[data-number="{key}"]').inner_text()
+
+
+def late(page: Any) -> set[str]:
+    """Return the panels that are grey."""
+    return set(page.locator(".late").evaluate_all("all => all.map((node) => node.className.split(' ')[0])"))
+
+
+def test_a_swipe_that_scrolls_changes_nothing(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", **PHONE)
+    x, y, _ = middle(page, "spherical")
+    before, at = state(page), page.evaluate("scrollY")
+    page.evaluate("window.told = 0; live.set({}); 0")
+    touch(page, *((x + 40, y - 12 * k) for k in range(14)))
+    rest(page)
+    assert page.evaluate("scrollY") > at + 60
+    assert state(page) == before
+    assert float(slider(page, "spherical").input_value()) == before["spherical"]
+    assert page.locator('[data-action="undo"]').get_attribute("aria-disabled") == "true"
+
+
+def test_a_finger_drags_sideways_and_a_tap_sets(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", **PHONE)
+    x, y, wide = middle(page, "spherical")
+    touch(page, *((x + 8 * k, y) for k in range(8)))
+    rest(page)
+    assert state(page)["spherical"] == pytest.approx(10 * 56 / (wide - 16), abs=0.15)
+    touch(page, (x, y))
+    rest(page)
+    assert abs(state(page)["spherical"]) < 0.1
+
+
+def test_a_drag_is_one_step_back_and_forth(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    x, y, wide = middle(page, "defocus")
+    ends = []
+    for shares in ((0.1, 0.2, 0.3), (0.0, -0.2)):
+        page.mouse.move(x, y)
+        page.mouse.down()
+        for share in shares:
+            page.mouse.move(x + share * wide, y)
+            page.wait_for_timeout(30)
+        page.mouse.up()
+        rest(page)
+        ends.append(state(page)["defocus"])
+    undo, redo = page.get_by_role("button", name="Undo"), page.get_by_role("button", name="Redo")
+    undo.click()
+    assert state(page)["defocus"] == ends[0]
+    page.keyboard.press("Control+z")
+    assert state(page)["defocus"] == 0.6
+    rest(page)
+    assert undo.get_attribute("aria-disabled") == "true"
+    undo.click(force=True)
+    assert state(page)["defocus"] == 0.6
+    page.keyboard.press("Control+Shift+z")
+    redo.click()
+    assert state(page)["defocus"] == ends[1]
+    page.locator('select[data-key="light"]').select_option("white")
+    page.keyboard.press("Control+z")
+    assert state(page)["light"] == "mono"
+    rest(page)
+    assert redo.get_attribute("aria-disabled") == "false"
+
+
+def test_in_a_box_control_z_undoes_what_is_typed(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    box(page, "coma").fill("0.5")
+    page.keyboard.press("Enter")
+    box(page, "coma").focus()
+    page.keyboard.type("7")
+    page.keyboard.press("Control+z")
+    assert state(page)["coma"] in (0, 0.5)
+    assert page.locator('[data-action="undo"]').get_attribute("aria-disabled") == "false"
+
+
+def test_boxes_show_four_digits_and_all_of_them_when_focused(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&coma=0.4390812&coma_angle=-61.5512")
+    assert box(page, "coma").input_value() == "0.4391"
+    assert box(page, "coma_angle").input_value() == "-61.55"
+    for key in ("coma", "coma_angle", "defocus"):
+        assert box(page, key).evaluate("node => node.scrollWidth <= node.clientWidth"), key
+    box(page, "coma").focus()
+    assert box(page, "coma").input_value() == "0.4390812"
+    page.keyboard.press("Tab")
+    assert box(page, "coma").input_value() == "0.4391"
+    assert state(page)["coma"] == 0.4390812
+
+
+def test_a_number_out_of_range_is_said_and_moved_into_it(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    box(page, "f_number").fill("0")
+    tip = page.locator(".tip")
+    assert tip.inner_text() == "f-number is 0.7 to 100"
+    assert state(page)["f_number"] == 4
+    page.keyboard.press("Enter")
+    assert tip.inner_text() == "f-number is 0.7 to 100: set to 0.7"
+    assert state(page)["f_number"] == 0.7
+    rest(page)
+    box(page, "f_number").fill("8")
+    page.keyboard.press("Enter")
+    assert tip.is_hidden()
+    assert state(page)["f_number"] == 8
+
+
+def test_sliders_of_both_signs_fill_from_zero(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&defocus=-2.5&spherical=2.5&coma=1.5")
+    fills = {"defocus": (0.25, 0.5), "spherical": (0.5, 0.75), "coma": (0, 0.5)}
+    for key, ends in fills.items():
+        seen = slider(page, key).evaluate(
+            "node => ['--from', '--to'].map((name) => Number(node.style.getPropertyValue(name)))"
+        )
+        assert seen == pytest.approx(ends, abs=1e-3), key
+
+
+def test_every_target_is_24_pixels_high(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&vanes=3&noise=on", viewport={"width": 1024, "height": 768})
+    heights = page.locator("input[type=range], button, select, input[type=number]").evaluate_all(
+        "all => all.filter((node) => node.checkVisibility()).map((node) => node.getBoundingClientRect().height)"
+    )
+    assert len(heights) > 40
+    assert min(heights) >= 24
+
+
+def test_play_runs_the_slider_used_last_until_anything_is_touched(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    slider(page, "spherical").focus()
+    page.keyboard.press("ArrowRight")
+    rest(page)
+    play = page.locator('[data-action="play"]')
+    assert play.get_attribute("aria-label") == "Play Spherical"
+    play.click()
+    page.wait_for_timeout(600)
+    assert play.get_attribute("aria-label") == "Pause Spherical"
+    moved = state(page)["spherical"]
+    assert moved > 0.1
+    page.locator(".psf .title").click()
+    stopped = state(page)["spherical"]
+    page.wait_for_timeout(300)
+    assert state(page)["spherical"] == stopped
+    page.keyboard.press("Control+z")
+    assert state(page)["spherical"] == 0.01  # one step for all of it
+
+
+def test_where_motion_is_reduced_play_goes_step_by_step(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&defocus=0", reduced_motion="reduce")
+    play = page.locator('[data-action="play"]')
+    assert play.get_attribute("aria-label") == "Step Defocus"
+    for wanted in (0.5, 1.0):
+        play.click()
+        page.wait_for_timeout(300)
+        assert state(page)["defocus"] == pytest.approx(wanted)
+
+
+def test_an_answer_to_an_older_setting_is_grey_within_a_fifth_of_a_second(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=SLOW)
+    assert late(page) == set()
+    page.evaluate("window.slow = 3500; live.set({ coma: 0.5 })")
+    page.wait_for_function(
+        "document.querySelector('.lommel-live-host').shadowRoot.querySelector('.working')", timeout=1500
+    )
+    assert {"numbers", "plots", "frame", "pupils", "picture", "code"} <= late(page)
+    assert page.locator(".work").is_hidden()
+    for name in ("png", "csv", "tiff", "python", "hold"):
+        assert page.locator(f'[data-action="{name}"]').get_attribute("aria-disabled") == "true", name
+    page.locator('[data-action="csv"]').click(force=True)
+    assert "computing" in page.locator("p[role=status]").inner_text().lower()
+    page.locator(".work", has_text="Computing").wait_for(timeout=3500)
+    page.evaluate("window.slow = 0")
+    rest(page)
+    assert late(page) == set()
+    assert page.locator(".work").is_hidden()
+    assert page.locator('[data-action="csv"]').get_attribute("aria-disabled") == "false"
+
+
+def test_stop_leaves_dashes_and_any_change_computes_again(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=SLOW)
+    page.evaluate("window.slow = 60000; live.set({ coma: 0.5 })")
+    page.get_by_role("button", name="Stop").click(timeout=8000)
+    rest(page)
+    assert "Stopped" in page.locator(".work").inner_text()
+    assert {text(page, key) for key in ("strehl", "largest", "d80", "inside", "bound", "time")} == {"–"}
+    assert page.locator(".plot path.curve").count() == 0
+    assert page.locator(".code pre").inner_text() == "–"
+    assert page.evaluate("live.result() === undefined")
+    page.evaluate("window.slow = 0; live.set({ coma: 0.25 })")
+    rest(page)
+    assert page.locator(".work").is_hidden()
+    assert page.evaluate("live.result().state.coma") == 0.25
+    assert 0 < float(text(page, "strehl")) < 1
+
+
+def test_while_dragging_the_numbers_are_of_the_last_frames(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=128&view=fine")
+    page.evaluate(
+        """() => { window.ages = []; const root = document.querySelector(".lommel-live-host").shadowRoot;
+        let k = 0; const turn = () => {
+          live.set({ defocus: 0.6 + 0.004 * ++k });
+          window.ages.push(root.querySelector(".numbers").classList.contains("late"));
+          if (k < 60) requestAnimationFrame(turn); };
+        turn(); }"""
+    )
+    page.wait_for_function("ages.length >= 60")
+    rest(page)
+    shown = float(text(page, "strehl"))
+    page.evaluate("live.set({ defocus: 0 }); 0")
+    rest(page)
+    page.evaluate("live.set({ defocus: 0.84 }); 0")
+    rest(page)
+    assert float(text(page, "strehl")) == shown
+
+
+def test_the_source_of_a_preset_goes_with_its_setting_and_nothing_moves(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    top = page.locator(".now canvas").bounding_box()
+    assert page.locator("h2.name").inner_text() == "Point spread function, live"
+    page.locator('select[data-key="preset"]').select_option(label=HUBBLE)
+    rest(page)
+    assert page.locator("h2.name").inner_text() == HUBBLE
+    assert "Burrows" in page.locator(".source").inner_text()
+    assert page.locator(".now canvas").bounding_box() == top
+    page.evaluate("live.set({ defocus: 1 })")
+    rest(page)
+    assert page.locator("h2.name").inner_text() == f"{HUBBLE}, changed"
+    assert page.locator(".source").is_hidden()
+    assert page.locator('select[data-key="preset"]').input_value() == ""
+    assert page.locator(".now canvas").bounding_box() == top
+    page.keyboard.press("Control+z")
+    rest(page)
+    assert page.locator(".source").is_visible()
+    page.locator('[data-action="reset"]').click()
+    rest(page)
+    assert page.locator("h2.name").inner_text() == "Point spread function, live"
+
+
+def test_a_word_that_is_tapped_shows_its_meaning(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", has_touch=True)
+    tip = page.locator(".tip")
+    for word, part in (
+        (".numbers dt[data-word=largest]", "below the Strehl ratio"),
+        ("label[data-word=defocus]", "W020"),
+        (".plots [data-word=mtf]", "contrast"),
+        ("span[data-word=edge]", "Zernike"),
+    ):
+        page.locator(word).tap()
+        assert part in tip.inner_text(), word
+    page.keyboard.press("Escape")
+    assert tip.is_hidden()
+
+
+def test_help_explains_every_control_and_number_by_keyboard(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    page.get_by_role("button", name="Help").focus()
+    page.keyboard.press("Enter")
+    names = set(page.locator(".help dt").all_inner_texts())
+    sliders = page.locator("input[type=range]").evaluate_all(
+        "all => all.map((node) => node.getAttribute('aria-label'))"
+    )
+    assert set(sliders) <= names
+    assert set(page.locator(".numbers dt").all_inner_texts()) <= names
+    assert all(sentence.endswith(".") for sentence in page.locator(".help dd").all_inner_texts())
+    page.keyboard.press("Enter")
+    assert page.locator(".help").is_hidden()
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1024, 768), (1920, 1080)])
+def test_controls_picture_numbers_and_curves_are_on_one_screen(
+    visit: Callable[..., Any], size: tuple[int, int]
+) -> None:
+    wide, high = size
+    page = visit("/mounted#side=64", viewport={"width": wide, "height": high})
+    for part in (".now canvas", ".numbers", ".plots", ".scale", ".hands", '[data-row="defocus"]'):
+        place = page.locator(part).bounding_box()
+        assert place["y"] >= 0, part
+        assert place["y"] + place["height"] <= high, part
+        assert place["x"] + place["width"] <= wide, part
+    assert page.locator(".now canvas").bounding_box()["height"] >= 0.55 * high
+    # The last control is reached by scrolling their own box; the picture stays.
+    last = page.locator("input[type=range]:visible").last
+    last.evaluate("node => node.closest('.side').scrollTo(0, 1e6)")
+    place = last.bounding_box()
+    assert place["y"] + place["height"] <= high
+    assert page.evaluate("scrollY") == 0

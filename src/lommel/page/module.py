@@ -58,4 +58,5 @@ def html(state: Mapping[str, object], lens: str = "", *, alone: bool = False) ->
     more = "".join(
         f' data-lommel-{key}="{escape(value)}"' for key, value in (("name", lens), ("docs", documentation())) if value
     )
-    return _PAGE.format(title=escape(lens or "lommel"), source=source, state=escape(link(state)), more=more, text=text)
+    title = escape(lens or "lommel")
+    return _PAGE.format(title=title, source=source, state=escape(link(state)), more=more, text=text)

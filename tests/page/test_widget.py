@@ -42,7 +42,7 @@ def test_what_is_out_of_range_is_refused():
         with pytest.raises(ValueError, match=r"coma|map|side|defocuss"):
             lm.live(**wrong)
     w = lm.live()
-    for name, wrong in (("coma", 11.0), ("map", "jet"), ("side", 8), ("defocus", "x")):
+    for name, wrong in (("coma", 11.0), ("map", "jet"), ("side", 8), ("defocus", "x"), ("zernike", "4,1:1")):
         with pytest.raises(traitlets.TraitError):
             setattr(w, name, wrong)
         with pytest.raises((TypeError, ValueError), match=name):
@@ -56,6 +56,18 @@ def test_the_psf_of_a_widget_is_that_of_its_state():
     assert isinstance(found, lm.PSF)
     assert (found.pixel, found.grid.integrate, found.values.dtype) == (1.5e-6, True, np.float64)
     np.testing.assert_array_equal(found.values, psf_of(w.state, tol=1e-9).values)
+
+
+def test_a_widget_takes_distances_further_terms_and_vanes():
+    w = lm.live(focus="distances", object_distance=1.8, zernike="4,2:0.1", vanes=4, side=32)
+    w.zernike = "4,2:0.1;5,-1:.02"
+    pupil = w.psf().pupil
+    lens = lm.Lens(focal_length=50e-3, f_number=4, focus_distance=2.0, wavelength=550e-9)
+    assert pupil.f_number == lens.pupil(1.8).f_number
+    assert len(pupil.spider.angles) == 4
+    found = pupil.wavefront - lens.pupil(1.8).wavefront
+    wanted = lm.Wavefront.zernike({(4, 2): 0.1, (5, -1): 0.02}, unit="waves")
+    assert max(abs(c) for c in (found - wanted).edge_terms().values()) < 1e-12
 
 
 def test_a_lens_file_is_where_it_starts(lenses):

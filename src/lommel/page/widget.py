@@ -20,19 +20,27 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
 
     Every control is a synchronised trait of the widget: ``w.coma = 0.5`` moves the slider, and ``w.observe(...,
     "coma")`` is notified when it is dragged. ``w.state`` is a dict of all controls, and can be set to a dict of some;
-    ``w.psf()`` returns the :class:`lommel.PSF` that the page shows, computed in Python, with further arguments as of
-    :func:`lommel.psf`.
+    ``w.psf()`` returns the :class:`lommel.PSF` that the page shows, without noise, computed in Python, with further
+    arguments as of :func:`lommel.psf`.
 
     Parameters
     ----------
     lens : Instrument, str or path, optional
         Initial lens: a lens file, or the result of :func:`lommel.load_instrument`.
     **state
-        Initial values of controls: `defocus`, `spherical` (waves at the edge, W020 and W040), `coma`,
-        `astigmatism`, `trefoil` (waves at the edge) and `coma_angle` and so on (degrees), `f_number`, `obscuration`,
-        `wavelength` (nm), `light` ("mono", "white"), `pixel` (um), `view` ("fine", "sampled", "averaged"), `side`
-        (pixels), `focal_length` (mm), `stretch`, `map`, `waves_unit`, `length_unit`, `picture`; and `controls`, a
-        list of those to show, and `theme`, "light" or "dark", by default that of the notebook.
+        Initial values of controls.
+
+        - Wavefront, waves at the edge of the pupil: `defocus` and `spherical` (W020 and W040), `coma`, `astigmatism`,
+          `trefoil` with `coma_angle` and so on (degrees); `zernike`, further terms "n,m:waves;..." in waves rms.
+        - `focus`: "waves", or "distances", where `focal_length` (mm), `f_number`, `focus_distance` and
+          `object_distance` (m) give the defocus, as :meth:`lommel.Lens.pupil` does.
+        - Lens and light: `f_number`, `obscuration`, `vanes` (0 to 8), `vane_width` (over the radius), `vane_angle`
+          (degrees), `wavelength` (nm), `light` ("mono", "white").
+        - Sensor: `pixel` (um), `view` ("fine", "sampled", "averaged"), `side` (pixels), `noise` ("off", "on"),
+          `photons`, `read_noise` (electrons).
+        - Display: `rays` ("off", "on"), `stretch`, `map`, `waves_unit`, `length_unit`, `picture`.
+
+        Also `controls`, a list of those to show, and `theme`, "light" or "dark", by default that of the notebook.
 
     Returns
     -------

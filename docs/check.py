@@ -13,6 +13,8 @@ from urllib.parse import unquote, urlsplit
 
 import numpy as np
 
+import thumbnails
+
 PHONE = 390  # pixels, as phones count them
 # Of the pages in `api` examined with axe-core.
 REFERENCE_PAGES = 4
@@ -45,9 +47,10 @@ def scrape(block: Any, block_vars: dict[str, Any], gallery_conf: dict[str, Any],
     import matplotlib.pyplot as plt
     from sphinx_gallery.scrapers import matplotlib_scraper
 
-    for figure in map(plt.figure, plt.get_fignums()):
+    for k, figure in enumerate(map(plt.figure, plt.get_fignums()), start=1):
         if empty := empty_axes(figure):
             raise ValueError(f"{block_vars['src_file']}: axes that show nothing: {', '.join(empty)}")
+        thumbnails.keep(Path(block_vars["src_file"]).stem, len(block_vars["image_path_iterator"]) + k, figure)
     return str(matplotlib_scraper(block, block_vars, gallery_conf, **options))
 
 

@@ -20,6 +20,7 @@ import command_options  # noqa: E402
 import drawn  # noqa: E402
 import format_table  # noqa: E402
 import organisation  # noqa: E402
+import thumbnails  # noqa: E402
 
 # What pages include is written from the code: diagrams, figures, command options, and the live page of `make page`.
 organisation.write(HERE / "_generated")
@@ -144,6 +145,7 @@ def name_summaries(_app: Any, _page: str, _template: str, context: dict[str, Any
 
 def setup(app: Any) -> None:
     """Connect to Sphinx."""
+    app.connect("builder-inited", lambda _: thumbnails.place(HERE / "gallery"), priority=900)  # after the gallery
     app.connect("html-page-context", name_summaries, priority=900)  # after the theme
     app.connect("env-get-outdated", index_again)
     app.connect("source-read", leave_out)

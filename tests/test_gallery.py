@@ -12,7 +12,9 @@ from typing import Any
 import matplotlib.pyplot as plt
 import pytest
 from matplotlib.figure import Figure
+from PIL import Image
 
+import thumbnails
 from check import empty_axes
 from frameworks import hasty_programs
 
@@ -83,6 +85,7 @@ def test_a_script_of_the_gallery_draws_figures_whose_axes_say_what_they_show(pat
     monkeypatch.setattr(plt, "show", lambda: None)
     monkeypatch.setattr(sys, "argv", [str(path)])
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(thumbnails, "FOLDER", tmp_path / "thumbnails")
     count, text = 0, path.read_text(encoding="utf-8")
     for much, less in LESS.get(path.stem, ()):
         assert much in text
@@ -96,8 +99,13 @@ def test_a_script_of_the_gallery_draws_figures_whose_axes_say_what_they_show(pat
             counted = any(re.search("steps|samples|over|ratio", label) for label in labels)
             assert counted or any(re.search(r"\(.+\)", label) for label in labels), labels
             assert not any("(1)" in label for label in labels)
+            thumbnails.keep(path.stem, count, figure)
     assert count
-    assert not list(tmp_path.iterdir())
+    if path.stem in thumbnails.PANELS:
+        with Image.open(tmp_path / "thumbnails" / f"{path.stem}.png") as picture:
+            assert picture.size == thumbnails.SIZE
+            assert max(high - low for low, high in picture.getextrema()) > 60
+    assert [each.name for each in tmp_path.iterdir()] in ([], ["thumbnails"])
     assert capsys.readouterr().out
 
 
@@ -122,3 +130,21 @@ def test_a_script_of_the_gallery_begins_with_an_underlined_title_and_ends_by_sho
     assert first in ('"""', 'r"""')
     assert rule == "=" * len(title)
     assert "plt.show()" in text
+
+
+def test_thumbnails_of_panels_replace_those_of_whole_figures(tmp_path, monkeypatch):
+    monkeypatch.setattr(thumbnails, "FOLDER", tmp_path / "thumbnails")
+    whole = tmp_path / "gallery" / "telescopes" / "images" / "thumb" / "sphx_glr_hubble_thumb.png"
+    whole.parent.mkdir(parents=True)
+    whole.write_bytes(b"whole")
+    other = whole.with_name("sphx_glr_contrast_thumb.png")
+    other.write_bytes(b"whole")
+    figure, (left, right) = plt.subplots(1, 2)
+    left.imshow([[0.0, 1.0]])
+    right.plot([0, 1])
+    thumbnails.keep("hubble", 1, figure)
+    thumbnails.keep("hubble", 2, figure)  # not the figure that is listed
+    thumbnails.place(tmp_path / "gallery")
+    assert whole.read_bytes()[:4] == b"\x89PNG"
+    assert other.read_bytes() == b"whole"
+    assert set(thumbnails.PANELS) <= {path.stem for path in GALLERY}

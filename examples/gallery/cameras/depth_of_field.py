@@ -60,7 +60,7 @@ for k, s in enumerate((1.9, 1.8, 1.6)):
     choice.loglog(stops, rays, color=f"C{k + 4}", linestyle="--", linewidth=0.9)
     best = waves.argmin()
     choice.plot(stops[best], waves[best], "o", color=f"C{k + 4}")
-    print(f"object at {s:g} m: least blur {waves[best]:.1f} um at f/{stops[best]:.1f}")
+    print(f"object at {s:g} m: least blur {waves[best]:.1f} µm at f/{stops[best]:.1f}")
 choice.set_xticks([2, 4, 8, 16, 32], ["2", "4", "8", "16", "32"])
 choice.minorticks_off()
 choice.set_yticks([1, 2, 5, 10, 20, 50, 100], ["1", "2", "5", "10", "20", "50", "100"])

@@ -115,18 +115,19 @@ def imitated(exact: DepthBlur, kind: str) -> DepthBlur:
 rows = {}
 for name, lens in (("no aberration", perfect), ("3 waves of spherical aberration", soft)):
     taken, exact = photographed(lens), blur(lens, depth[part])
-    rows[name] = [(f"photographed, {quality(taken)}", taken)]
+    rows[name] = [(f"photographed\n{quality(taken)}", taken)]
     for kind in ("exact", "disc", "Gaussian", "average"):
         operator = exact if kind == "exact" else imitated(exact, kind)
         found = restore_with(taken, operator if kind == "average" else Occlusion(operator), noise)
         verdict = "" if found.stopped == "noise" else f", {found.stopped.split(':')[0]}"
-        rows[name].append((f"{kind}: {quality(found.light)}{verdict}", found.light))
+        rows[name].append((f"{kind}\n{quality(found.light)}{verdict}", found.light))
         print(f"{name}, {kind}: {quality(found.light)}, discrepancy {found.discrepancy:.2f}, {found.stopped}")
 
-figure, places = plt.subplots(2, 5, figsize=(14, 5.6), layout="constrained")
+figure, places = plt.subplots(2, 5, figsize=(10.5, 5.2), layout="constrained")
 for line, (name, row) in zip(places, rows.items(), strict=True):
     for place, (title, picture) in zip(line, row, strict=True):
         place.imshow(shown(picture)[20:170, 60:210], extent=(290, 440, 230, 80))
-        place.set_title(title, fontsize=8)
-    line[0].set_ylabel(f"{name}\n(pixels)", fontsize=8)
+        place.set_title(title, fontsize=10)
+        place.tick_params(labelsize=8)
+    line[0].set_ylabel(f"{name}\n(pixels)", fontsize=10)
 plt.show()

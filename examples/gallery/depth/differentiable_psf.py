@@ -85,19 +85,19 @@ print(f"{time.perf_counter() - begin:.0f} s with all compilations")
 # Without aberration (dashed) the bound diverges in focus; with the right amount of spherical aberration (solid)
 # every distance can be determined. Wide apertures need little of it.
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained", width_ratios=(3, 2))
+figure, (images, bounds) = plt.subplots(2, 1, figsize=(7.5, 5.6), layout="constrained", height_ratios=(2, 3))
 for color, f_number in zip(("C0", "C1", "C2", "C3"), designs, strict=False):
-    left.semilogy(1 / distance, curves[f_number], color=color, label=f"f/{f_number}")
-    left.semilogy(1 / distance, before[f_number], "--", color=color, linewidth=1)
-left.set_xlabel("1 / distance (dioptres)")
-left.set_ylabel("least standard deviation (dioptres)")
-left.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False)
+    bounds.semilogy(1 / distance, curves[f_number], color=color, label=f"f/{f_number}")
+    bounds.semilogy(1 / distance, before[f_number], "--", color=color, linewidth=1)
+bounds.set_xlabel("1 / distance (dioptres)")
+bounds.set_ylabel("least standard deviation (dioptres)")
+bounds.legend(ncols=4, loc="upper center", fontsize=9)
 best = min(designs, key=lambda n: float(jnp.mean(curves[n] ** 2)))
 f, shown = traced(best), distance[::8]
 c = jnp.stack([f.defocus(shown) + designs[best][0], jnp.full(len(shown), designs[best][1])], axis=-1)
-right.imshow(jnp.sqrt(jnp.concatenate(list(f(c)[:, 6:-6, 6:-6]), axis=1)), cmap="inferno")
-right.set_title(f"f/{best}: " + ", ".join(f"{s:.2f} m" for s in shown), fontsize=9)
-right.set_axis_off()
+images.imshow(jnp.sqrt(jnp.concatenate(list(f(c)[:, 6:-6, 6:-6]), axis=1)), cmap="inferno")
+images.set_title(f"f/{best}: " + ", ".join(f"{s:.2f} m" for s in shown), fontsize=9)
+images.set_axis_off()
 plt.show()
 
 # %%

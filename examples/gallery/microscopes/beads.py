@@ -2,7 +2,7 @@
 Beads through focus
 ===================
 
-Images of 100 nm beads at depths of 2 um and 20 um, through oil into water: the deeper bead is elongated, dimmer and
+Images of 100 nm beads at depths of 2 µm and 20 µm, through oil into water: the deeper bead is elongated, dimmer and
 shifted in focus.
 """
 
@@ -35,7 +35,7 @@ for row, depth in zip(panels, (2e-6, 20e-6), strict=True):
         axes.imshow(np.sqrt(image / stack.values.max()), cmap="inferno", vmin=0.0, vmax=1.0, extent=window)
         axes.set_title(f"z {1e6 * at:+.1f} µm".replace("-", "−"), fontsize=9)
     row[0].set_ylabel(f"{1e6 * depth:g} µm deep\ny (µm)")
-    print(f"{1e6 * depth:g} um: each value is off by at most {stack.error_bound:.1e} of the peak of its plane")
+    print(f"{1e6 * depth:g} µm: each value is off by at most {stack.error_bound:.1e} of the peak of its plane")
 for axes in panels[1]:
     axes.set_xlabel("x (µm)")
 
@@ -52,7 +52,7 @@ for depth, color in ((2e-6, "C0"), (20e-6, "C1")):
     axis = stack.profile([0.0])[1][:, 0]
     beyond = float(focus.brightest - focus.paraxial)
     axes.plot(1e6 * (z + beyond), axis / axis.max(), color, label=f"{1e6 * depth:g} µm deep")
-    print(f"{1e6 * depth:g} um: brightest {1e9 * beyond:.0f} nm beyond the paraxial focus, ratio {focus.ratio:.3f}")
+    print(f"{1e6 * depth:g} µm: brightest {1e9 * beyond:.0f} nm beyond the paraxial focus, ratio {focus.ratio:.3f}")
     print(f"width along z {1e9 * stack.axial_fwhm():.0f} nm, of a point {1e9 * focus.axial_fwhm:.0f} nm")
 axes.axvline(0.0, color="0.6", label="paraxial focus, $d\\, n_i / n_s$")
 axes.set_xlabel("movement of the stage beyond the paraxial focus (µm)")

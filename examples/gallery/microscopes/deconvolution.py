@@ -2,7 +2,7 @@
 3-D deconvolution with right and wrong PSFs
 ===========================================
 
-A hollow sphere, a filament and some points, 10 um deep in water below an oil objective: a noisy stack is
+A hollow sphere, a filament and some points, 10 µm deep in water below an oil objective: a noisy stack is
 deconvolved with the PSF of that depth, and with PSFs of wrong depth.
 """
 

@@ -36,7 +36,7 @@ for axes, depth, best, peak in zip(panels, depths, focus.brightest, focus.peak, 
     axes.imshow(np.sqrt(both / both.max()), cmap="inferno", extent=(-1.2, 1.2, 3, -3))
     axes.set_title(f"{1e6 * depth:g} µm deep\npeak {peak:.2f}", fontsize=10)
     axes.set_xlabel("x (µm)")
-    print(f"{1e6 * depth:g} um: each value is off by at most {light.intensity_error.max():.0e}")
+    print(f"{1e6 * depth:g} µm: each value is off by at most {light.intensity_error.max():.0e}")
 panels[0].set_ylabel("z of the stage, from the brightest plane (µm)")
 
 # %%

@@ -24,7 +24,7 @@ window, pixel, wavelength = 17, 8e-6, 670e-9
 
 
 def image(emitter):
-    """Return the images of a molecule 0.2 um above the glass, in three planes."""
+    """Return the images of a molecule 0.2 µm above the glass, in three planes."""
     pupil = objective.pupil(depth=0.2e-6, z=z, wavelength=wavelength, emitter=emitter)
     return lm.psf(pupil, window, pixel, tol=1e-3, integrate=False)
 

@@ -41,7 +41,7 @@ pupils = {
 # The method is chosen by the pupil: the series for discs and annuli, a non-uniform FFT from Gauss nodes for these.
 
 at = lm.optics.aperture.obstructions.cell_centers(400)
-figure, rows = plt.subplots(2, len(pupils), figsize=(13.0, 5.6), layout="constrained")
+figure, rows = plt.subplots(2, len(pupils), figsize=(10.5, 5.0), layout="constrained")
 for column, (name, pupil) in zip(rows.T, pupils.items(), strict=True):
     answer = lm.psf(pupil, shape=201, pixel=0.25, normalize="peak")
     column[0].imshow(np.abs(pupil.values(at[None, :], at[:, None])[0]), cmap="gray", extent=(-1, 1, 1, -1))
@@ -49,6 +49,9 @@ for column, (name, pupil) in zip(rows.T, pupils.items(), strict=True):
     column[0].set_xlabel("x (radii)")
     answer.plot(column[1], stretch="sqrt" if "eye" in name or "coma" in name else "log")
 rows[0, 0].set_ylabel("y (radii)")
+for axes in rows.ravel():
+    axes.tick_params(labelsize=9)
+    axes.xaxis.label.set_size(10)
 for axes in rows[:, 1:].ravel():
     axes.set_ylabel("")
 

@@ -41,6 +41,7 @@ axes[0].set_ylabel("row (pixels)")
 found = lm.retrieve(stars, lm.Pupil(**telescope), pixel=pixel, noise=camera, defocus=defocus, terms=15)
 print(found.message)
 found.plot()
+plt.gcf().set_size_inches(10.5, 5.6)
 
 # %%
 # Estimates beside the ground truth, with standard errors.

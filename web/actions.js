@@ -92,7 +92,7 @@ export function actions(view) {
     },
     turn: () => view.compare.swap(),
     link: () => {
-      const text = toText(changed(DEFAULTS, view.state));
+      const text = toText(changed(DEFAULTS, view.state), view.start);
       return copy(view.page.link, location.href.split("#")[0] + (text ? `#${text}` : ""));
     },
     python: () => (view.shown?.psf ? copy(view.page.python, (view.settled ?? view.shown).psf.python) : undefined),

@@ -58,9 +58,10 @@ function decoded(text) {
   }
 }
 
-export function toText(state) {
+// What differs from the defaults, or from the state that the page starts in without a fragment.
+export function toText(state, start = DEFAULTS) {
   return Object.keys(FIELDS)
-    .filter((key) => state[key] !== FIELDS[key].initial)
+    .filter((key) => state[key] !== FIELDS[key].initial || state[key] !== start[key])
     .map((key) => `${key}=${encodeURIComponent(state[key]).replace(/%2C|%3A|%3B/g, decodeURIComponent)}`)
     .join("&");
 }

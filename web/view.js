@@ -73,14 +73,15 @@ export class View {
     this.onchange = onchange;
     this.url = url;
     const asked = (url && askedLesson()) || lesson;
-    this.start = lessonState(asked) ?? changed(DEFAULTS, state);
+    this.given = changed(DEFAULTS, state);
+    this.start = lessonState(asked) ?? this.given;
     this.state = url ? changed(this.start, fromText(location.hash)) : this.start;
     this.told = this.state;
     const only = typeof controls === "string" ? controls.split(",").filter(Boolean) : controls ?? [];
     this.client = new Client();
     this.history = new History();
     this.lenses = PRESETS.map((preset) => ({ ...preset, state: changed(DEFAULTS, preset.state) }));
-    if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.start });
+    if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.given });
     const set = (change, moving, gesture) => this.set(change, moving, gesture);
     const level = Math.min(5, Math.max(1, Number(heading) || 2));
     const say = (node, text) => sayBeside(this.page.node, this.page.tip, node, text);
@@ -131,7 +132,7 @@ export class View {
       const name = askedLesson();
       if (name === this.lessons.name) return;
       this.lessons.show(name);
-      this.start = lessonState(name) ?? this.start;
+      this.start = lessonState(name) ?? this.given;
       this.set({ ...this.start, ...fromText(location.hash) });
     };
     if (url) addEventListener("popstate", this.fromHistory);
@@ -346,7 +347,8 @@ export class View {
 
   // The state of a lesson, or none, which leaves what is there.
   learn(name, state) {
-    if (state) this.set((this.start = { ...state, map: this.state.map }));
+    this.start = state ? { ...state, map: this.state.map } : this.given;
+    if (state) this.set(this.start);
     if (this.url) nameLesson(name);
   }
 
@@ -553,7 +555,7 @@ export class View {
   }
 
   writeLink() {
-    const text = toText(this.state);
+    const text = toText(this.state, this.start);
     try {
       history.replaceState(history.state, "", text ? `#${text}` : location.pathname + location.search);
     } catch {

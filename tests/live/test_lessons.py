@@ -12,7 +12,7 @@ import pytest
 from scipy import optimize, special
 
 import lommel as lm
-from live_page import IDLE, rest, state
+from live_page import IDLE, fragment, rest, state
 from lommel.page.state import psf_of, pupil_of
 
 LESSONS = ("airy", "quarter", "axis", "contrast", "hubble", "coma")
@@ -224,6 +224,15 @@ def test_what_is_dragged_in_a_lesson_can_be_shared(visit: Callable[..., Any]) ->
     page = visit("/mounted?lesson=coma#defocus=0.75&coma=0.5")
     assert page.get_by_label("Lessons").input_value() == "coma"
     assert (state(page)["defocus"], state(page)["coma"]) == (0.75, 0.5)
+    # Also what the lesson sets and the reader takes back.
+    page = visit("/mounted?lesson=hubble")
+    page.evaluate("live.set({ spherical: 0, defocus: 0.6, length_unit: 'um' })")
+    rest(page)
+    link = fragment(page)
+    assert "spherical=0" in link
+    page = visit(f"/mounted?lesson=hubble#{link}")
+    assert (state(page)["spherical"], state(page)["defocus"], state(page)["length_unit"]) == (0, 0.6, "um")
+    assert state(page)["f_number"] == 24
     page = visit("/mounted?lesson=__proto__")
     assert page.locator(".lesson").is_hidden()
 

@@ -5,18 +5,27 @@
 Prints, for each slider, the work of the page in a frame (median, worst; ms), the share of frames that came within
 20 ms of the one before, and the tasks that took longer than 50 ms. The engine works beside the page, so its time
 shows only in how many point spread functions were drawn a second.
+
+With `--states 500` it draws so many random states over the ranges of all controls, always the same ones, and prints
+quantiles of the time until all of the page is of the new state; and the slowest, with what the engine takes for
+their PSF, their curves and their picture.
 """
 
 from __future__ import annotations
 
+import argparse
+import math
 import shutil
 import statistics
-import sys
 import time
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from playwright.sync_api import TimeoutError as Timeout
 from playwright.sync_api import sync_playwright
+
+from lommel.page.state import FIELDS, Real, Whole, Word, link
 
 MODULE = Path(__file__).resolve().parent.parent / "src" / "lommel" / "page" / "lommel-live.js"
 SLIDERS = ("defocus", "spherical", "coma", "coma_angle", "astigmatism", "trefoil", "f_number", "obscuration", "pixel")
@@ -48,6 +57,94 @@ PAGE = """<!doctype html><title>bench</title><link rel="icon" href="data:,"><bod
 <script type="module" src="lommel-live.js" data-lommel="STATE"></script>"""
 
 
+STATES = """<!doctype html><title>bench</title><link rel="icon" href="data:,"><body>
+<script type="module">
+import { createCore, Engine, mount } from "./lommel-live.js";
+window.live = mount(document.body);
+window.settled = async (state) => {
+  const begin = performance.now();
+  live.set(state);
+  do await new Promise(requestAnimationFrame);
+  while (document.querySelector("[data-busy]"));
+  return performance.now() - begin;
+};
+window.parts = async (state) => {
+  const engine = new Engine(await createCore());
+  const picture = new Float32Array(3 * 256 * 256).fill(0.5);
+  const timed = (run) => {
+    const begin = performance.now();
+    try { run(); } catch (error) { return error.message; }
+    return Math.round(performance.now() - begin);
+  };
+  return [
+    timed(() => engine.psf(state)), timed(() => engine.curves(state)),
+    timed(() => engine.blur(state, picture, 256, 256)),
+  ];
+};
+window.ready = true;
+</script>"""
+PATIENCE = 20.0  # seconds, after which a state counts as that, and a new page begins
+
+
+def random_state(rng: np.random.Generator) -> dict[str, Any]:
+    """Return values of all controls in their ranges, those of logarithmic sliders evenly on that scale."""
+
+    def value(field: Any) -> Any:
+        if isinstance(field, Word):
+            return str(rng.choice(field))
+        if not isinstance(field, Real):
+            return ""
+        if isinstance(field, Whole):
+            return int(rng.integers(int(field.low), int(field.high), endpoint=True))
+        if field.row.step is None and field.low > 0:
+            return float(np.exp(rng.uniform(math.log(field.low), math.log(field.high))))
+        return float(rng.uniform(field.low, field.high))
+
+    return {name: value(field) for name, field in FIELDS.items()} | {
+        "picture": str(rng.choice(["star", "bars", "text"]))
+    }
+
+
+def states(module: Path, count: int) -> None:
+    """Print how long random states take to settle."""
+    rng = np.random.default_rng(1885)
+    drawn = [random_state(rng) for _ in range(count)]
+    times = []
+    with sync_playwright() as play:
+        path = shutil.which("chromium") or shutil.which("google-chrome")
+        browser = play.chromium.launch(executable_path=path, args=["--no-sandbox"])
+
+        def opened() -> Any:
+            page = browser.new_page(viewport={"width": 1280, "height": 900})
+            page.route("http://page/*", lambda route, _: serve(route, module, "", STATES))
+            page.goto("http://page/")
+            page.wait_for_function("window.ready && !document.querySelector('[data-busy]')")
+            return page
+
+        page = opened()
+        for state in drawn:
+            page.evaluate(
+                "state => { window.took = null; settled(state).then((ms) => { window.took = ms; }); }", state
+            )
+            try:
+                page.wait_for_function("window.took !== null", timeout=1e3 * PATIENCE)
+                times.append(1e-3 * page.evaluate("took"))
+            except Timeout:
+                times.append(PATIENCE)
+                page.close()
+                page = opened()
+        shares = (0.5, 0.9, 0.95, 0.99, 1.0)
+        found = ", ".join(
+            f"{share:.0%} {at:.2f}" for share, at in zip(shares, np.quantile(times, shares), strict=True)
+        )
+        print(f"{count} states settle in (s): {found}; {sum(t > 3 for t in times)} take longer than 3 s")
+        for k in np.argsort(times)[::-1][:20]:
+            shown = {key: float(f"{x:.3g}") if isinstance(x, float) else x for key, x in drawn[k].items()}
+            parts = page.evaluate("parts", drawn[k]) if times[k] < PATIENCE else "?"
+            print(f"{times[k]:6.2f} s, PSF, curves, picture (ms): {parts}; {link(shown)}")
+        browser.close()
+
+
 def main(module: Path) -> None:
     """Measure a module."""
     with sync_playwright() as play:
@@ -66,12 +163,12 @@ def main(module: Path) -> None:
         browser.close()
 
 
-def serve(route: Any, module: Path, state: str) -> None:
+def serve(route: Any, module: Path, state: str, text: str = PAGE) -> None:
     """Answer a request of the page."""
     if route.request.url.endswith(".js"):
         route.fulfill(path=module, content_type="text/javascript")
     else:
-        route.fulfill(body=PAGE.replace("STATE", state), content_type="text/html")
+        route.fulfill(body=text.replace("STATE", state), content_type="text/html")
 
 
 def drag(page: Any, key: str, seconds: float = 2.0) -> str:
@@ -98,4 +195,8 @@ def drag(page: Any, key: str, seconds: float = 2.0) -> str:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if sys.argv[1:] else MODULE)
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("module", type=Path, nargs="?", default=MODULE)
+    parser.add_argument("--states", type=int, default=0)
+    given = parser.parse_args()
+    states(given.module, given.states) if given.states else main(given.module)

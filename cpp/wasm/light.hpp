@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "lommel/measures/encircled.hpp"
@@ -49,9 +50,9 @@ struct View {
     bool integrate;
 };
 
-// Bound on the error over the peak, and the largest known value.
+// Bound on the error over the peak, and the largest known value; what no tolerance lowers that bound below.
 struct Proof {
-    double bound, peak;
+    double bound, peak, rest = 0.0;
 };
 
 // Samples of a pupil that is not radial, on part of a window.
@@ -71,7 +72,8 @@ Proof sampled(const Light& light, const std::vector<double>& edge, const lommel:
 // the largest average anywhere is at least.
 struct Averages {
     static constexpr double single = 2e-7;  // tolerance from which on samples are stored in single precision
-    static constexpr std::size_t at_once = std::size_t{1} << 23, most = std::size_t{1} << 26;  // samples
+    static constexpr std::size_t at_once = std::size_t{1} << 23,
+                                 most = std::size_t{1} << 24;  // samples, at most of all lines together
 
     const Light& light;
     const std::vector<double>& edge;
@@ -100,21 +102,46 @@ struct Averages {
         }
     }
 
-    // At least so many samples are taken.
-    void require_few() const {
-        const std::size_t wide = side * lommel::PixelTaps::across(step, 1.05);
-        if (wide > most / wide) {
-            throw std::domain_error("averages over " + std::to_string(side) + " x " + std::to_string(side) + " pixels of " +
-                                    lommel::shortened(step / 3.14159265358979323846) + " lambda*N take " +
-                                    lommel::shortened(static_cast<double>(wide) * static_cast<double>(wide)) +
-                                    " samples, more than the page's limit of " + lommel::shortened(static_cast<double>(most)) +
-                                    ": take fewer or smaller pixels, or a larger f-number");
+    // Of large windows of coarse pixels those next to the axis take samples, as many as there is time for. Those farther out hold
+    // no more than what is missing of all light: they get the mean of the light of the edges, as of EnergyTail, or that, if it is less.
+    Proof run(double tol, double storing) {
+        const std::size_t whole = side, across = lommel::PixelTaps::across(step, 1.05);
+        // Those of the widest pixels must be so exact that each takes longer.
+        const double budget = static_cast<double>(most) / static_cast<double>(light.lines.size() * (across > 256 ? 8 : 1));
+        const std::size_t fit = static_cast<std::size_t>(std::sqrt(budget)) / across;
+        if (whole <= fit) {
+            return near_axis(tol, storing);
         }
+        const std::size_t half = fit > 2 ? (fit - 1) / 2 : 0;
+        side = 2 * half + 1;
+        // The light that the edges of the aperture send past these pixels will be missing at least.
+        const double past =
+            0.63661977236758134 * (1.0 + light.obscuration) / (light.area() * (static_cast<double>(half) + 0.5) * step);
+        const double taking = static_cast<double>(side * side);
+        const Proof inside = near_axis(std::max(tol, std::min(1e-3, 0.1 * past / taking)), storing);
+        const std::vector<double> near = std::move(total);
+        const double pixel = step * step, sum = std::accumulate(near.begin(), near.end(), 0.0);
+        const double missing =
+            std::max(0.0, 12.566370614359172 * light.area() / pixel - sum) + taking * inside.bound * inside.peak;
+        const double mean = 1.2732395447351628 * (1.0 + light.obscuration) / (pixel * step);
+        total.resize(whole * whole);
+        const double middle = static_cast<double>(whole / 2);
+        for (std::size_t i = 0; i < total.size(); ++i) {
+            const double y = static_cast<double>(i / whole) - middle, x = static_cast<double>(i % whole) - middle;
+            const double square = std::max(0.25, x * x + y * y);
+            total[i] = std::min(missing, mean / (square * std::sqrt(square)));
+        }
+        const std::size_t first = whole / 2 - half;
+        for (std::size_t y = 0; y < side; ++y) {
+            std::copy_n(&near[y * side], side, &total[(first + y) * whole + first]);
+        }
+        side = whole;
+        const double rest = lommel::stored(missing / (inside.peak * (1.0 - inside.bound)), storing);
+        return {std::max(inside.bound, rest), inside.peak, rest};
     }
 
     // Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
-    Proof run(double tol, double storing) {
-        require_few();
+    Proof near_axis(double tol, double storing) {
         for (const double widest : {1.05, 0.8}) {
             const Proof proof = attempt(tol, storing, widest);
             if (proof.bound <= tol) {
@@ -181,7 +208,7 @@ inline Proof image_of_line(const Light& light, const Line& line, const View& vie
     } else {
         proof = sampled(light, edge, DiskWindow{view.side, view.side, middle, middle, step}, tol, scale, out);
     }
-    return {proof.bound, proof.peak * scale};
+    return {proof.bound, proof.peak * scale, proof.rest};
 }
 
 // Fractions of all light per pixel. `planes`, where there are any, are three sums over the lines, each with its own weights:
@@ -201,7 +228,7 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
     part.resize(pixels);
     for (double asked = std::max(tol, least);;) {
         total.assign(pixels, 0.0);
-        double off = 0.0, peak = 0.0;
+        double off = 0.0, peak = 0.0, rest = 0.0;
         if (planes != nullptr) {
             std::fill_n(planes, 3 * pixels, 0.0F);
         }
@@ -216,15 +243,16 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
                                [=](float a, float b) { return weight * a + b; });
             }
             off += proof.bound * proof.peak;
+            rest = std::max(rest, proof.rest);
             // Nothing is negative, so the sum is at least as bright as any part of it.
             peak = std::max(peak, proof.peak * (1.0 - proof.bound));
         }
         const double highest = *std::max_element(total.begin(), total.end());
         off += static_cast<double>(light.lines.size() + 8) * lommel::unit_roundoff * highest;
         const double bound = lommel::stored(off / std::max(peak, highest - off), lommel::storing<float>(false));
-        if (bound <= tol || asked == least) {
+        if (bound <= tol || asked == least || rest > tol) {
             std::transform(total.begin(), total.end(), out, [](double x) { return static_cast<float>(x); });
-            return {bound, highest};
+            return {bound, highest, rest};
         }
         asked = std::max(least, 0.5 * asked * std::min(1.0, tol / bound));
     }

@@ -614,3 +614,20 @@ def test_measures_with_vanes_are_those_of_the_package(engine, state):
         assert mean == pytest.approx(found["profile"]["mean"][i], rel=0.05, abs=1e-5)
     assert values[distance < found["d80"] / 2].sum() == pytest.approx(0.8, abs=2e-3)
     assert found["inside"] == pytest.approx(values.sum(), abs=1e-4)
+
+
+@pytest.mark.parametrize(("pixel", "light"), [(20.0, "mono"), (50.0, "white")])
+def test_coarse_averages_of_directed_aberrations_are_within_their_bound_everywhere(engine, pixel, light):
+    state = {"coma": 0.5, "view": "averaged", "pixel": pixel, "light": light, "side": 512}
+    found = engine.psf(state)
+    values = np.array(found["values"]).reshape(512, 512)
+    assert found["bound"] < 3e-3
+    assert 0.998 < values.sum() < 1.003
+    # Small windows around the axis, and far from it.
+    for row, column in ((256, 256), (256, 330), (40, 470)):
+        method = {"method": lm.Polychromatic(WHITE, [1.0] * 7)} if light == "white" else {}
+        window = lm.psf(
+            stated_pupil(state), 5, pixel * 1e-6, center=(258 - row, 258 - column), integrate=True, tol=1e-4, **method
+        )
+        off = np.abs(values[row - 2 : row + 3, column - 2 : column + 3] - window.values).max()
+        assert off <= (found["bound"] + 1e-4) * found["peak"]

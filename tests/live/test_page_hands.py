@@ -325,3 +325,36 @@ def test_controls_picture_numbers_and_curves_are_on_one_screen(
     place = last.bounding_box()
     assert place["y"] + place["height"] <= high
     assert page.evaluate("scrollY") == 0
+
+
+def test_before_the_first_answer_there_are_dashes_and_no_black_square(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=SLOW.replace("slow = 0", "slow = 3000", 1), wait=".working")
+    assert {text(page, key) for key in ("strehl", "largest", "d80", "inside", "bound", "time")} == {"–"}
+    blank = """node => { const other = document.createElement("canvas"); [other.width, other.height] = [node.width, node.height];
+        return other.toDataURL() === node.toDataURL(); }"""
+    assert page.locator(".now canvas").evaluate(blank)
+    light = page.locator(".frame.now").evaluate("node => getComputedStyle(node).backgroundColor")
+    assert min(int(part) for part in light[4:-1].split(",")) > 230
+    rest(page)
+    assert not page.locator(".now canvas").evaluate(blank)
+
+
+def test_paper_shows_all_of_it_in_light_colours(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", viewport={"width": 718, "height": 1000}, color_scheme="dark")
+    page.emulate_media(media="print")
+    assert (
+        page.locator(".lommel-live").evaluate("node => getComputedStyle(node).backgroundColor")
+        == "rgb(255, 255, 255)"
+    )
+    for part in ("h2.name", ".now canvas", ".ruler", ".numbers", ".plots", ".picture", ".pupils", ".code pre"):
+        place = page.locator(part).bounding_box()
+        assert place["x"] >= 0, part
+        assert place["x"] + place["width"] <= 718, part
+    assert page.locator(".ruler span").evaluate("node => getComputedStyle(node).printColorAdjust") == "exact"
+    side = page.locator(".side")
+    assert (
+        side.evaluate("node => node.scrollHeight <= node.clientHeight + 1 && getComputedStyle(node).position")
+        == "static"
+    )
+    assert page.locator(".code pre").evaluate("node => node.scrollWidth <= node.clientWidth")
+    assert page.locator(".hands").is_hidden()

@@ -330,7 +330,8 @@ def test_controls_picture_numbers_and_curves_are_on_one_screen(
 def test_before_the_first_answer_there_are_dashes_and_no_black_square(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=SLOW.replace("slow = 0", "slow = 3000", 1), wait=".working")
     assert {text(page, key) for key in ("strehl", "largest", "d80", "inside", "bound", "time")} == {"–"}
-    blank = """node => { const other = document.createElement("canvas"); [other.width, other.height] = [node.width, node.height];
+    blank = """node => { const other = document.createElement("canvas");
+        [other.width, other.height] = [node.width, node.height];
         return other.toDataURL() === node.toDataURL(); }"""
     assert page.locator(".now canvas").evaluate(blank)
     light = page.locator(".frame.now").evaluate("node => getComputedStyle(node).backgroundColor")

@@ -117,7 +117,7 @@ const LESSONS = {
     steps: [
       ["Drag defocus to 2 waves and follow one white spoke of the star inwards, through the first grey ring.",
         (now) => near(Math.abs(now.defocus), 2, 0.1)],
-      ["Set lengths to λN and point at the MTF: where is it zero? Each zero is a grey ring; frequency rises towards the centre.", (now) => now.length_unit === "lambdaN"],
+      ["Set lengths to λN and point at the MTF: where are its first minima? They are zeros: grey rings. Frequency rises inwards.", (now) => now.length_unit === "lambdaN"],
       ["Drag defocus to 3 waves. Where do the grey rings go?", (now) => near(Math.abs(now.defocus), 3, 0.1)],
     ],
     question: "Between the first two grey rings the spokes can be counted. Has the lens resolved them?",

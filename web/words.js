@@ -57,7 +57,8 @@ function sections() {
   const controls = {};
   for (const [key, { row, about }] of Object.entries(FIELDS))
     if (about) ((controls[row?.group ?? "Choices"] ??= {})[key] = [row?.name ?? row?.label ?? CHOICES[key] ?? key, about]);
-  return { ...controls, "Notes on wavefronts": NOTES, Numbers: NUMBERS, "Pictures and curves": PICTURES_AND_CURVES };
+  const { Choices, ...sliders } = controls;
+  return { ...sliders, "Notes on wavefronts": NOTES, Numbers: NUMBERS, "Pictures and curves": PICTURES_AND_CURVES, Choices };
 }
 
 const ALL = Object.assign({}, ...Object.values(sections()));

@@ -131,3 +131,106 @@ def test_a_lens_file_asks_of_channels_what_the_function_does_by_default():
     section, function = ChannelsSection.model_fields, inspect.signature(lm.load_channels).parameters
     for name in ("tol", "paths"):
         assert section[name].default == function[name].default
+
+
+def star(tmp_path, waves: np.ndarray):
+    """Write a passband in blanks and angstrom, and a spectrum as a FITS table."""
+    band = tmp_path / "V.dat"
+    rows = zip(waves * 1e10, bell(545e-9, 30e-9, waves), strict=True)
+    band.write_text("# throughput\n" + "\n".join(f"{at:.3f}   {value:.9f}" for at, value in rows))
+    fits = pytest.importorskip("astropy.io.fits")
+    flux = (waves / 500e-9) ** -2.0
+    columns = [
+        fits.Column("WAVELENGTH", "D", unit="ANGSTROMS", array=waves * 1e10),
+        fits.Column("NOTE", "3A", array=np.full(waves.size, "ok")),
+        fits.Column("FLUX", "D", unit="FLAM", array=flux),
+    ]
+    fits.HDUList([fits.PrimaryHDU(), fits.BinTableHDU.from_columns(columns)]).writeto(tmp_path / "star.fits")
+    return band, tmp_path / "star.fits"
+
+
+@pytest.mark.parametrize(
+    ("light", "detector", "power"),
+    [("photons", "photons", 0), ("energy", "photons", 1), ("frequency", "photons", -1), ("energy", "energy", 0)],
+)
+def test_a_star_through_a_passband_is_weighted_by_what_is_counted(tmp_path, light, detector, power):
+    waves = np.linspace(450e-9, 650e-9, 101)
+    band, spectrum = star(tmp_path, waves)
+    found = lm.load_channels(
+        band, illuminant=spectrum, light=light, detector=detector, unit="angstrom", tol=1e-4, paths=3e-6
+    )
+    assert found.names == ("V",)
+    assert found.error <= 1e-4
+    dense = np.linspace(450e-9, 650e-9, 40_001)
+    counted = np.interp(dense, waves, bell(545e-9, 30e-9, waves)) * np.interp(dense, waves, (waves / 5e-7) ** -2.0)
+    counted *= dense**power
+    mean = np.average(found.wavelengths, weights=found.weights[0])
+    assert mean == pytest.approx(float(np.trapezoid(counted * dense, dense) / np.trapezoid(counted, dense)), rel=1e-4)
+    # The sum over wavelengths differs from the integral by no more than is stated, for every path difference.
+    path = np.linspace(0.0, 3e-6, 301)
+    bright = counted / dense**2
+    exact = np.exp(2j * np.pi * np.multiply.outer(path, 1.0 / dense)) @ (bright / bright.sum())
+    at, share = np.array(found.wavelengths), np.array(found.weights[0])
+    total = float(bright.sum() / counted.sum())
+    sums = np.exp(2j * np.pi * np.multiply.outer(path, 1.0 / at)) @ (share / at**2 / total)
+    assert np.abs(sums - exact).max() <= found.error + 1e-6
+
+
+def test_the_image_of_a_star_through_a_passband_is_within_the_error(tmp_path):
+    band, spectrum = star(tmp_path, np.linspace(500e-9, 600e-9, 51))
+    options = {"illuminant": spectrum, "light": "energy", "unit": "angstrom", "paths": 1e-6}
+    few, many = (lm.load_channels(band, tol=tol, **options) for tol in (1e-3, 1e-6))
+    assert len(few.wavelengths) < len(many.wavelengths)
+    telescope = lm.Pupil(lm.Wavefront(0.5), wavelength=550e-9, f_number=10.0)
+    air = lm.Seeing(0.1, focal_length=4.0, wavelength=500e-9)
+    images = [
+        lm.psf(
+            telescope,
+            9,
+            5e-6,
+            method=lm.Polychromatic(each.wavelengths, each.weights[0]),
+            blur=air,
+            normalize="strehl",
+            dtype="float64",
+            tol=1e-8,
+        ).values
+        for each in (few, many)
+    ]
+    assert np.abs(images[0] - images[1]).max() <= few.error + many.error
+
+
+def test_blanks_may_have_a_line_of_names_and_fits_files_a_compressed_form(tmp_path, sensor):
+    import gzip
+
+    spaced = tmp_path / "spaced.txt"
+    spaced.write_text(
+        "\n".join(
+            line.replace("(nm)", "").replace("wavelength ", "nm").replace(",", "  ")
+            for line in sensor.read_text().splitlines()
+        )
+    )
+    assert lm.load_channels(spaced).names == ("red", "green", "blue")
+    assert lm.load_channels(spaced).wavelengths == lm.load_channels(sensor).wavelengths
+    band, spectrum = star(tmp_path, WAVES * 1e-9)
+    packed = tmp_path / "star.fits.gz"
+    packed.write_bytes(gzip.compress(spectrum.read_bytes()))
+    one, other = (lm.load_channels(band, illuminant=path, unit="angstrom") for path in (spectrum, packed))
+    assert one.weights == other.weights
+
+
+@pytest.mark.parametrize(
+    ("content", "options", "message"),
+    [
+        (b"5000 0.1\n6000 0.2\n", {}, "states no unit of wavelengths"),
+        (b"5000 0.1\n6000 0.2 3\n", {"unit": "angstrom"}, "must have 2 cells"),
+        (b"5000 0.1\n6000 0.2\n", {"unit": "parsec"}, "unit must be"),
+        (b"5000 0.1\n6000 0.2\n", {"unit": "nm", "light": "lumen"}, "light must be"),
+        (b"5000 0.1\n6000 0.2\n", {"unit": "nm", "detector": "eye"}, "detector must be"),
+        (b"SIMPLE  = nothing", {}, "channels.dat"),
+    ],
+)
+def test_what_is_wrong_with_a_table_of_numbers_is_said(tmp_path, content, options, message):
+    path = tmp_path / "channels.dat"
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match=message):
+        lm.load_channels(path, **options)

@@ -1,4 +1,4 @@
-"""FITS images, plain or compressed by gzip; their sizes are checked before they are decoded."""
+"""FITS images and tables, plain or compressed by gzip; their sizes are checked before they are decoded."""
 
 from __future__ import annotations
 
@@ -93,6 +93,33 @@ def read(data: bytes, most: int) -> list[Image]:
     if not found:
         raise ValueError("it holds no image; one in a compressed table (.fz) is to be unpacked first")
     return found
+
+
+def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
+    """Return name, unit and numbers of the columns of the first table of a file; ValueError if there is none."""
+    from astropy.io import fits
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.simplefilter("ignore", fits.verify.VerifyWarning)
+        with fits.open(io.BytesIO(_unpacked(data)), memmap=False) as file:
+            for unit in file:
+                if unit.header.get("XTENSION", "").strip() not in ("BINTABLE", "TABLE"):
+                    continue
+                if unit.header["NAXIS1"] * unit.header["NAXIS2"] > most:
+                    raise ValueError(f"its table has more than {most} bytes")
+                kept = [
+                    c
+                    for c in unit.columns
+                    if np.ndim(unit.data[c.name]) == 1 and unit.data[c.name].dtype.kind in "fiu"
+                ]
+                return [(c.name, (c.unit or "").strip(), np.asarray(unit.data[c.name], np.float64)) for c in kept]
+    raise ValueError("it holds no table")
+
+
+def is_fits(data: bytes) -> bool:
+    """Return whether data begin as a FITS file, or as one compressed by gzip."""
+    return data.startswith((b"SIMPLE  =", _GZIP))
 
 
 def _unpacked(data: bytes) -> bytes:

@@ -17,7 +17,7 @@ from lommel.base import reading, validation
 from lommel.base.arrays import Array
 from lommel.base.units import LENGTHS, parse_length
 from lommel.field.maps import FieldMap
-from lommel.io import text_files
+from lommel.io import fits_images, text_files
 from lommel.optics.colour.spectrum import Channels, checked_paths
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -28,6 +28,7 @@ _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
 _SHORTEST, _LONGEST = 1e-7, 2e-5  # metres; other wavelengths are typing errors
+_MOST_POINTS = 200_000
 _LEAST = -0.01  # of the largest value: dark measurements, which count as 0
 
 
@@ -258,24 +259,35 @@ def load_channels(
     *,
     filters: _PATH | Sequence[_PATH] = (),
     illuminant: _PATH | None = None,
+    light: str = "photons",
+    detector: str = "photons",
+    unit: str | None = None,
     tol: float = 1e-3,
     paths: float = 5e-6,
 ) -> Channels:
-    """Read the spectral sensitivities of colour channels from CSV files, times filters and an illuminant.
+    """Read spectral sensitivities of colour channels from CSV, ASCII or FITS tables, times filters and a spectrum.
 
     The first line names the columns: the wavelength with its unit, as ``wavelength (nm)``, ``lambda_um`` or ``nm``,
     then one for each channel, as ``red`` or ``red (%)``. The other lines hold numbers, in any order. Lines that are
     empty or begin with ``#`` are skipped; cells end with commas, tabs or semicolons (numbers may then have a decimal
-    comma). Values down to -1 % of the largest count as 0.
+    comma). Values down to -1 % of the largest count as 0. Files without commas, tabs and semicolons have columns
+    separated by blanks, by default without a line of names; FITS files have them in their first table, whose first
+    numeric column is the wavelength, with a TUNIT.
 
     Parameters
     ----------
     path : path
-        Quantum efficiency of each channel, electrons per photon.
+        Quantum efficiency of each channel, electrons per photon; or the throughput of a telescope's passband.
     filters : path or sequence of paths, optional
         Transmissions, each with one column beside the wavelength.
     illuminant : path, optional
-        Photons at each wavelength, in any unit; constant by default.
+        Spectrum of the light, or of a star, in any unit; constant by default.
+    light : {"photons", "energy", "frequency"}, default "photons"
+        What `illuminant` holds: photons or energy per wavelength (F_lambda), or energy per frequency (F_nu).
+    detector : {"photons", "energy"}, default "photons"
+        What pixels count. With `light` this weights wavelengths by powers of the wavelength.
+    unit : str, optional
+        Unit of wavelengths, such as "angstrom" or "nm", in files that do not state it.
     tol : float, default 1e-3
     paths : float, default 5e-6
         Tolerance of the spectral sampling, and the path differences it holds for; see
@@ -285,7 +297,8 @@ def load_channels(
     -------
     Channels
         With ``error``, a bound on the error of the spectral sampling. Tables are interpolated linearly, and light
-        beyond any of the tables is ignored.
+        beyond any of the tables is ignored. Of products of tables, what straight lines between closer points leave
+        out is part of it as it is measured, at most a tenth of `tol`.
 
     Raises
     ------
@@ -295,11 +308,18 @@ def load_channels(
     OSError
         If a file cannot be read.
     """
-    names, waves, curves = _curves(path)
+    checked_paths(paths, tol)
+    power = {"photons": 0.0, "energy": 1.0, "frequency": -1.0}[
+        validation.choice("light", light, ("photons", "energy", "frequency"))
+    ]
+    power -= float(validation.choice("detector", detector, ("photons", "energy")) == "energy")
+    if unit is not None:
+        unit = validation.choice("unit", unit, LENGTHS)
+    names, waves, curves = _curves(path, unit)
     tables = [(waves, curves)]
     single = [filters] if isinstance(filters, str | PathLike) else list(filters)
     for other in [*single, *([] if illuminant is None else [illuminant])]:
-        columns, at, values = _curves(other)
+        columns, at, values = _curves(other, unit)
         if len(columns) != 1:
             raise ValueError(
                 f"{validation.line(other)} must have one column beside the wavelength, got {', '.join(columns)}"
@@ -311,31 +331,92 @@ def load_channels(
         raise ValueError(f"tables must have wavelengths in common, got {spans}")
     every = np.unique(np.concatenate([at for at, _ in tables]))
     every = every[(every >= low) & (every <= high)]
-    if len(tables) > 1:  # a product of straight lines is nearly one between closer points
-        every = np.interp(np.linspace(0.0, 1.0, 4 * every.size - 3), np.linspace(0.0, 1.0, every.size), every)
-    product = np.ones((len(names), every.size))
-    for at, values in tables:
-        product *= np.stack([np.interp(every, at, row) for row in values])
+    # Of two tables in different units the same wavelengths differ by rounding.
+    every = every[np.append(True, np.diff(every) > 1e-9 * high)]
+
+    def weighted(at: Array) -> Array:
+        found = np.ones((len(names), at.size)) * (at / every[-1]) ** power
+        for waves, values in tables:
+            found *= np.stack([np.interp(at, waves, row) for row in values])
+        return np.asarray(found)
+
+    product, left = weighted(every), 0.0
+    if len(tables) > 1 or power:
+        every, product, left = _straightened(weighted, every, 0.1 * tol)
     dark = [name for name, row in zip(names, product, strict=True) if not row.max() > 0.0]
     if dark:
         raise ValueError(f"{validation.line(path)}: channels must have light, got none for {', '.join(dark)}")
-    checked_paths(paths, tol)  # before errors of the file
     try:
-        return Channels.from_curves(every, product, names, tol=tol, paths=paths)
+        made = Channels.from_curves(every, product, names, tol=max(tol - left, 1e-6), paths=paths)
+        if made.error + left > tol:
+            raise ValueError(f"tol={tol:g} is too small for products of these tables; give {2.0 * tol:.1g}")
+        vars(made).update(error=made.error + left)
+        return made
     except ValueError as error:
         raise ValueError(f"{validation.line(path)}: {reading.reason(error)}") from None
 
 
-def _curves(path: _PATH) -> tuple[list[str], Array, Array]:
+def _straightened(curves: Callable[[Array], Array], at: Array, allowed: float) -> tuple[Array, Array, float]:
+    """Return points between which curves are nearly straight, their values, and what light is off, over all."""
+    while True:
+        between = 0.5 * (at[1:] + at[:-1])
+        values, step = curves(at), np.diff(at)
+        # Of a parabola the mean deviation from its chord is two thirds of that in the middle.
+        off = (np.abs(curves(between) - 0.5 * (values[:, 1:] + values[:, :-1])) * step).sum(axis=1)
+        light = np.maximum(np.trapezoid(values, at, axis=1), 1e-300)
+        left = float((off / light).max()) if values.max(axis=1).all() else 0.0
+        # Twice: in the image, and in the light that it is divided by.
+        if 2.0 * left <= allowed or at.size > _MOST_POINTS:
+            return at, values, 2.0 * left
+        at = np.sort(np.concatenate([at, between]))
+
+
+def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Array]:
     """Return names of columns, rising wavelengths in metres, and values, shape (columns, wavelengths)."""
     source = validation.path("path", path)
     try:
-        text = reading.decoded(reading.contents(source, reading.MAX_LIST))
+        data = reading.contents(source, reading.MAX_TEXT)
+        if fits_images.is_fits(data):
+            return _of_fits(fits_images.read_columns(data, reading.MAX_TEXT), unit)
+        if len(data) > reading.MAX_LIST:
+            raise ValueError(f"is larger than {reading.MAX_LIST} bytes")
+        text = reading.decoded(data)
+        if not any(re.search("[,;\t]", line) for line in text.splitlines() if not line.lstrip().startswith("#")):
+            return _of_blanks(text, source.stem, unit)
         if ";" in text:
             text = text.replace(",", ".").replace(";", ",")
         return _columns(text_files.rows(text.replace("\t", ",")))
     except ValueError as error:
         raise ValueError(f"{validation.line(source)}: {reading.reason(error)}") from None
+
+
+def _of_blanks(text: str, name: str, unit: str | None) -> tuple[list[str], Array, Array]:
+    """Return the table of lines of numbers between blanks, under a line of names or, with `unit`, without."""
+    lines = [(place, line[0].split()) for place, line in text_files.rows(text, "\n")]
+    try:
+        float(lines[0][1][0])
+    except (ValueError, IndexError):
+        return _columns(iter(lines))  # names
+    count = len(lines[0][1]) - 1
+    names = [name] if count == 1 else [str(k + 1) for k in range(count)]
+    return _columns(iter([(0, [_stated(unit), *names]), *lines]))
+
+
+def _of_fits(columns: list[tuple[str, str, Array]], unit: str | None) -> tuple[list[str], Array, Array]:
+    """Return the table of columns of a FITS file, the first being the wavelength."""
+    if len(columns) < 2:
+        raise ValueError(f"must have columns of numbers for wavelength and values, got {len(columns)}")
+    said = columns[0][1].lower().rstrip("s")
+    said = {"micron": "um", "a": "angstrom", "ang": "angstrom"}.get(said, said)
+    head = [said if said in LENGTHS else _stated(unit), *(name for name, _, _ in columns[1:])]
+    rows = zip(*(values for _, _, values in columns), strict=True)
+    return _columns(iter([(0, head), *((k, [repr(float(x)) for x in row]) for k, row in enumerate(rows, 1))]))
+
+
+def _stated(unit: str | None) -> str:
+    if unit is None:
+        raise ValueError('states no unit of wavelengths; pass unit="nm" or "angstrom"')
+    return unit
 
 
 def _columns(rows: Iterator[tuple[int, list[str]]]) -> tuple[list[str], Array, Array]:

@@ -201,9 +201,11 @@ class TransferIntegral(RadialMethod[Pupil]):
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the image at the distinct radii of `grid`, or on its pixels where these are none, or very many."""
-        if grid.symmetric and grid.radii.size > _MANY_RADII:
+        if not grid.symmetric or grid.radii.size > _MANY_RADII:
             return self.on_pixels(pupil, grid, threads)
-        return super().intensity(pupil, grid, threads)
+        made = self.profile(pupil, grid.v(pupil))
+        # Light is nowhere negative, and no value less exact for that.
+        return made._replace(values=np.maximum(made.values, 0.0))
 
     def profile(self, pupil: Pupil, v: Array) -> Intensities:
         """Return the image at rising v for the flattened stack, with a bound on its error over its peak."""

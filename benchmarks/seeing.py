@@ -25,8 +25,8 @@ def seeing(settings: Settings) -> Table:
     table = Table(
         "seeing",
         "Seeing",
-        "33² samples of 0.1 arcsec, one thread, each image with another r0. Beside one FFT of 1024² complex128, though that "
-        "FFT does none of this. True errors are over the largest value, against Gauss quadrature of OTF times blur.",
+        "33² samples of 0.1 arcsec, one thread, each image with another r0. Beside one FFT of 1024² complex128, "
+        "though that does none of this. True errors: over the largest value, against quadrature of OTF times blur.",
         {"what": "text", "FFT alone over it": "spread", "true error": "error", "bound": "error"},
     )
     other = fft()

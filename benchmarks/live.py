@@ -91,7 +91,7 @@ def random_state(rng: np.random.Generator) -> dict[str, Any]:
 
     def value(field: Any) -> Any:
         if isinstance(field, Word):
-            return str(rng.choice(field))
+            return field.choices[int(rng.integers(len(field.choices)))]
         if not isinstance(field, Real):
             return ""
         if isinstance(field, Whole):

@@ -9,11 +9,12 @@ from html.parser import HTMLParser
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote, urlsplit
+from urllib.parse import parse_qsl, unquote, urlsplit
 
 import numpy as np
 
 import thumbnails
+from lommel.page.state import FIELDS
 
 PHONE = 390  # pixels, as phones count them
 # Of the pages in `api` examined with axe-core.
@@ -99,6 +100,10 @@ def broken_links(folder: Path) -> list[str]:
                 continue
             target = (path.parent / unquote(parts.path)).resolve() if parts.path else path
             place = unquote(parts.fragment)
+            # After the live page's address comes a setting, as in #defocus=1&rays=on.
+            setting = target.name == "live.html" and parse_qsl(parts.fragment)
+            if setting and target.exists() and all(key in FIELDS for key, _ in setting):
+                continue
             if not target.exists() or (place and target in pages and place not in pages[target].places):
                 found.append(f"{path.relative_to(folder.resolve())}: {link}")
     return found

@@ -28,6 +28,13 @@ def test_links_within_and_between_pages_that_lead_somewhere_are_no_faults(folder
     assert check.broken_links(folder) == []
 
 
+def test_links_to_settings_of_the_live_page_name_its_fields(folder):
+    (folder / "live.html").touch()
+    page = '<p id="place two"><a href="live.html#rays=on&amp;defocus=3">x</a><a href="live.html#none=1">y</a>'
+    (folder / "b.html").write_text(page, encoding="utf-8")
+    assert check.broken_links(folder) == ["b.html: live.html#none=1"]
+
+
 @pytest.mark.parametrize("link", ["#nowhere", "c.html", "b.html#nowhere", "../a.html"])
 def test_links_that_lead_nowhere_are_told_with_their_page(link, folder):
     (folder / "b.html").write_text(f'<p id="place two"><a href="{link}">x</a>', encoding="utf-8")

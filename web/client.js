@@ -55,10 +55,6 @@ export class Client {
     for (const lane of this.lanes) if (lane.waiting.size) lane.renew({ message });
   }
 
-  renew({ message }) {
-    this.stop(message);
-  }
-
   destroy() {
     for (const lane of this.lanes) lane.destroy();
   }

@@ -375,7 +375,7 @@ export class View {
       delete this.of.rays;
     } else if (quality !== "picture") jobs.push(client.call("rays", state).then((rays) => got({ rays })));
     if (!this.page.panels.sensor.hidden) jobs.push(this.record(state, quality, got));
-    const patience = setInterval(() => this.wanted && client.worker && client.renew({ message: LATE }), PATIENCE);
+    const patience = setInterval(() => this.wanted && client.worker && client.stop(LATE), PATIENCE);
     const ends = await Promise.allSettled(jobs);
     clearInterval(patience);
     if (this.gone) return;

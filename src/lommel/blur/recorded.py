@@ -207,11 +207,8 @@ def of_transfer(asked: Asked, tol: float, pupil: BasePupil, grid: Grid, several:
 
 def _lattice_seconds(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float:
     """Estimate the time of images from a lattice of samples."""
-    count, far, pixels = (
-        math.prod(pupil.shape),
-        grid.reach(pupil),
-        4e-6 * max(grid.shape) ** 2 if grid.integrate else 0.0,
-    )
+    count, far = math.prod(pupil.shape), grid.reach(pupil)
+    pixels = 4e-6 * max(grid.shape) ** 2 if grid.integrate else 0.0
     if not asked.margin:
         short = Short.of(several, pupil.scale)
         side = 2.0 * (far / math.sqrt(2.0) + max(short.reach(1e-9)) + 30.0) / STEP

@@ -51,7 +51,8 @@ export class Engine {
     const { side, pixel } = asked(state, quality);
     const { error, radii, frequencies, nodes } = QUALITY[quality];
     this.light(state);
-    const reach = stepOf(state, fineReach(state));
+    const window = stepOf(state, fineReach(state));
+    const reach = state.vanes ? Math.min(window, this.core.call("cut_reach")) : window;
     const circles = (state.vanes ? this.cutCircles : this.wholeCircles).call(this, state, reach, radii, error);
     // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
     const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;
@@ -82,32 +83,30 @@ export class Engine {
     return { mean, reference, share, flat, error, radius, within, area: 1 - state.obscuration ** 2 };
   }
 
-  // The same of one with vanes, whose energies are sums by Simpson's rule over `finer` steps; no error is proven.
+  // The same of one with vanes, for which no error is proven; between radii shares are cubics, whose slopes the means are.
   cutCircles(state, reach, radii) {
     const { core } = this;
-    const finer = [2, 4, 8].find((times) => reach < 0.2 * times * (radii - 1)) ?? 16;
-    const v = evenly(finer * (radii - 1) + 1, reach);
+    const v = evenly(radii, reach);
     const [lit, plain] = [1, 0].map((aberrated) => {
-      const out = core.room("numbers", Float64Array, v.length);
-      const area = core.call("on_cut_circles", core.put("points", v), v.length, aberrated, out);
-      const mean = core.view(out, Float64Array, v.length).slice();
-      const light = mean.map((value, i) => (0.5 * area * brightness(state) * value * v[i] * v[1]) / 3);
-      const share = new Float64Array(v.length);
-      for (let i = 2; i < v.length; i += 2) {
-        share[i] = share[i - 2] + light[i - 2] + 4 * light[i - 1] + light[i];
-        share[i - 1] = 0.5 * (share[i - 2] + share[i]);
-      }
-      return { mean, share, area };
+      const out = core.room("numbers", Float64Array, 2 * radii);
+      const area = core.call("on_cut_circles", core.put("points", v), radii, aberrated, out, out + 8 * radii);
+      const both = core.view(out, Float64Array, 2 * radii);
+      return { mean: both.slice(0, radii), share: both.slice(radii), area };
     });
-    const coarse = (values) => values.filter((_, i) => i % finer === 0);
+    const slope = (i) => 0.5 * lit.area * brightness(state) * lit.mean[i] * v[i] * v[1];
     const within = (at) => {
-      const place = Math.min(v.length - 2, Math.floor(at / v[1]));
-      return lit.share[place] + (at / v[1] - place) * (lit.share[place + 1] - lit.share[place]);
+      const i = Math.max(0, Math.min(radii - 2, Math.floor(at / v[1])));
+      const t = at / v[1] - i;
+      const [low, high, first, last] = [lit.share[i], lit.share[i + 1], slope(i), slope(i + 1)];
+      return low + t * (first + t * (3 * (high - low) - 2 * first - last + t * (2 * (low - high) + first + last)));
     };
-    const next = lit.share.findIndex((share) => share >= 0.8);
-    const radius = next < 0 ? -1 : v[next] - (v[1] * (lit.share[next] - 0.8)) / (lit.share[next] - lit.share[next - 1]);
-    const curves = { mean: coarse(lit.mean), reference: coarse(plain.mean), share: coarse(lit.share), flat: coarse(plain.share) };
-    return { ...curves, error: null, radius, within, area: lit.area };
+    let [low, radius] = [0, lit.share[radii - 1] < 0.8 ? -1 : reach];
+    for (let i = 0; radius > 0 && i < 40; i++) {
+      const middle = 0.5 * (low + radius);
+      if (within(middle) < 0.8) low = middle;
+      else radius = middle;
+    }
+    return { mean: lit.mean, reference: plain.mean, share: lit.share, flat: plain.share, error: null, radius, within, area: lit.area };
   }
 
   maps(given, side) {
@@ -285,8 +284,8 @@ function asked(state, quality) {
   const slow = state.light === "white" || termsOf(state).some(([, m]) => m !== 0);
   const { tol, side: most } = QUALITY[slow ? quality : "settled"];
   let side = state.view === "fine" ? Math.min(most, state.side) : state.side;
-  // Vanes are paid for by the window: of the sensor's pixels those in twice the fine window.
-  if (state.vanes && state.view !== "fine") side = Math.min(side, Math.max(16, 4 * Math.ceil(fineReach(state) / state.pixel)));
+  // Vanes are paid for by the window: of the sensor's pixels those in the fine window.
+  if (state.vanes && state.view !== "fine") side = Math.min(side, Math.max(64, 2 * Math.ceil(fineReach(state) / state.pixel)));
   return { side, pixel: pixelOf(state, side), tol };
 }
 

@@ -52,7 +52,8 @@ export function numbersSaid(state, psf, measures) {
     const wide = measures.d80 === null ? NaN : measures.d80 * factor;
     said.strehl = { text: ratioSaid(measures.strehl, strehl), value: measures.strehl, error: strehl };
     said.largest = { text: ratioSaid(measures.peak_strehl, largest), value: measures.peak_strehl, error: largest };
-    said.d80 = { text: measures.d80 === null ? "beyond the window" : `${short(wide)} ${name}`, value: wide, error: 0, unit: name };
+    const least = 2 * measures.energy.r.at(-1) * factor; // where the curve ends
+    said.d80 = { text: `${measures.d80 === null ? `more than ${short(least, 2)}` : short(wide)} ${name}`, value: wide, error: 0, unit: name };
     said.inside = { text: percentSaid(measures.inside, inside), value: 100 * measures.inside, error: 100 * inside, unit: "points" };
   }
   if (psf) {
@@ -74,8 +75,8 @@ export function differenceSaid(now, held) {
 export function psfSaid(state, psf, measures) {
   const unit = lengthUnit(state);
   const field = short(psf.side * psf.pixel * unit.factor, 3);
-  const wide = measures.d80 === null ? "" : short(measures.d80 * unit.factor, 3);
-  const spot = wide ? `80 % of the light within ${wide} ${unit.said} across` : "a spot wider than the window";
+  const [most, wide] = measures.d80 === null ? ["less than ", 2 * measures.energy.r.at(-1)] : ["", measures.d80];
+  const spot = `${most}80 % of the light within ${short(wide * unit.factor, 3)} ${unit.said} across`;
   const { strehl, largest } = numbersSaid(state, psf, measures);
   const bright = `Strehl ratio on the axis ${strehl.text}, brightest point ${largest.text}`;
   return `Point spread function over ${field} ${unit.said}: ${spot}; ${bright}.`;

@@ -133,10 +133,14 @@ EXPORT(set_circles) void set_circles(double reach, double error) { circles = liv
 // Bound on the error of means on circles, over the peak without aberration.
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
-// Means at radii in v of a pupil with vanes, over the peak without aberration; with aberrations or without. Returns the clear area.
-EXPORT(on_cut_circles) double on_cut_circles(const double* v, std::size_t count, bool lit, double* out) {
-    return live::cut_circles(light, lit, v, count, out);
+// At radii in v of a pupil with vanes, with aberrations or without: means over the peak without aberration, and shares of all light
+// within. Returns the clear area.
+EXPORT(on_cut_circles) double on_cut_circles(const double* v, std::size_t count, bool lit, double* means, double* shares) {
+    return live::cut_circles(light, lit, v, count, means, shares);
 }
+
+// The largest radius in v that on_cut_circles() should be called for.
+EXPORT(cut_reach) double cut_reach() { return live::cut_reach(light); }
 
 // At radii in v, with aberrations and without: means over the peak without aberration, or shares of all light within.
 EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {
@@ -165,7 +169,7 @@ EXPORT(radius_of) double radius_of(double share, double reach) {
 EXPORT(contrast) void contrast(const double* f, std::size_t count, std::size_t more, double* x, double* y, double* limit) {
     std::vector<std::complex<double>> sums(2 * count);
     if (!light.vanes.empty()) {
-        live::cut_contrast(light, f, count, x, y, limit);
+        live::cut_contrast(light, f, count, more, x, y, limit);
         return;
     }
     std::fill_n(limit, count, 0.0);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "lommel/pixels/taps.hpp"
 
 #include "light.hpp"
+#include "wave_sums.hpp"
 
 namespace live {
 
@@ -23,13 +26,13 @@ class CutPupil {
    public:
     // Turned so that the x axis lies at the angle `facing`. `lit`: with the wavefront.
     CutPupil(const Light& light, double stretch, double facing, bool lit)
-        : eps_(light.obscuration), half_width_(0.5 * light.vane_width),
+        : eps_(light.obscuration), half_width_(0.5 * light.vane_width), most_(3e7 / static_cast<double>(light.lines.size())),
           overlap_(light.terms, light.stretched(lit ? stretch : 0.0).data(), eps_) {
         overlap_.face(facing);
         for (const double angle : light.vanes) {
             vanes_.push_back({std::cos(angle - facing), std::sin(angle - facing)});
         }
-        for (const Row& row : rows(0.0, 4.0, 10.0)) {
+        for (const Row& row : rows(0.0, 4.0, 10.0, dense)) {
             for (const Interval& part : row.parts) {
                 area_ += row.weight * (part.high - part.low) / pi;
             }
@@ -38,92 +41,74 @@ class CutPupil {
 
     double area() const { return area_; }  // over that of the whole disk
 
-    // The field at columns and rows of a square window about the axis: real and imaginary parts in turn.
-    std::vector<double> field(std::size_t side, double step) const {
-        const double middle = static_cast<double>(side / 2), far = middle * step, slope = overlap_.slope() + far;
-        const std::vector<Row> all = rows(0.0, slope + 0.42 * far, 10.0);
-        const std::size_t count = all.size(), blocks = (side + wide - 1) / wide, most = side / 2;
-        // Of each row along the columns, `wide` of them at a time: first all rows of the first columns.
-        std::vector<double> sums(2 * wide * count * blocks), re(wide * blocks), im(wide * blocks),
-            turns(2 * count * (most + 1));
-        for (std::size_t r = 0; r < count; ++r) {
-            std::fill(re.begin(), re.end(), 0.0);
-            std::fill(im.begin(), im.end(), 0.0);
-            Line c;
-            along(all[r].y, c);
-            for (const Interval& part : all[r].parts) {
-                const double length = part.high - part.low;
-                const Rule& rule = rule_of(10.0, length * slope);
-                for (std::size_t k = 0; k < rule.nodes; ++k) {
-                    const double x = part.low + length * rule.x[k], a = all[r].weight * length * rule.w[k] / pi;
-                    add_waves(a, phase(c, x) + middle * step * x, step * x, blocks, re.data(), im.data());
+    // The field at columns and rows of a square window about the axis, real and imaginary parts in turn; or what `kernel` then
+    // interpolates to the field.
+    std::vector<float> field(std::size_t side, double step, const lommel::GriddingKernel* kernel = nullptr) const {
+        const double far = static_cast<double>(side / 2) * step, slope = overlap_.slope() + far;
+        const std::vector<Row> all = rows(0.0, slope + 0.42 * far, 10.0, dense);
+        const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
+        double nodes = 0.0;
+        for (const Row& row : all) {
+            for (const Interval& part : row.parts) {
+                nodes += 10.0 + dense * (part.high - part.low) * slope;
+            }
+        }
+        if (nodes > most_) {
+            throw std::domain_error(
+                "aberrations this large would take the page too long with vanes: smaller ones, or no vanes");
+        }
+        WaveSums waves(side);
+        // Of each row along the columns: [eight columns][row][real parts, imaginary parts].
+        std::vector<float> sums(2 * wide * count * blocks), out(2 * side * side);
+        const Taper taper(kernel, step);
+        lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t first = 0; first < count; first += wide) {
+                const std::size_t here = std::min(wide, count - first);
+                waves.start();
+                for (std::size_t r = 0; r < here; ++r) {
+                    add_row(isa, all[first + r], taper, slope, step, r, waves);
                 }
+                waves.finish(isa, side, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                    float* const to = &sums[2 * wide * (k / wide * count + first) + k % wide];
+                    for (std::size_t r = 0; r < here; ++r) {
+                        to[2 * wide * r] = static_cast<float>(gain * sum[r]);
+                        to[2 * wide * r + wide] = static_cast<float>(gain * sum[wide + r]);
+                    }
+                });
             }
             for (std::size_t b = 0; b < blocks; ++b) {
-                double* const to = &sums[2 * wide * (b * count + r)];
-                std::copy_n(&re[wide * b], wide, to);
-                std::copy_n(&im[wide * b], wide, to + wide);
-            }
-            const double c1 = std::cos(step * all[r].y), s1 = std::sin(step * all[r].y);
-            double c0 = 1.0, s0 = 0.0;
-            for (std::size_t k = 0; k <= most; ++k) {
-                turns[2 * (k * count + r)] = c0;
-                turns[2 * (k * count + r) + 1] = s0;
-                const double next = c0 * c1 - s0 * s1;
-                s0 = s0 * c1 + c0 * s1;
-                c0 = next;
-            }
-        }
-        // Rows k above and k below the axis share their cosines and sines.
-        std::vector<double> out(2 * side * side);
-        for (std::size_t b = 0; b < blocks; ++b) {
-            for (std::size_t k = 0; k <= most; ++k) {
-                double c[2 * wide] = {}, s[2 * wide] = {};
-                const double *turn = &turns[2 * k * count], *sum = &sums[2 * wide * b * count];
-                for (std::size_t r = 0; r < count; ++r, turn += 2, sum += 2 * wide) {
-                    for (std::size_t i = 0; i < 2 * wide; ++i) {
-                        c[i] += turn[0] * sum[i];
-                        s[i] += turn[1] * sum[i];
-                    }
+                waves.start();
+                for (std::size_t r = 0; r < count; ++r) {
+                    waves.add(isa, &sums[2 * wide * (b * count + r)], step * all[r].y);
                 }
-                for (std::size_t i = 0; i < std::min(wide, side - b * wide); ++i) {
-                    double* const above = &out[2 * ((most - k) * side + b * wide + i)];
-                    above[0] = c[i] - s[wide + i];
-                    above[1] = c[wide + i] + s[i];
-                    if (most + k < side) {
-                        double* const below = &out[2 * ((most + k) * side + b * wide + i)];
-                        below[0] = c[i] + s[wide + i];
-                        below[1] = c[wide + i] - s[i];
+                waves.finish(isa, side, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                    float* const to = &out[2 * (k * side + b * wide)];
+                    for (std::size_t i = 0; i < std::min(wide, side - b * wide); ++i) {
+                        to[2 * i] = static_cast<float>(gain * sum[i]);
+                        to[2 * i + 1] = static_cast<float>(gain * sum[wide + i]);
                     }
-                }
+                });
             }
-        }
+        });
         return out;
     }
 
-    // |int P(u - f, y) conj P(u + f, y)| over the area: the contrast at f over the cutoff along x.
-    std::array<double, 2> contrast(double f) const {
-        double re = 0.0, im = 0.0;
-        const double turns = 2.0 * overlap_.slope() * std::min(1.0, 2.0 * f);
-        for (const Row& row : rows(f, turns, 6.0)) {
-            Line c;
-            along(row.y, c);
+    // int P(u - f, y) conj P(u + f, y) over the area: the contrast at f over the cutoff along x; nodes as Overlap::at() has them.
+    std::complex<double> contrast(double f, std::size_t more) {
+        std::complex<double> sum = 0.0;
+        overlap_.set_shift(f, more);
+        for (const Row& row : rows(f, 2.0 * overlap_.slope() * std::min(1.0, 2.0 * f), 6.0, 0.15)) {
             for (const Interval& part : row.parts) {
-                const double length = part.high - part.low;
-                const Rule& rule = rule_of(6.0, length * turns);
-                for (std::size_t k = 0; k < rule.nodes; ++k) {
-                    const double u = part.low + length * rule.x[k], d = phase(c, u - f) - phase(c, u + f);
-                    re += row.weight * length * rule.w[k] * std::cos(d);
-                    im += row.weight * length * rule.w[k] * std::sin(d);
-                }
+                sum += row.weight * overlap_.along(row.y, part.low, part.high);
             }
         }
-        return {re / (pi * area_), im / (pi * area_)};
+        return sum / (pi * area_);
     }
 
    private:
     static constexpr double pi = 3.14159265358979323846;
-    static constexpr std::size_t wide = 8;
+    static constexpr double dense = 0.28;  // nodes a radian
+    static constexpr std::size_t wide = lommel::fft_rows;
     struct Point {
         double x, y;
     };
@@ -138,16 +123,22 @@ class CutPupil {
         std::vector<Interval> parts;
     };
     using Line = lommel::Overlap::Line;
-    using Rule = lommel::Overlap::Rule;
 
-    // For an integrand that turns through so many radians.
-    static const Rule& rule_of(double least, double turns) {
-        const double nodes = least + 0.28 * turns;
-        if (nodes > 4000.0) {
-            throw std::domain_error("these aberrations are too large for an aperture with vanes on the live page");
+    // Gauss-Legendre for an integrand that turns through so many radians, on pieces of equal length.
+    struct Pieces {
+        Pieces(double least, double turns, double density)
+            : count(1 + static_cast<std::size_t>(turns / 800.0)),
+              rule(lommel::Overlap::rule(rounded(least + density * turns / static_cast<double>(count)))) {}
+
+        const std::size_t count;
+        const lommel::Overlap::Rule& rule;
+
+       private:
+        static std::size_t rounded(double nodes) {
+            const std::size_t n = static_cast<std::size_t>(nodes), step = n < 64 ? 4 : 16;  // few different ones
+            return (n / step + 1) * step;
         }
-        return lommel::Overlap::rule((static_cast<std::size_t>(nodes) + 3) / 4 * 4);
-    }
+    };
 
     // Coefficients of the phase along a row.
     void along(double y, Line& c) const {
@@ -158,31 +149,63 @@ class CutPupil {
             }
         }
     }
-    static double phase(const Line& c, double x) {
-        double sum = 0.0;
-        for (std::size_t p = c.size(); p-- > 0;) {
-            sum = sum * x + c[p];
-        }
-        return sum;
-    }
 
-    // Adds a exp(i (first - k step)) to the sums k.
-    static void add_waves(double a, double first, double step, std::size_t blocks, double* re, double* im) {
-        double c[wide], s[wide];
-        for (std::size_t k = 0; k < wide; ++k) {
-            c[k] = std::cos(static_cast<double>(k) * step);
-            s[k] = -std::sin(static_cast<double>(k) * step);
-        }
-        const double c1 = std::cos(static_cast<double>(wide) * step), s1 = -std::sin(static_cast<double>(wide) * step);
-        double x = a * std::cos(first), y = a * std::sin(first);
-        for (std::size_t b = 0; b < blocks; ++b, re += wide, im += wide) {
-            for (std::size_t k = 0; k < wide; ++k) {
-                re[k] += x * c[k] - y * s[k];
-                im[k] += x * s[k] + y * c[k];
+    // One over the transform of a kernel at samples this step apart, as a polynomial of x^2; 1 without a kernel.
+    struct Taper {
+        static constexpr std::size_t terms = 12;
+        std::array<double, terms> at{};
+
+        Taper(const lommel::GriddingKernel* kernel, double step) {
+            at[0] = 1.0;
+            if (kernel != nullptr) {
+                double values[terms];
+                for (std::size_t j = 0; j < terms; ++j) {
+                    const double square = 0.5 + 0.5 * lommel::chebyshev_point(j, terms);
+                    values[j] = 1.0 / kernel->transform(step * std::sqrt(square));
+                }
+                lommel::ChebyshevToMonomials<terms>()(values, 1, at.data(), terms);
             }
-            const double next = x * c1 - y * s1;
-            y = y * c1 + x * s1;
-            x = next;
+        }
+        template <class V>
+        LOMMEL_INLINE V operator()(V x) const {
+            const V z = x * x + x * x - (x - x + 1.0);
+            V sum = z - z + at[terms - 1];
+            for (std::size_t p = terms - 1; p-- > 0;) {
+                sum = sum * z + at[p];
+            }
+            return sum;
+        }
+    };
+
+    // The waves of a row at its nodes, as those of sum `r`.
+    template <class I>
+    LOMMEL_INLINE void add_row(I isa, const Row& row, const Taper& taper, double slope, double step, std::size_t r,
+                               WaveSums& waves) const {
+        using namespace lommel;
+        using V = typename I::pack;
+        Line c;
+        along(row.y, c);
+        for (const Interval& part : row.parts) {
+            const Pieces pieces(10.0, (part.high - part.low) * slope, dense);
+            const lommel::Overlap::Rule& rule = pieces.rule;
+            const double length = (part.high - part.low) / static_cast<double>(pieces.count),
+                         weight = row.weight * taper(row.y) * length / pi;
+            for (std::size_t piece = 0; piece < pieces.count; ++piece) {
+                const double low = part.low + length * static_cast<double>(piece);
+                for (std::size_t k = 0; k < rule.nodes; k += I::lanes) {
+                    const V x = splat<V>(low) + splat<V>(length) * load<V>(&rule.x[k]);
+                    V phase = splat<V>(c[overlap_.degree()]), sine, cosine;
+                    for (std::size_t p = overlap_.degree(); p-- > 0;) {
+                        phase = phase * x + splat<V>(c[p]);
+                    }
+                    sincos(isa, phase, sine, cosine);
+                    const V w = splat<V>(weight) * load<V>(&rule.w[k]) * taper(x), s = splat<V>(step) * x;
+                    const V re = w * cosine, im = w * sine;
+                    for (std::size_t lane = 0; lane < std::min(I::lanes, rule.nodes - k); ++lane) {
+                        waves.add(isa, r, re[lane], im[lane], s[lane]);
+                    }
+                }
+            }
         }
     }
 
@@ -241,7 +264,7 @@ class CutPupil {
     }
 
     // The rows, with weights and intervals, of the aperture moved by f and by -f where both are clear.
-    std::vector<Row> rows(double f, double turns, double least) const {
+    std::vector<Row> rows(double f, double turns, double least, double density) const {
         std::vector<Row> found;
         const std::vector<double> edges = meetings(f);
         for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
@@ -252,10 +275,14 @@ class CutPupil {
             for (std::size_t i = 0; i < std::min(first.size(), last.size()); ++i) {
                 move = std::max({move, std::abs(first[i].low - last[i].low), std::abs(first[i].high - last[i].high)});
             }
-            const Rule& rule = rule_of(least + 2.0, 0.5 * pi * turns * (move + 2.0 * half));
-            for (std::size_t i = 0; i < rule.nodes; ++i) {
-                const double t = pi * (rule.x[i] - 0.5), y = middle + half * std::sin(t);
-                found.push_back({y, pi * rule.w[i] * half * std::cos(t), shared(y, f)});
+            const Pieces pieces(least + 2.0, 0.5 * pi * turns * (move + 2.0 * half), density);
+            const double each = pi / static_cast<double>(pieces.count);
+            for (std::size_t piece = 0; piece < pieces.count; ++piece) {
+                for (std::size_t i = 0; i < pieces.rule.nodes; ++i) {
+                    const double t = each * (static_cast<double>(piece) + pieces.rule.x[i]) - 0.5 * pi;
+                    const double y = middle + half * std::sin(t);
+                    found.push_back({y, each * pieces.rule.w[i] * half * std::cos(t), shared(y, f)});
+                }
             }
         }
         return found;
@@ -344,7 +371,7 @@ class CutPupil {
                });
     }
 
-    double eps_, half_width_, area_ = 0.0;
+    double eps_, half_width_, most_, area_ = 0.0;
     std::vector<Vane> vanes_;
     lommel::Overlap overlap_;
 };
@@ -362,9 +389,11 @@ inline double add_cut_image(const Light& light, const Line& line, const View& vi
     const lommel::PixelFilter filter{taps.weights.data(), taps.weights.size(), taps.stride};
     const std::size_t wide = filter.samples(view.side), middle = taps.stride * (view.side / 2) + taps.margin();
     const std::size_t side = view.integrate ? 2 * std::max(middle, wide - 1 - middle) + 1 : view.side;
-    std::vector<double> image = pupil.field(side, view.integrate ? step / static_cast<double>(taps.stride) : step);
+    const std::vector<float> field = pupil.field(side, view.integrate ? step / static_cast<double>(taps.stride) : step);
+    std::vector<double> image(side * side);
     for (std::size_t i = 0; i < side * side; ++i) {
-        image[i] = image[2 * i] * image[2 * i] + image[2 * i + 1] * image[2 * i + 1];
+        const double re = static_cast<double>(field[2 * i]), im = static_cast<double>(field[2 * i + 1]);
+        image[i] = re * re + im * im;
     }
     if (view.integrate) {
         const std::size_t skip = side / 2 - middle;
@@ -399,71 +428,143 @@ inline Proof cut_image_of(const Light& light, const View& view, float* out, cons
     return {std::nan(""), *std::max_element(total.begin(), total.end())};
 }
 
-// Factors of 8 values at 0, 1 ... 7 for the one between them at x.
-inline void lagrange(double x, double* out) {
-    constexpr double below[8] = {-5040.0, 720.0, -240.0, 144.0, -144.0, 240.0, -720.0, 5040.0};
-    for (int a = 0; a < 8; ++a) {
-        out[a] = 1.0 / below[a];
-        for (int b = 0; b < 8; ++b) {
-            out[a] *= a == b ? 1.0 : x - b;
-        }
+// The intensity near the axis, by interpolation in samples of what its kernel makes of the field.
+class CutField {
+   public:
+    // At radii of v up to `reach`. `even`: the same half a turn on.
+    CutField(const CutPupil& pupil, double reach, bool even)
+        : turn_(even ? pi : 2.0 * pi), kernel_(lommel::GriddingKernel::of(taps, pi / step)), polynomials_(kernel_),
+          half_(static_cast<std::size_t>(reach / step) + taps / 2 + 1), samples_(pupil.field(2 * half_ + 1, step, &kernel_)) {}
+
+    // The mean on a circle. The intensity there has no finer waves than 2 v around it.
+    double mean(double v) const {
+        const std::size_t places = 6 + static_cast<std::size_t>(turn_ * (0.38 * v + 3.0));
+        double sum = 0.0;
+        lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t j = 0; j < places; ++j) {
+                const double theta = turn_ * (static_cast<double>(j) + 0.25) / static_cast<double>(places);
+                sum += intensity(isa, v * std::cos(theta), v * std::sin(theta));
+            }
+        });
+        return sum / static_cast<double>(places);
     }
+
+   private:
+    static constexpr double pi = 3.14159265358979323846, step = 1.5;
+    static constexpr std::size_t taps = lommel::SingleTaps::taps;
+
+    template <class I>
+    LOMMEL_INLINE double intensity(I, double x, double y) const {
+        using namespace lommel;
+        using V = typename RowPack<I, float>::type;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(float), parts = 2 * taps / lanes;
+        const double at[2] = {x / step + static_cast<double>(half_), y / step + static_cast<double>(half_)};
+        float weights[2][taps], across[2 * taps];
+        std::size_t first[2];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double whole = std::floor(at[axis]);
+            const V t = splat<V>(static_cast<float>(2.0 * (at[axis] - whole) - 1.0));
+            for (std::size_t i = 0; i < taps; i += lanes) {
+                V sum = load<V>(polynomials_.at[0] + i);
+                for (std::size_t p = 1; p < SingleTaps::terms; ++p) {
+                    sum = sum * t + load<V>(polynomials_.at[p] + i);
+                }
+                store(weights[axis] + i, sum);
+            }
+            first[axis] = static_cast<std::size_t>(whole) - taps / 2 + 1;
+        }
+        for (std::size_t i = 0; i < taps; ++i) {
+            across[2 * i] = across[2 * i + 1] = weights[0][i];
+        }
+        V sums[parts];
+        const float* from = &samples_[2 * (first[1] * (2 * half_ + 1) + first[0])];
+        for (std::size_t row = 0; row < taps; ++row, from += 2 * (2 * half_ + 1)) {
+            const V w = splat<V>(weights[1][row]);
+            for (std::size_t p = 0; p < parts; ++p) {
+                const V here = w * load<V>(from + p * lanes);
+                sums[p] = row == 0 ? here : sums[p] + here;
+            }
+        }
+        V both = sums[0] * load<V>(across);
+        for (std::size_t p = 1; p < parts; ++p) {
+            both = both + sums[p] * load<V>(across + p * lanes);
+        }
+        float re = 0.0F, im = 0.0F;
+        for (std::size_t i = 0; i < lanes; i += 2) {
+            re += both[i];
+            im += both[i + 1];
+        }
+        return static_cast<double>(re) * re + static_cast<double>(im) * im;
+    }
+
+    double turn_;
+    lommel::GriddingKernel kernel_;
+    lommel::SingleTaps polynomials_;
+    std::size_t half_;
+    std::vector<float> samples_;
+};
+
+// How far in v of the reference circles of a pupil with vanes are made: as there is time and memory for, of fields of so many samples.
+inline double cut_reach(const Light& light) {
+    double squares = 0.0;
+    for (const Line& line : light.lines) {
+        squares += line.stretch * line.stretch;
+    }
+    return std::min(1700.0, 2600.0 / std::sqrt(squares));
 }
 
-// Means on circles about the axis at radii in v of the reference, over the peak without aberration: by interpolation in samples of
-// the field at 8 points each way. Returns the clear area over that of the disk.
-inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* out) {
-    std::fill_n(out, count, 0.0);
+// On circles about the axis at radii in v of the reference, from 0 on, each larger than the one before: the mean over the peak without
+// aberration, and the share of all light within. Returns the clear area over that of the disk.
+inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares) {
+    std::fill_n(means, count, 0.0);
+    std::fill_n(shares, count, 0.0);
     double brightest = 0.0, area = 1.0;
+    std::unique_ptr<CutField> field;
     for (const Line& line : light.lines) {
-        const CutPupil pupil(light, line.stretch, 0.0, lit);
-        area = pupil.area();
+        // Without aberration all lines have one pupil.
+        if (lit || !field) {
+            const CutPupil pupil(light, line.stretch, 0.0, lit);
+            double widest = line.stretch;
+            for (const Line& other : light.lines) {
+                widest = lit ? widest : std::max(widest, other.stretch);
+            }
+            area = pupil.area();
+            field.reset();
+            field = std::make_unique<CutField>(pupil, v[count - 1] * widest, !lit);
+        }
         brightest += line.weight() * area * area;
-        const double reach = v[count - 1] * line.stretch, step = std::max(0.5, reach / 500.0);
-        const std::size_t half = static_cast<std::size_t>(reach / step) + 5, side = 2 * half + 1;
-        const std::vector<double> field = pupil.field(side, step);
+        double energy = 0.0;
         for (std::size_t k = 0; k < count; ++k) {
             const double radius = v[k] * line.stretch;
-            const std::size_t places = 4 * static_cast<std::size_t>(0.6 * radius + 6.0);
-            double sum = 0.0;
-            for (std::size_t j = 0; j < places; ++j) {
-                const double theta = 6.283185307179586 * (static_cast<double>(j) + 0.25) / static_cast<double>(places);
-                const double x = radius * std::cos(theta) / step + static_cast<double>(half);
-                const double y = radius * std::sin(theta) / step + static_cast<double>(half);
-                const std::size_t column = static_cast<std::size_t>(x) - 3, row = static_cast<std::size_t>(y) - 3;
-                double across[8], down[8], re = 0.0, im = 0.0;
-                lagrange(x - static_cast<double>(column), across);
-                lagrange(y - static_cast<double>(row), down);
-                for (std::size_t a = 0; a < 8; ++a) {
-                    const double* const from = &field[2 * ((row + a) * side + column)];
-                    for (std::size_t b = 0; b < 8; ++b) {
-                        re += down[a] * across[b] * from[2 * b];
-                        im += down[a] * across[b] * from[2 * b + 1];
-                    }
+            means[k] += line.weight() * field->mean(radius);
+            if (k > 0) {
+                const double before = v[k - 1] * line.stretch, wide = radius - before;
+                const lommel::Overlap::Rule& rule = lommel::Overlap::rule(5 + static_cast<std::size_t>(0.7 * wide));
+                for (std::size_t i = 0; i < rule.nodes; ++i) {
+                    const double at = before + wide * rule.x[i];
+                    energy += 0.5 * wide * rule.w[i] * at * field->mean(at);
                 }
-                sum += re * re + im * im;
             }
-            out[k] += line.weight() * sum / static_cast<double>(places);
+            shares[k] += line.share * energy / area;
         }
     }
-    std::for_each(out, out + count, [&](double& value) { value /= brightest; });
+    std::for_each(means, means + count, [&](double& value) { value /= brightest; });
     return area;
 }
 
 // Contrast along x and y at frequencies over the cutoff of the reference, and without aberration.
-inline void cut_contrast(const Light& light, const double* f, std::size_t count, double* x, double* y, double* limit) {
+inline void cut_contrast(const Light& light, const double* f, std::size_t count, std::size_t more, double* x, double* y,
+                         double* limit) {
     double* const curves[3] = {x, y, limit};
     for (std::size_t curve = 0; curve < 3; ++curve) {
-        std::vector<std::array<double, 2>> sums(count, {0.0, 0.0});
+        std::vector<std::complex<double>> sums(count);
         for (const Line& line : light.lines) {
-            const CutPupil pupil(light, line.stretch, curve == 1 ? 1.5707963267948966 : 0.0, curve < 2);
+            CutPupil pupil(light, line.stretch, curve == 1 ? 1.5707963267948966 : 0.0, curve < 2);
             for (std::size_t i = 0; i < count && f[i] < line.stretch; ++i) {
-                const std::array<double, 2> part = pupil.contrast(f[i] / line.stretch);
-                sums[i][0] += line.share * part[0];
-                sums[i][1] += line.share * part[1];
+                sums[i] += line.share * pupil.contrast(f[i] / line.stretch, more);
             }
         }
-        std::transform(sums.begin(), sums.end(), curves[curve], [](const auto& sum) { return std::hypot(sum[0], sum[1]); });
+        std::transform(sums.begin(), sums.end(), curves[curve], [](std::complex<double> sum) { return std::abs(sum); });
     }
 }
 

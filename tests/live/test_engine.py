@@ -616,6 +616,19 @@ def test_measures_with_vanes_are_those_of_the_package(engine, state):
     assert found["inside"] == pytest.approx(values.sum(), abs=1e-4)
 
 
+def test_a_thin_vane_hardly_changes_large_aberrations(engine):
+    state = {"defocus": 20, "spherical": 3, "coma": 1}
+    clear, cut = engine.measures(state), engine.measures({**state, "vanes": 1, "vane_width": 0.001})
+    hidden = 0.001 / math.pi
+    assert cut["energy"]["share"] == pytest.approx(clear["energy"]["share"], abs=5 * hidden)
+    assert cut["energy"]["reference"] == pytest.approx(clear["energy"]["reference"], abs=5 * hidden)
+    assert cut["d80"] == pytest.approx(clear["d80"], rel=1e-3)
+    mean = np.array(clear["profile"]["mean"])
+    assert cut["profile"]["mean"] == pytest.approx(mean, abs=math.sqrt(hidden) * mean.max())
+    for name in ("x", "y"):
+        assert cut["mtf"][name] == pytest.approx(clear["mtf"][name], abs=5 * hidden)
+
+
 @pytest.mark.parametrize(("pixel", "light"), [(20.0, "mono"), (50.0, "white")])
 def test_coarse_averages_of_directed_aberrations_are_within_their_bound_everywhere(engine, pixel, light):
     state = {"coma": 0.5, "view": "averaged", "pixel": pixel, "light": light, "side": 512}

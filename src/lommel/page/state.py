@@ -480,7 +480,7 @@ def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
         pixel = 2.0 * reach / side
     elif whole["vanes"]:
         # As on the page, where the time with vanes grows with the window.
-        side = min(side, max(16, 4 * math.ceil(reach / pixel)))
+        side = min(side, max(64, 2 * math.ceil(reach / pixel)))
     return psf(pupil, side, pixel, integrate=whole["view"] == "averaged", **options)
 
 

@@ -92,19 +92,32 @@ class Overlap {
         if (terms_.empty()) {
             return flat_overlap(f, eps_);
         }
-        f_ = f;
-        more_ = more;
-        swing_ = 2.0 * steepest_ * (1.0 - f) * std::min(1.0, 2.0 * f);
-        shift();
+        set_shift(f, more);
         re_ = im_ = 0.0;
         cover();
         const double all = 3.14159265358979323846 * (1.0 - eps_ * eps_);
         return {re_ / all, even_ ? 0.0 : im_ / all};
     }
 
+    // For along(): f over the cutoff, and nodes as for at().
+    void set_shift(double f, std::size_t more) {
+        f_ = f;
+        more_ = more;
+        swing_ = 2.0 * steepest_ * (1.0 - f) * std::min(1.0, 2.0 * f);
+        shift();
+    }
+
+    // The integral of exp(i D(u, y)) over u from `low` to `high`.
+    std::complex<double> along(double y, double low, double high) {
+        re_ = im_ = 0.0;
+        add_line(rule_for((high - low) / (2.0 * (1.0 - f_))), y, low, high - low, high - low);
+        return {re_, im_};
+    }
+
     // Of the phase, in the coordinates faced: coefficients [power of x][power of y], and the longest gradient.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
+    std::size_t degree() const { return degree_; }
 
     // Gauss-Legendre.
     struct Rule {

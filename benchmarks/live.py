@@ -7,8 +7,8 @@ Prints, for each slider, the work of the page in a frame (median, worst; ms), th
 shows only in how many point spread functions were drawn a second.
 
 With `--states 500` it draws so many random states over the ranges of all controls, always the same ones, and prints
-quantiles of the time until all of the page is of the new state; and the slowest, with what the engine takes for
-their PSF, their curves and their picture.
+those that take longer than a second until all of the page is of the new state, as it meets them; quantiles of that time;
+and the slowest, with what the engine takes for their PSF, their curves and their picture.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ def states(module: Path, count: int) -> None:
             return page
 
         page = opened()
-        for state in drawn:
+        for k, state in enumerate(drawn):
             page.evaluate(
                 "state => { window.took = null; settled(state).then((ms) => { window.took = ms; }); }", state
             )
@@ -133,6 +133,8 @@ def states(module: Path, count: int) -> None:
                 times.append(PATIENCE)
                 page.close()
                 page = opened()
+            if times[-1] > 1.0:
+                print(f"state {k}: {times[-1]:.2f} s", flush=True)
         shares = (0.5, 0.9, 0.95, 0.99, 1.0)
         found = ", ".join(
             f"{share:.0%} {at:.2f}" for share, at in zip(shares, np.quantile(times, shares), strict=True)

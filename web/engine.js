@@ -52,7 +52,7 @@ export class Engine {
     const { error, radii, frequencies, nodes } = QUALITY[quality];
     this.light(state);
     const window = stepOf(state, fineReach(state));
-    const reach = state.vanes ? Math.min(window, this.core.call("cut_reach")) : window;
+    const reach = state.vanes ? this.core.call("cut_reach", window) : window;
     const circles = (state.vanes ? this.cutCircles : this.wholeCircles).call(this, state, reach, radii, error);
     // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
     const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;

@@ -139,8 +139,8 @@ EXPORT(on_cut_circles) double on_cut_circles(const double* v, std::size_t count,
     return live::cut_circles(light, lit, v, count, means, shares);
 }
 
-// The largest radius in v that on_cut_circles() should be called for.
-EXPORT(cut_reach) double cut_reach() { return live::cut_reach(light); }
+// The largest radius in v, up to `reach`, that on_cut_circles() should be called for.
+EXPORT(cut_reach) double cut_reach(double reach) { return live::cut_reach(light, reach); }
 
 // At radii in v, with aberrations and without: means over the peak without aberration, or shares of all light within.
 EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {

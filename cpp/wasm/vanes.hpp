@@ -26,7 +26,7 @@ class CutPupil {
    public:
     // Turned so that the x axis lies at the angle `facing`. `lit`: with the wavefront.
     CutPupil(const Light& light, double stretch, double facing, bool lit)
-        : eps_(light.obscuration), half_width_(0.5 * light.vane_width), most_(3e7 / static_cast<double>(light.lines.size())),
+        : eps_(light.obscuration), half_width_(0.5 * light.vane_width), lines_(static_cast<double>(light.lines.size())),
           overlap_(light.terms, light.stretched(lit ? stretch : 0.0).data(), eps_) {
         overlap_.face(facing);
         for (const double angle : light.vanes) {
@@ -41,22 +41,22 @@ class CutPupil {
 
     double area() const { return area_; }  // over that of the whole disk
 
+    // About how long field() takes of all lines, in WebAssembly on a laptop.
+    double seconds(std::size_t side, double step) const {
+        const double far = static_cast<double>(side / 2) * step;
+        return seconds(rows_to(far), side, far);
+    }
+
     // The field at columns and rows of a square window about the axis, real and imaginary parts in turn; or what `kernel` then
     // interpolates to the field.
     std::vector<float> field(std::size_t side, double step, const lommel::GriddingKernel* kernel = nullptr) const {
         const double far = static_cast<double>(side / 2) * step, slope = overlap_.slope() + far;
-        const std::vector<Row> all = rows(0.0, slope + 0.42 * far, 10.0, dense);
-        const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
-        double nodes = 0.0;
-        for (const Row& row : all) {
-            for (const Interval& part : row.parts) {
-                nodes += 10.0 + dense * (part.high - part.low) * slope;
-            }
-        }
-        if (nodes > most_) {
+        const std::vector<Row> all = rows_to(far);
+        if (!(seconds(all, side, far) < 2.0)) {
             throw std::domain_error(
                 "aberrations this large would take the page too long with vanes: smaller ones, or no vanes");
         }
+        const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
         WaveSums waves(side);
         // Of each row along the columns: [eight columns][row][real parts, imaginary parts].
         std::vector<float> sums(2 * wide * count * blocks), out(2 * side * side);
@@ -123,6 +123,17 @@ class CutPupil {
         std::vector<Interval> parts;
     };
     using Line = lommel::Overlap::Line;
+
+    std::vector<Row> rows_to(double far) const { return rows(0.0, overlap_.slope() + 1.42 * far, 10.0, dense); }
+    double seconds(const std::vector<Row>& all, std::size_t side, double far) const {
+        double nodes = 0.0;
+        for (const Row& row : all) {
+            for (const Interval& part : row.parts) {
+                nodes += 10.0 + dense * (part.high - part.low) * (overlap_.slope() + far);
+            }
+        }
+        return lines_ * (80e-9 * nodes + 30e-9 * static_cast<double>(all.size() * side));
+    }
 
     // Gauss-Legendre for an integrand that turns through so many radians, on pieces of equal length.
     struct Pieces {
@@ -371,7 +382,7 @@ class CutPupil {
                });
     }
 
-    double eps_, half_width_, most_, area_ = 0.0;
+    double eps_, half_width_, lines_, area_ = 0.0;
     std::vector<Vane> vanes_;
     lommel::Overlap overlap_;
 };
@@ -434,7 +445,10 @@ class CutField {
     // At radii of v up to `reach`. `even`: the same half a turn on.
     CutField(const CutPupil& pupil, double reach, bool even)
         : turn_(even ? pi : 2.0 * pi), kernel_(lommel::GriddingKernel::of(taps, pi / step)), polynomials_(kernel_),
-          half_(static_cast<std::size_t>(reach / step) + taps / 2 + 1), samples_(pupil.field(2 * half_ + 1, step, &kernel_)) {}
+          half_(side(reach) / 2), samples_(pupil.field(2 * half_ + 1, step, &kernel_)) {}
+
+    static constexpr double step = 1.5;
+    static std::size_t side(double reach) { return 2 * (static_cast<std::size_t>(reach / step) + taps / 2 + 1) + 1; }
 
     // The mean on a circle. The intensity there has no finer waves than 2 v around it.
     double mean(double v) const {
@@ -450,7 +464,7 @@ class CutField {
     }
 
    private:
-    static constexpr double pi = 3.14159265358979323846, step = 1.5;
+    static constexpr double pi = 3.14159265358979323846;
     static constexpr std::size_t taps = lommel::SingleTaps::taps;
 
     template <class I>
@@ -504,13 +518,22 @@ class CutField {
     std::vector<float> samples_;
 };
 
-// How far in v of the reference circles of a pupil with vanes are made: as there is time and memory for, of fields of so many samples.
-inline double cut_reach(const Light& light) {
-    double squares = 0.0;
+// How far in v of the reference circles of a pupil with vanes are made, `reach` at most: as there is time for.
+inline double cut_reach(const Light& light, double reach) {
+    double widest = 0.0;
     for (const Line& line : light.lines) {
-        squares += line.stretch * line.stretch;
+        widest = std::max(widest, line.stretch);
     }
-    return std::min(1700.0, 2600.0 / std::sqrt(squares));
+    const CutPupil lit(light, widest, 0.0, true), plain(light, widest, 0.0, false);
+    const double lines = static_cast<double>(light.lines.size());
+    for (reach = std::min(reach, 2000.0 / widest);; reach *= 0.85) {
+        const double far = reach * widest;
+        const std::size_t side = CutField::side(far);
+        const double rings = 2.0 * lines * 100e-9 * far * far;
+        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 1.6 || far < 50.0) {
+            return reach;
+        }
+    }
 }
 
 // On circles about the axis at radii in v of the reference, from 0 on, each larger than the one before: the mean over the peak without

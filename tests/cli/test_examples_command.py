@@ -52,12 +52,23 @@ def test_all_go_to_a_folder_that_is_made(call_lommel, tmp_path):
 def test_nothing_is_written_over_nor_invented(call_lommel, tmp_path):
     (tmp_path / "phone.toml").write_text("mine")
     result = call_lommel("examples", "nifty-fifty", "phone", folder=tmp_path)
-    assert (result.returncode, result.stderr) == (2, "Error: phone.toml: File exists\n")
+    assert (result.returncode, result.stderr) == (2, "Error: phone.toml: File exists and differs from the example\n")
     assert [path.name for path in tmp_path.iterdir()] == ["phone.toml"]
     assert (tmp_path / "phone.toml").read_text() == "mine"
     result = call_lommel("examples", "camera", folder=tmp_path)
     assert result.returncode == 2
     assert result.stderr.startswith("Error: NAMES must be among camera-field, fast-portrait, hubble-1990, ")
+
+
+def test_unchanged_copies_are_left_alone_and_the_missing_ones_written(call_lommel, tmp_path):
+    call_lommel("examples", "nifty-fifty", folder=tmp_path)
+    before = (tmp_path / "nifty-fifty.toml").stat().st_mtime_ns
+    result = call_lommel("examples", "nifty-fifty", "camera-field", folder=tmp_path)
+    told = "wrote camera-field.toml\nnifty-fifty.toml is already there, unchanged\n"
+    assert (result.returncode, result.stdout) == (0, told)
+    assert (tmp_path / "nifty-fifty.toml").stat().st_mtime_ns == before
+    again = json.loads(call_lommel("examples", "nifty-fifty", "--json", folder=tmp_path).stdout)
+    assert again == {"files": []}
 
 
 def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):

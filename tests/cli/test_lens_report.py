@@ -78,7 +78,7 @@ def test_the_tables_show_what_the_json_says(call_lommel, lenses, tmp_path):
         "80 % of the light": p["diameter_80"],
         "80 % of the light with the pixel": p["diameter_80_with_pixel"],
         "Airy disc (first dark ring)": 2 * p["airy_radius"],
-        "geometric blur (circle of confusion)": 2 * p["geometric_radius"],
+        "circle of confusion (defocus alone)": 2 * p["geometric_radius"],
     }.items():
         assert rows[name].split() == [f"{1e6 * value:.4g}", f"{value / 2e-6:.4g}"]
     for row in p["encircled_energy"]:
@@ -160,3 +160,57 @@ def test_a_ring_is_brighter_than_the_axis():
     profile = lm.psf(lens.pupil(near), 121, 0.5e-6, integrate=False)
     assert facts["strehl"] < 1e-4
     assert facts["strehl_at_peak"] == pytest.approx(profile.peak_strehl, rel=1e-2)
+
+
+ASTIGMATIC = """
+[lens]
+focal_length = "50 mm"
+f_number = 2.8
+focus_distance = "2 m"
+wavelength = "550 nm"
+[aberrations]
+W222 = 0.8
+W040 = 0.4
+[object]
+distance = "1.99 m"
+[sensor]
+pixel = "3.45 um"
+"""
+
+
+@pytest.fixture(scope="module")
+def astigmatic(tmp_path_factory):
+    path = tmp_path_factory.mktemp("lens") / "astigmatic.toml"
+    path.write_text(ASTIGMATIC)
+    return path
+
+
+def test_directions_are_told_apart_where_their_mtf_differs(call_lommel, astigmatic):
+    text = call_lommel("info", astigmatic, folder=astigmatic.parent).stdout
+    rows, pupil = dict(LINE.findall(text)), lm.load_instrument(astigmatic).pupil()
+    nyquist = 0.5 / 3.45e-6
+    for axis, at, angle in (("x", (nyquist, 0.0), 0.0), ("y", (0.0, nyquist), np.pi / 2)):
+        expected = f"{lm.mtf(pupil, *at, pixel=3.45e-6):.4f} with the pixel, {lm.mtf(pupil, *at):.4f} without"
+        assert rows[f"MTF at Nyquist, {axis}"].startswith(expected)
+        assert rows[f"MTF50, {axis}"].startswith(f"{lm.mtf_frequency(pupil, angle=angle) / 1e3:.4g} cycles/mm")
+    assert rows["MTF at Nyquist, x"] != rows["MTF at Nyquist, y"]
+    assert max(map(len, text.splitlines())) <= 80
+
+
+def test_defocus_alone_is_told_apart_from_the_whole_wavefront(call_lommel, astigmatic):
+    text, instrument = (
+        call_lommel("info", astigmatic, folder=astigmatic.parent).stdout,
+        lm.load_instrument(astigmatic),
+    )
+    rows, lens = dict(LINE.findall(text)), instrument.lens
+    alone = float(lens.defocus(1.99))
+    plain = dataclasses.replace(lens, aberrations=lm.Wavefront()).pupil(1.99)
+    assert alone > 0  # nearer than in focus
+    assert f"by distances alone {alone:.4g} rad (W020 = {alone / np.pi:.4g})" in rows["defocus C_d"]
+    assert rows["circle of confusion (defocus alone)"].split()[0] == f"{2e6 * plain.geometric_radius():.4g}"
+    rays = 2e6 * instrument.pupil().geometric_radius()
+    assert rows["all rays, with the aberrations"].split()[0] == f"{rays:.4g}"
+    image = lm.psf(instrument.pupil(), 1, 3.45e-6)
+    whole = 1e6 * image.energy_diameter(0.8, about="centroid", of="optics")
+    assert rows["80 % of the light, about the centroid"].split()[0] == f"{whole:.4g}"
+    assert "waves rms at 550 nm" in text

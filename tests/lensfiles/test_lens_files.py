@@ -80,10 +80,16 @@ def test_a_file_says_what_the_python_would(load):
 
 
 @pytest.mark.parametrize(
-    "change", ["focal_length = 0.05", 'focus_distance = "2"', "pixel = 3.45e-6", 'distance = "1"']
+    ("change", "example"),
+    [
+        ("focal_length = 0.05", "50 mm"),
+        ('focus_distance = "2"', "2 m"),
+        ("pixel = 3.45e-6", "3.45 um"),
+        ('distance = "1"', "2 m"),
+    ],
 )
-def test_a_length_without_a_unit_is_a_fault(load, change):
-    assert "is a length without a unit; write for example '550 nm'" in fault(load, change)
+def test_a_length_without_a_unit_is_a_fault(load, change, example):
+    assert f"is a length without a unit; write for example '{example}'" in fault(load, change)
 
 
 def test_a_lens_has_a_model(load):

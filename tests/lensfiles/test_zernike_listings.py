@@ -187,7 +187,7 @@ INT = "title\nZFR 4 WFR WVL 0.6328 SSZ 1000\n1 2 3 4\n"
         (".txt", listing("Fringe", FRINGE) + "Z  20   1.2.5\n", "line 32: the term 20 must be a finite number"),
         (".txt", listing("Fringe", FRINGE) + "Z  20   ****\n", "line 32: a term must have a number and a value"),
         (".txt", listing("Fringe", FRINGE) + "Z  99   0.5\n", "from 1 to 37, got 99"),
-        (".txt", "", "it lists no term"),
+        (".txt", "Dear colleague,\nsee below.\n", "is no listing of Zernike coefficients of OpticStudio"),
         (".int", INT.replace("WVL 0.6328 ", ""), "it does not state WVL"),
         (".int", INT.replace("SSZ 1000", ""), "it does not state SSZ"),
         (".int", INT.replace("WFR", "SUR"), "must hold a wavefront (WFR), got the shape of a surface"),

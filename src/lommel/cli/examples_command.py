@@ -28,7 +28,8 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
     """List or copy example lenses, objectives and exercises.
 
     NAMES are the names of the files to copy. Exercises are notebooks; the lens and objective files describe real
-    instruments and state the source of their numbers. Existing files are not overwritten.
+    instruments and state the source of their numbers. Existing files are not overwritten: unchanged copies are
+    left alone, and files that differ are refused.
 
     Examples
     --------
@@ -51,15 +52,17 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
     for name in wanted:
         if name not in there:
             raise ValueError(f"NAMES must be among {', '.join(there)}, got {shown(name)}")
-    copies = [folder / there[name].name for name in wanted]
-    for path in copies:
-        if path.exists():
-            raise FileExistsError(errno.EEXIST, "File exists", str(path))
+    copies = {folder / there[name].name: there[name].read_bytes() for name in wanted}
+    present = [path for path in copies if path.exists()]
+    for path in present:
+        if path.is_dir() or path.read_bytes() != copies[path]:
+            raise FileExistsError(errno.EEXIST, "File exists and differs from the example", str(path))
     folder.mkdir(parents=True, exist_ok=True)
     with atomic.together() as put:
-        for name, path in zip(wanted, copies, strict=True):
-            put(path, there[name].read_bytes())
-    return written(copies)
+        for path in copies.keys() - present:
+            put(path, copies[path])
+    report = written(path for path in copies if path not in present)
+    return Report(report.facts, [*report.parts, *(f"{path} is already there, unchanged" for path in present)])
 
 
 def _title(path: Path) -> str:

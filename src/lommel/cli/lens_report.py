@@ -44,7 +44,7 @@ _OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number",
             "model", "corrected_for")  # fmt: skip
 
 IN_FOCUS = 2.0
-"""Largest geometric blur of what counts as in focus, in pixels."""
+"""Largest circle of confusion of what counts as in focus, in pixels."""
 
 _ARCSEC = math.pi / 648000.0
 _SHARE = 0.8
@@ -123,7 +123,7 @@ def _setup(facts: Facts) -> list[tuple[str, str | None]]:
         pixel += f", {format_length(facts['pixel_in_object'])} in the sample"
     if sharp is not None:
         near, far = _distinct(sharp["near"], sharp["far"])
-        sharp = f"{near} to {far} (geometric blur up to {IN_FOCUS:g} pixels)"
+        sharp = f"{near} to {far} (circle of confusion up to {IN_FOCUS:g} pixels)"
     hyperfocal = facts["hyperfocal_distance"]
     return [
         ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
@@ -133,7 +133,7 @@ def _setup(facts: Facts) -> list[tuple[str, str | None]]:
         ("focus distance", focused),
         ("object distance", seen),
         ("depth of field", sharp),
-        ("hyperfocal distance", None if hyperfocal is None else f"{format_length(hyperfocal)} (same blur)"),
+        ("hyperfocal distance", None if hyperfocal is None else f"{format_length(hyperfocal)} (same circle)"),
         ("pixel", pixel),
     ]  # fmt: skip
 
@@ -141,14 +141,15 @@ def _setup(facts: Facts) -> list[tuple[str, str | None]]:
 def describe_lens(instrument: Instrument) -> Report:
     """Return the report of a lens and its object; facts are None for infinity and for what cannot be computed.
 
-    Lengths in metres, phases in radians, frequencies in cycles per metre along x; "refused" has the reasons.
+    Lengths in metres, phases in radians, frequencies in cycles per metre, along x unless a name ends in "_y";
+    "refused" has the reasons.
     """
     lens, pupil, setup = instrument.lens, instrument.pupil(), introduce_lens(instrument)
     radii = dict(instrument.radii)
     airy, blur = pupil.airy_radius, float(pupil.geometric_radius())
     radii.setdefault("Airy radius", airy)
     if blur > 0:
-        radii.setdefault("geometric blur radius", blur)
+        radii.setdefault("radius of all rays", blur)
     reasons: dict[str, None] = {}
     at = list(radii.values())
 
@@ -165,13 +166,25 @@ def describe_lens(instrument: Instrument) -> Report:
     nothing: list[None] = [None] * len(at)
     seen, error = tried(lambda: _energies(pupil, at)) or (nothing, None)
     ideal, other_error = tried(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None)
-    # Along columns, whose pitch is the width of a pixel.
-    nyquist = 0.5 / instrument.pitch[1]
     sensor: Facts = {"pixel": instrument.pixel, "fill": instrument.fill}
+    plain = lens if lens.aberrations.flat else replace(lens, aberrations=Wavefront())
+    across, down = (
+        {
+            f"mtf50{end}": of_circle(partial(_mtf50, pupil, angle)),
+            f"nyquist{end}": nyquist,
+            f"mtf_at_nyquist{end}": of_circle(partial(_mtf, pupil, nyquist, angle)),
+            f"mtf_at_nyquist_with_pixel{end}": of_circle(partial(_mtf, pupil, nyquist, angle, **sensor)),
+        }
+        for end, angle, nyquist in (
+            ("", 0.0, 0.5 / instrument.pitch[1]),
+            ("_y", 0.5 * math.pi, 0.5 / instrument.pitch[0]),
+        )
+    )
     facts = setup.facts | {
         "rim_amplitude": float(np.divide(*lens.illumination.value([1.0, 0.0]))),
         "other_model": other_model(instrument),
         "defocus": float(pupil.wavefront.defocus),
+        "defocus_of_distances": float(lens.defocus(instrument.object_distance)),
         "spherical": float(pupil.wavefront.spherical),
         "higher": [float(c) for c in pupil.wavefront.higher],
         "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
@@ -179,6 +192,7 @@ def describe_lens(instrument: Instrument) -> Report:
         "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
         "airy_radius": airy,
         "geometric_radius": blur,
+        "circle_of_confusion": 2.0 * float(plain.pupil(instrument.object_distance).geometric_radius()),
         "strehl": tried(lambda: float(aperture_means.strehl(pupil))),
         "strehl_at_peak": tried(lambda: _brightest(pupil)),
         "marechal": float(aperture_means.marechal(pupil)),
@@ -186,10 +200,8 @@ def describe_lens(instrument: Instrument) -> Report:
         "rms_waves_without_tilt": float(aperture_means.rms(_level(pupil), unit="waves")),
         **_widths(instrument, pupil, tried),
         "cutoff": pupil.cutoff,
-        "mtf50": of_circle(lambda: float(transfer.mtf_frequency(pupil))),
-        "nyquist": nyquist,
-        "mtf_at_nyquist": of_circle(lambda: float(transfer.mtf(pupil, nyquist))),
-        "mtf_at_nyquist_with_pixel": of_circle(lambda: float(transfer.mtf(pupil, nyquist, **sensor))),
+        **across,
+        **down,
         "field": None if instrument.aberrations_of_field is None else _field(instrument),
         "encircled_energy": [
             {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
@@ -199,6 +211,15 @@ def describe_lens(instrument: Instrument) -> Report:
         "refused": list(reasons),
     }
     return Report(facts, [*setup.parts, *_image_parts(facts, instrument.pitch), *_wavefront_parts(facts)])
+
+
+def _mtf(pupil: Pupil, frequency: float, angle: float, **sensor: Any) -> float:
+    """Return the MTF at a frequency in a direction, from x towards y."""
+    return float(transfer.mtf(pupil, frequency * math.cos(angle), frequency * math.sin(angle), **sensor))
+
+
+def _mtf50(pupil: Pupil, angle: float) -> float:
+    return float(transfer.mtf_frequency(pupil, angle=angle))
 
 
 def _across(rho: Any, theta: Any) -> Any:
@@ -267,15 +288,10 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableTyp
     strehl = strehl_ratio(on_axis)
     if top is not None and on_axis is not None and top > 1.005 * on_axis:
         strehl += f" on the axis, {strehl_ratio(top)} at the brightest point"
-    at_nyquist, with_pixel = facts["mtf_at_nyquist"], facts["mtf_at_nyquist_with_pixel"]
-    resolved = at_nyquist is not None and facts["nyquist"] < facts["cutoff"]
     lines = [
         ("Strehl ratio", strehl),
         ("Marechal's estimate", strehl_ratio(facts["marechal"]) if facts["marechal"] >= 0.3 else None),
-        ("MTF at Nyquist", f"{with_pixel:.4f} with the pixel, {at_nyquist:.4f} optics alone,"
-         f" at {per_mm(facts['nyquist'])}" if resolved else None),
-        ("MTF50", None if facts["mtf50"] is None else
-         f"{per_mm(facts['mtf50'])}, optics alone (cutoff {per_mm(facts['cutoff'])})"),
+        *_mtf_rows(facts),
     ]  # fmt: skip
     energies = [
         (
@@ -297,17 +313,40 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableTyp
     return parts
 
 
+def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
+    """Return the rows of the MTF, for x and y where these differ."""
+    kinds = ("mtf_at_nyquist_with_pixel", "mtf_at_nyquist", "mtf50")
+    rows: dict[str, list[tuple[str, str | None]]] = {}
+    for end in ("", "_y"):
+        with_pixel, alone, half = (facts[kind + end] for kind in kinds)
+        nyquist = facts[f"nyquist{end}"]
+        resolved = alone is not None and nyquist < facts["cutoff"]
+        rows[end] = [
+            ("MTF at Nyquist", f"{with_pixel:.4f} with the pixel, {alone:.4f} without, at {per_mm(nyquist)}"
+             if resolved else None),
+            ("MTF50", f"{per_mm(half)}, optics alone (cutoff {per_mm(facts['cutoff'])})" if half else None),
+        ]  # fmt: skip
+    if rows[""] == rows["_y"]:
+        return rows[""]
+    pairs = zip(*rows.values(), strict=True)
+    return [(f"{name}, {axis}", text) for pair in pairs for axis, (name, text) in zip("xy", pair, strict=True)]
+
+
 def _diameters(facts: Facts, pixel: float) -> RenderableType:
     """Return the table of the diameters of the blur, in the units of the field of the lens."""
     fwhm, circle = facts["fwhm"], facts["diameter_80"]
     centre = fwhm is not None and circle is not None and circle > _SPIKE * fwhm
+    whole, rays = "80 % of the light", 2.0 * facts["geometric_radius"]
+    if any(term["m"] for term in facts["zernike"]):
+        whole += ", about the centroid"
     rows = [
         ("FWHM" + (" of the central peak" if centre else ""), fwhm),
         ("FWHM with the pixel", facts["fwhm_with_pixel"]),
-        ("80 % of the light", circle),
-        ("80 % of the light with the pixel", facts["diameter_80_with_pixel"]),
+        (whole, circle),
+        (f"{whole}{',' if 'about' in whole else ''} with the pixel", facts["diameter_80_with_pixel"]),
         ("Airy disc (first dark ring)", 2.0 * facts["airy_radius"]),
-        ("geometric blur (circle of confusion)", 2.0 * facts["geometric_radius"] or None),
+        ("circle of confusion (defocus alone)", facts["circle_of_confusion"] or None),
+        ("all rays, with the aberrations", None if math.isclose(rays, facts["circle_of_confusion"]) else rays),
     ]
     units = {"um": 1e-6, "pixels": pixel}
     if facts["arcsec_per_pixel"]:
@@ -323,12 +362,15 @@ def _wavefront_parts(facts: Facts) -> list[RenderableType]:
     rms, level = facts["rms_waves"], facts["rms_waves_without_tilt"]
     where = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
     tilted = f" ({number(level)} without tilt)" if rms - level > 5e-5 * rms else ""
-    best, higher = facts["balancing_W020"], facts["higher"]
+    best, higher, distances = facts["balancing_W020"], facts["higher"], facts["defocus_of_distances"]
+    shares = ""
+    if not math.isclose(distances, facts["defocus"], rel_tol=1e-6, abs_tol=1e-9):
+        shares = f"; by distances alone {distances:.4g} rad (W020 = {distances / math.pi:.4g})"
     listed = [f"{name} = {value:.4g}" for name, value in facts["waves"].items()]
     rest = f", ... ({len(listed)} terms; see --json)" if len(listed) > 4 else ""
     lines = [
         ("rms wavefront error", f"{number(rms)} waves {where}{tilted}"),
-        ("defocus C_d", f"{facts['defocus']:.4g} rad"),
+        ("defocus C_d", f"{facts['defocus']:.4g} rad{shares}"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
         *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(higher if len(higher) < 4 else [])],
         ("in waves at the edge", ", ".join(listed[: 2 if rest else 4]) + rest),
@@ -337,7 +379,12 @@ def _wavefront_parts(facts: Facts) -> list[RenderableType]:
     parts: list[RenderableType] = ["", list_of(lines, title="Wavefront")]
     if any(term["m"] for term in facts["zernike"]):
         rows = [(t["name"], f"({t['n']}, {t['m']})", f"{t['waves_rms']:+.4g}") for t in facts["zernike"]]
-        parts += ["", table_of(("Zernike term", "(n, m)", "waves rms over the full disc"), rows)]
+        parts += [
+            "",
+            table_of(
+                ("Zernike term", "(n, m)", f"waves rms at {format_length(facts['wavelength'])}, full disc"), rows
+            ),
+        ]
     unit = facts["wavelength"] * facts["working_f_number"]
     models = [
         ("model", _model(facts)),

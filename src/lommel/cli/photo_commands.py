@@ -131,6 +131,9 @@ def blur(
     the lens along the optical axis, in metres: a grey TIFF, NPY, PFM or PNG. Without a lens file LENS, focal length
     and f-number come from the options or from the photo's EXIF; options that contradict the EXIF are refused.
 
+    The aberrations of the lens must be radially symmetric (defocus, spherical), and its aperture round: leave out
+    coma, astigmatism and other terms with a direction.
+
     Integer values are clipped at white, as on a sensor, and the clipped fraction is printed.
 
     Examples

@@ -2,6 +2,7 @@
 
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,15 +21,22 @@ Pixels = NDArray[Any]  # values of images as they are stored, float32 or float64
 
 
 class ToleranceError(ArithmeticError):
-    """A method cannot meet the requested tolerance."""
+    """A method cannot meet the requested tolerance; `bound` is the relative error that it proves, if known."""
+
+    bound: float | None = None
 
 
-def not_met(tol: float, bound: float, what: str) -> ToleranceError:
+def not_met(tol: float, bound: float, what: str, where: str = "in double precision") -> ToleranceError:
     """Return what a method with a proven bound on its error over `what` raises where that stays above `tol`."""
     size = f"bounded by {bound:.2g} of {what}" if bound < 1.0 else f"which may be larger than {what}"
-    return ToleranceError(
-        f"tol={tol:g} cannot be met in double precision: the error, {size}, is not proven to be smaller"
+    # A power of ten, with room for what grows with the tolerance.
+    enough = 10.0 ** math.ceil(math.log10(1.5 * bound)) if 0.0 < bound < 0.06 else 1.0
+    advice = f"; give tol={enough:g}" if tol < enough < 1.0 else ""
+    error = ToleranceError(
+        f"tol={tol:g} cannot be met {where}: the error, {size}, is not proven to be smaller{advice}"
     )
+    error.bound = bound
+    return error
 
 
 class FieldValues(NamedTuple):

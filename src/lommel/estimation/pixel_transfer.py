@@ -17,6 +17,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.optics.lens import Lens
 from lommel.psf import psf
+from lommel.special import zernike
 
 # Pixels of a window beyond the cone of rays, for pixels up to 3 lambda*N wide; fewer for larger ones.
 _MARGIN, _LEAST_MARGIN = 20, 4
@@ -24,8 +25,16 @@ _MARGIN, _LEAST_MARGIN = 20, 4
 
 def require_round(name: str, lens: Lens) -> None:
     """Raise ValueError unless a lens, called `name`, has one set of radially symmetric PSFs."""
-    if not lens.aberrations.radial or lens.aberrations.shape != ():
-        raise ValueError(f"{name} must have radially symmetric aberrations, and one set of them")
+    if lens.aberrations.shape != ():
+        raise ValueError(f"{name} must have one set of aberrations, got a stack of shape {lens.aberrations.shape}")
+    if not lens.aberrations.radial:
+        terms = lens.aberrations.to_zernike()
+        kinds = list(dict.fromkeys(zernike.name(n, m) for (n, m), c in terms.items() if m and c))
+        others = f" and {len(kinds) - 4} more" if len(kinds) > 4 else ""
+        raise ValueError(
+            f"{name} must have radially symmetric aberrations, got {', '.join(kinds[:4])}{others}: leave these terms "
+            "out of the lens (its section [aberrations]), or compute single PSFs by lommel.psf"
+        )
     if lens.spider or lens.vignetting or lens.mask:
         raise ValueError(
             f"{name} must have a round aperture, without spider, vignetting and mask: leave these out, or ask "

@@ -441,7 +441,10 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
             found.append(f"line {place}: the term {index} must be a finite number, got {validation.shown(entry[2])}")
         terms[index] = value
     if not terms:
-        found.append("it lists no term, such as 'Z   4     0.25'")
+        # Nothing of a listing is there: one sentence says more than each thing that is missing.
+        what = "is no listing of Zernike coefficients of OpticStudio, which begins with 'Listing of Zernike ...'"
+        what += " and has lines such as 'Z   4     0.25'"
+        found = [*found, "it lists no term, such as 'Z   4     0.25'"] if kinds else [what]
     if found:
         return None, found
     if kind == "fringe":

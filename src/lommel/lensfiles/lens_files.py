@@ -478,7 +478,8 @@ def _zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable | Non
             raise ValueError(f"{validation.line(section['file'])}: must state the wavelength of its {table.unit}")
         return table, []
     except ValueError as error:
-        return None, [f"{where(['file'])}: {error}"]
+        # One line for each error of the table.
+        return None, [f"{where(['file'])}: {'; '.join(part.strip() for part in str(error).splitlines())}"]
 
 
 def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:

@@ -18,6 +18,7 @@ from pydantic import (
     Field,
     PlainValidator,
     ValidationError,
+    ValidationInfo,
     model_validator,
 )
 from pydantic_core import ErrorDetails
@@ -68,9 +69,24 @@ def _checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
     return checked
 
 
-Distance = Annotated[float, BeforeValidator(parse_length), AfterValidator(_positive)]
+# What errors suggest of a length by the name of its entry; elsewhere "5 mm".
+_EXAMPLES = {"wavelength": "550 nm", "focal_length": "50 mm", "focus_distance": "2 m", "distance": "2 m"}
+_EXAMPLES |= {
+    "sensor_distance": "51 mm",
+    "pixel": "3.45 um",
+    "depth": "2 um",
+    "step": "100 nm",
+    "thickness": "170 um",
+}
+
+
+def _parsed_length(value: Any, info: ValidationInfo) -> float:
+    return parse_length(value, _EXAMPLES.get(info.field_name or "", "5 mm"))
+
+
+Distance = Annotated[float, BeforeValidator(_parsed_length), AfterValidator(_positive)]
 Length = Annotated[Distance, AfterValidator(finite)]
-SignedLength = Annotated[float, BeforeValidator(parse_length), AfterValidator(finite)]
+SignedLength = Annotated[float, BeforeValidator(_parsed_length), AfterValidator(finite)]
 Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
 Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
 
@@ -120,7 +136,7 @@ class Sensor(Section):
 def _pitch(value: Any) -> float | tuple[float, float]:
     """Return the pixel pitch from a text, or height and width from a list of two."""
     sides = value if isinstance(value, list) else [value]
-    lengths = [validation.pixel(finite(_positive(parse_length(side))), metric=True) for side in sides]
+    lengths = [validation.pixel(finite(_positive(parse_length(side, "3.45 um"))), metric=True) for side in sides]
     return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
 
 

@@ -73,8 +73,8 @@ def marechal(pupil: Pupil) -> Numbers:
     """Return the extended Marechal estimate of the Strehl ratio, ``exp(-sigma^2)``.
 
     sigma is the rms phase in radians, weighted by the amplitude (:func:`lommel.rms`). It agrees with
-    :func:`lommel.strehl` to second order in the phase, and within 10 % for primary aberrations and Strehl ratios
-    above 0.3 (Mahajan).
+    :func:`lommel.strehl` to second order in the phase, and within 10 % for Strehl ratios above 0.38 for defocus, and
+    above 0.3 for a Zernike term of astigmatism, coma or spherical aberration.
 
     Parameters
     ----------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -249,3 +250,17 @@ def test_a_tolerance_that_samples_cannot_meet_is_told_as_it_was_given():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
     with pytest.raises(lm.ToleranceError, match=r"tol=1e-11 cannot be met by averages over pixels of 20 lambda\*N"):
         lm.psf(pupil, 3, 20.0, integrate=True, method=lm.NijboerZernike(1e-11))
+
+
+def test_a_tolerance_beyond_double_precision_names_one_that_is_met():
+    coma = lm.Wavefront.zernike({7: 0.1, 8: 0.05}, order="noll", unit="waves")
+    lens = lm.Lens(focal_length=6e-3, f_number=2.8, focus_distance=1.0, wavelength=550e-9, aberrations=coma)
+    pupil, window = lens.pupil(5e-3), (3, 701)  # nearer than the focal length: C_d of 1300 rad
+    with pytest.raises(lm.ToleranceError) as refused:
+        lm.psf(pupil, window, 1.4e-6, tol=1e-6)
+    assert str(refused.value).count("tol=") == 2
+    advised = float(re.search(r"give tol=(\S+)$", str(refused.value))[1])
+    assert advised == 1e-5
+    fine, coarse = (lm.psf(pupil, window, 1.4e-6, tol=tol, dtype="float64") for tol in (advised, 1e-4))
+    assert fine.error_bound <= advised
+    assert lm.peak_error(coarse.values, fine.values) <= fine.error_bound + coarse.error_bound

@@ -7,8 +7,8 @@ Prints, for each slider, the work of the page in a frame (median, worst; ms), th
 shows only in how many point spread functions were drawn a second.
 
 With `--states 500` it draws so many random states over the ranges of all controls, always the same ones, and prints
-those that take longer than a second until all of the page is of the new state, as it meets them; quantiles of that time;
-and the slowest, with what the engine takes for their PSF, their curves and their picture.
+those that take longer than a second until all of the page is of the new state, as it meets them; quantiles of
+that time; and the slowest, with what the engine takes for their PSF, their curves and their picture.
 """
 
 from __future__ import annotations

@@ -80,6 +80,22 @@ def test_the_order_nm_has_two_columns_or_a_pair_for_a_key(load):
     assert load(".toml", f'{head}"3,1" = 0.25\n"(2, -2)" = 1e-3\n') == expected
 
 
+def test_a_table_of_annular_terms_states_the_obscuration(load, tmp_path):
+    text = "# order: noll\n# unit: waves\n# normalization: rms\n# obscuration: 0.61\nindex,value\n7,0.2\n11,-0.1\n"
+    table = load(".csv", text)
+    assert table.obscuration == 0.61
+    expected = lm.Wavefront.zernike({7: 0.2, 11: -0.1}, order="noll", unit="waves", obscuration=0.61)
+    assert table.wavefront() == expected
+    expected.save(tmp_path / "again.toml", obscuration=0.61)
+    again = lm.load_zernike(tmp_path / "again.toml")
+    assert again.terms == pytest.approx({7: 0.2, 11: -0.1}, rel=1e-12)
+    for value in ("1.0", "wide", "-0.1", "nan"):
+        with pytest.raises(ZernikeFileError, match=r"obscuration \(line 4\): it must be .*, got"):
+            load(".csv", text.replace("0.61", value))
+    with pytest.raises(ZernikeFileError, match=r"up to n = 60 .* nearly alike"):
+        load(".csv", text.replace("noll", "ansi").replace("0.61", "0.9").replace("7,0.2", "1860,0.2"))
+
+
 coefficient = st.floats(-1e3, 1e3)
 
 
@@ -89,13 +105,14 @@ coefficient = st.floats(-1e3, 1e3)
     st.sampled_from(["rms", "edge"]),
     st.one_of(st.none(), st.floats(1e-7, 1e-5)),
     st.dictionaries(st.integers(2, 37), coefficient, min_size=1, max_size=6),
+    st.one_of(st.just(0.0), st.floats(1e-3, 0.7)),
     st.sampled_from(SUFFIXES),
 )
 def test_what_is_written_is_read_back_to_the_last_digit(
-    tmp_path_factory, order, unit, normalization, wavelength, terms, suffix
+    tmp_path_factory, order, unit, normalization, wavelength, terms, obscuration, suffix
 ):
     indexed = {zernike.index_of(*zernike.term(j, "fringe"), order): c for j, c in terms.items()}
-    table = lm.ZernikeTable(indexed, order, unit, normalization, wavelength)
+    table = lm.ZernikeTable(indexed, order, unit, normalization, wavelength, obscuration)
     file = tmp_path_factory.getbasetemp() / f"again{suffix}"
     lm.save_zernike(file, table)
     assert lm.load_zernike(file) == table

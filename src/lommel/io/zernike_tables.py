@@ -47,11 +47,13 @@ class ZernikeTable:
         As in :meth:`lommel.Wavefront.zernike`.
     wavelength : float, optional
         Metres; that at which the waves or radians were measured.
+    obscuration : float, default 0
+        That of annular Zernike terms, as in :meth:`lommel.Wavefront.zernike`.
 
     Raises
     ------
     TypeError, ValueError
-        If there is no such term, order, unit, or normalization, or a number is not finite.
+        If there is no such term, order, unit, or normalization, or a number is not finite or out of range.
     """
 
     terms: Mapping[int, float] | Mapping[Index, float] | Mapping[tuple[int, int], float]
@@ -59,6 +61,7 @@ class ZernikeTable:
     unit: str
     normalization: str
     wavelength: float | None = None
+    obscuration: float = 0.0
 
     def __post_init__(self) -> None:
         validation.choice("order", self.order, zernike.ORDERS)
@@ -70,7 +73,9 @@ class ZernikeTable:
             raise TypeError(f"terms must map indices to coefficients, got {validation.shown(self.terms)}")
         terms = {i: validation.real(f"the Zernike coefficient {i!r}", c) for i, c in self.terms.items()}
         object.__setattr__(self, "terms", terms)
-        Wavefront.zernike(terms, order=self.order)  # which names the terms that do not exist
+        Wavefront.zernike(
+            terms, order=self.order, obscuration=self.obscuration
+        )  # which names the terms that do not exist
 
     @classmethod
     def from_wavefront(
@@ -81,6 +86,7 @@ class ZernikeTable:
         unit: str = "waves",
         normalization: str = "rms",
         wavelength: float | None = None,
+        obscuration: float = 0.0,
     ) -> ZernikeTable:
         """Return the table of a single wavefront; units of length need `wavelength`, in metres.
 
@@ -91,6 +97,8 @@ class ZernikeTable:
             Of the table.
         wavelength : float, optional
             Metres.
+        obscuration : float, default 0
+            Of annular terms.
 
         Returns
         -------
@@ -104,8 +112,12 @@ class ZernikeTable:
         if validation.instance("wavefront", wavefront, Wavefront).shape != ():
             raise ValueError(f"wavefront must be a single one, got a stack of shape {wavefront.shape}")
         plain, size = _unit(validation.choice("unit", unit, UNITS))
-        found = wavefront.to_zernike(order=order, unit=plain, normalization=normalization, wavelength=wavelength)
-        return cls({i: float(c) / size for i, c in found.items()}, order, unit, normalization, wavelength)
+        found = wavefront.to_zernike(
+            order=order, unit=plain, normalization=normalization, wavelength=wavelength, obscuration=obscuration
+        )
+        return cls(
+            {i: float(c) / size for i, c in found.items()}, order, unit, normalization, wavelength, obscuration
+        )
 
     def wavefront(self, wavelength: float | None = None) -> Wavefront:
         """Return the wavefront at a wavelength in metres, by default that of the table.
@@ -136,7 +148,12 @@ class ZernikeTable:
             raise ValueError(f"the table must state the wavelength at which its {self.unit} were measured")
         scaled = {i: size * c for i, c in self.terms.items()}
         made = Wavefront.zernike(
-            scaled, order=self.order, unit=plain, normalization=self.normalization, wavelength=at
+            scaled,
+            order=self.order,
+            unit=plain,
+            normalization=self.normalization,
+            wavelength=at,
+            obscuration=self.obscuration,
         )
         if plain == "metres" or at is None or self.wavelength is None or at == self.wavelength:
             return made
@@ -171,9 +188,11 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
 
 def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[int, float]) -> None:
     """Write a table with the standard errors of some of its terms, in its unit; readers leave these out."""
-    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
+    settings: dict[str, Any] = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
     if table.wavelength is not None:
         settings["wavelength"] = f"{table.wavelength!r} m"
+    if table.obscuration:
+        settings["obscuration"] = table.obscuration
     indices: list[Any] = sorted(table.terms, key=lambda i: (isinstance(i, tuple), i))
     held: Mapping[Any, float] = table.terms
     terms = {(",".join(map(str, i)) if isinstance(i, tuple) else str(i)): held[i] for i in indices}
@@ -190,6 +209,7 @@ def save_wavefront(
     unit: str = "waves",
     normalization: str = "rms",
     wavelength: float | None = None,
+    obscuration: float = 0.0,
 ) -> None:
     """Write the Zernike coefficients of a single wavefront: :meth:`ZernikeTable.from_wavefront`, saved.
 
@@ -202,6 +222,8 @@ def save_wavefront(
         Of the table.
     wavelength : float, optional
         Metres; units of length need it.
+    obscuration : float, default 0
+        Of annular terms.
 
     Raises
     ------
@@ -213,7 +235,12 @@ def save_wavefront(
     """
     find(path)  # before anything is computed
     table = ZernikeTable.from_wavefront(
-        wavefront, order=order, unit=unit, normalization=normalization, wavelength=wavelength
+        wavefront,
+        order=order,
+        unit=unit,
+        normalization=normalization,
+        wavelength=wavelength,
+        obscuration=obscuration,
     )
     save_zernike(path, table)
 
@@ -223,7 +250,7 @@ def _unit(unit: str) -> tuple[str, float]:
     return ("metres", LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)
 
 
-SETTINGS = ("order", "unit", "normalization", "wavelength")
+SETTINGS = ("order", "unit", "normalization", "wavelength", "obscuration")
 _MOST_TERMS = 4096  # more than there are
 _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
@@ -250,6 +277,14 @@ def build(
             wavelength = validation.wavelength(parse_length(settings["wavelength"]))
         except ValueError as error:
             found.append(f"{where('wavelength')}: {error}")
+    obscuration = 0.0
+    if "obscuration" in settings:
+        try:
+            given = settings["obscuration"]
+            value = text_files.number(given) if isinstance(given, str) else given
+            obscuration = validation.real("it", value, least=0.0, below=1.0)
+        except (ValueError, TypeError) as error:
+            found.append(f"{where('obscuration')}: {error}")
     order = settings.get("order")
     known = order if isinstance(order, str) and order in zernike.ORDERS else None
     if len(terms) > _MOST_TERMS:
@@ -279,7 +314,12 @@ def build(
         found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
     if found:
         return None, found
-    return ZernikeTable(values, settings["order"], settings["unit"], settings["normalization"], wavelength), []
+    try:
+        return ZernikeTable(
+            values, settings["order"], settings["unit"], settings["normalization"], wavelength, obscuration
+        ), []
+    except ValueError as error:  # annular terms of too high a degree
+        return None, [f"{where('obscuration')}: {error}"]
 
 
 def build_section(
@@ -449,11 +489,8 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
         return None, found
     if kind == "fringe":
         return ZernikeTable(terms, "fringe", "waves", "edge", wavelength), []
-    if annulus and kind == "annular":
-        inner = validation.real("the obscuration", _number(annulus[1]), least=0.0, below=1.0)
-        disc = zernike.over_disc({zernike.term(j, "noll"): c for j, c in terms.items()}, inner)
-        terms = {zernike.index_of(n, m, "noll"): c for (n, m), c in disc.items()}
-    return ZernikeTable(dict(sorted(terms.items())), "noll", "waves", "rms", wavelength), []
+    inner = _number(annulus[1]) if annulus and kind == "annular" else 0.0
+    return ZernikeTable(dict(sorted(terms.items())), "noll", "waves", "rms", wavelength, inner), []
 
 
 def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
@@ -500,7 +537,8 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     """Read Zernike coefficients: ``.json``, ``.toml``, ``.csv``, OpticStudio's ``.txt``, Code V's ``.int``.
 
     In the first three, ``order`` (nm, noll, ansi, fringe), ``unit`` (waves, radians, or a length: nm, um, m, ...) and
-    ``normalization`` (rms, edge) must be stated; ``wavelength``, a length with a unit, may be. TOML::
+    ``normalization`` (rms, edge) must be stated; ``wavelength``, a length with a unit, may be, and so may the
+    ``obscuration`` of annular terms, 0 to below 1. TOML::
 
         order = "noll"
         unit = "nm"
@@ -525,7 +563,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     column of names is left out, and one row below Z1, Z2, ... does as well.
 
     ``.txt``: a listing of Zernike Standard, Fringe or Annular coefficients as OpticStudio writes it, UTF-16 or not.
-    Annular ones become those over the disc, of the same function. ``.int``, ``.zfr``: a wavefront in Code V's ZRN or
+    ``.int``, ``.zfr``: a wavefront in Code V's ZRN or
     ZFR, in waves by its SSZ and WVL. Order, normalisation, unit and wavelength are those that the file names; what it
     does not is refused. Signs and directions are as they stand there.
 

@@ -264,24 +264,66 @@ def _matrix(share: Callable[[int, int], tuple[int, int]], rows: range, terms: in
     return made
 
 
-def over_disc(terms: Mapping[tuple[int, int], float], obscuration: float) -> dict[tuple[int, int], float]:
-    """Return rms coefficients over the disc of annular Zernike terms (rms over the annulus).
+@lru_cache(maxsize=64)
+def annular(m: int, highest: int, obscuration: float) -> Array:
+    r"""Return rms coefficients over the disc, by rows, of annular Zernike terms of order `m`, up to n = `highest`.
 
-    V. N. Mahajan, J. Opt. Soc. Am. 71, 75 (1981), doi:10.1364/JOSA.71.000075: Gram-Schmidt over the annulus, by the
-    Cholesky factor of the inner products. Exact but for rounding.
+    Annular terms are orthonormal over ``obscuration <= rho <= 1``: V. N. Mahajan, J. Opt. Soc. Am. 71, 75 (1981),
+    doi:10.1364/JOSA.71.000075, by QR factors instead of Gram-Schmidt sums. The matrix is upper triangular, with rows
+    and columns n = abs(m), abs(m) + 2, ...
+
+    Raises
+    ------
+    ValueError
+        If rounding would cost more than seven of sixteen digits.
     """
-    found: dict[tuple[int, int], float] = {}
+    orders = range(abs(m), highest + 1, 2)
     low = obscuration * obscuration
+    x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: even polynomials, in rho^2
+    rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))
+    # The mean of the squared cosine over the azimuth is 1/2, which the factors of the disc hold.
+    weight = np.sqrt((0.5 if m == 0 else 0.25) * w)
+    basis = np.stack([rms_factor(n, m) * radial(n, m, rho) * weight for n in orders], axis=1)
+    factor = np.linalg.qr(basis, mode="r")
+    factor *= np.sign(np.diag(factor))[:, None]
+    if not float(np.linalg.cond(factor)) < 1e7:
+        raise ValueError(
+            f"annular Zernike terms of order m = {m} up to n = {orders[-1]} over an obscuration of {obscuration:g} "
+            "are nearly alike over the disc; take a lower degree"
+        )
+    made: Array = np.linalg.inv(factor)
+    made.flags.writeable = False
+    return made
+
+
+def annular_edge(n: int, m: int, obscuration: float) -> float:
+    """Return the value at the edge, largest over the azimuth, of an annular term of rms 1."""
+    orders = range(abs(m), n + 1, 2)
+    return float(annular(m, n, obscuration)[:, -1] @ [rms_factor(k, m) for k in orders])
+
+
+def over_disc(terms: Mapping[tuple[int, int], Array], obscuration: float) -> dict[tuple[int, int], Array]:
+    """Return rms coefficients over the disc of annular Zernike terms (rms over the annulus), stacks or numbers."""
+    return _by_orders(terms, lambda m, highest: annular(m, highest, obscuration))
+
+
+def over_annulus(terms: Mapping[tuple[int, int], Array], obscuration: float) -> dict[tuple[int, int], Array]:
+    """Return rms coefficients over an annulus of Zernike terms (rms over the disc): inverse of :func:`over_disc`."""
+
+    def matrix(m: int, highest: int) -> Array:
+        return np.asarray(np.linalg.inv(annular(m, highest, obscuration)), dtype=np.float64)
+
+    return _by_orders(terms, matrix)
+
+
+def _by_orders(
+    terms: Mapping[tuple[int, int], Array], matrix: Callable[[int, int], Array]
+) -> dict[tuple[int, int], Array]:
+    found: dict[tuple[int, int], Array] = {}
     for m in {m for _, m in terms}:
         orders = range(abs(m), max(n for n, k in terms if k == m) + 1, 2)
-        x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: even polynomials, in rho^2
-        rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))
-        # The mean of the squared cosine over the azimuth is 1/2, which the factors of the disc hold.
-        share = 1.0 if m == 0 else 0.5
-        basis = np.stack([rms_factor(n, m) * radial(n, m, rho) for n in orders])
-        factor = np.linalg.cholesky(share * (basis * (0.5 * w)) @ basis.T)
-        given = np.array([terms.get((n, m), 0.0) for n in orders])
-        # f = sum_n given_n sum_k (factor^-1)_nk disc_k.
-        for n, c in zip(orders, np.linalg.solve(factor.T, given), strict=True):
-            found[n, m] = float(c)
+        given = [np.asarray(terms.get((n, m), 0.0)) for n in orders]
+        columns = np.stack(np.broadcast_arrays(*given), axis=-1)
+        for n, row in zip(orders, matrix(m, orders[-1]), strict=True):
+            found[n, m] = columns @ row
     return found

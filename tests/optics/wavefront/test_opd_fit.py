@@ -205,7 +205,7 @@ def holed(*places: tuple[int, int], value: float = math.nan) -> np.ndarray:
         ({"degree": 21}, "degree must be from 1 to 20, got 21"),
         ({"degree": 2.0}, "degree must be an integer, got 2.0"),
         ({"degree": 20}, "231 terms need at least as many samples, got 208; lower degree"),
-        ({"degree": 18}, r"the 208 samples do not determine 190 terms \(condition"),
+        ({"degree": 18}, r"the 208 samples do not determine 190 terms over the pupil \(condition"),
         ({"center": 8}, r"center must be \(row, column\), got 8"),
         ({"center": (math.nan, 8)}, "center must be finite, got nan"),
         ({"center": (500, 500)}, "opd must leave samples inside the pupil"),
@@ -268,3 +268,65 @@ def test_a_radial_function_that_cannot_be_fitted_is_refused(arguments, options, 
 def test_a_map_that_cannot_be_made_is_refused(arguments, message):
     with pytest.raises((ValueError, TypeError), match=message):
         lm.opd_map(**{"wavefront": lm.Wavefront(1.0), "shape": 8, "unit": "waves"} | arguments)
+
+
+def random_annular(degree: int, seed: int) -> dict[tuple[int, int], float]:
+    rng = np.random.default_rng(seed)
+    return {(n, m): float(rng.normal()) for n in range(1, degree + 1) for m in range(-n, n + 1, 2)}
+
+
+def grid(side: int) -> tuple[np.ndarray, np.ndarray]:
+    return np.meshgrid((np.arange(side) - (side - 1) / 2) * 2 / side, (np.arange(side) - (side - 1) / 2) * 2 / side)
+
+
+@pytest.mark.parametrize(("degree", "obscuration"), [(20, 0.61), (20, 0.3), (12, 0.8)])
+def test_annular_terms_of_high_degrees_are_found(degree, obscuration):
+    terms = random_annular(degree, degree)
+    exact = lm.Wavefront.zernike(terms, obscuration=obscuration)
+    values = lm.opd_map(exact, 160)
+    hole = np.hypot(*grid(160)) < obscuration
+    fit = lm.fit_opd(np.where(hole, 1e3, values), unit="radians", degree=degree, obscuration=obscuration)
+    assert fit.condition < 2
+    assert fit.samples == (np.isfinite(values) & ~hole).sum()
+    found = fit.wavefront.to_zernike(obscuration=obscuration)
+    assert found == pytest.approx(terms, abs=3e-8)
+    assert fit.rms < 1e-7
+
+
+def test_errors_of_samples_do_not_grow_over_an_annulus():
+    clear = (np.hypot(*grid(128)) >= 0.61) & (np.hypot(*grid(128)) <= 1)
+    noise = np.random.default_rng(0).normal(size=clear.shape)
+    fit = lm.fit_opd(noise, unit="radians", degree=18, obscuration=0.61)
+    # Of as many samples with errors of 1 the terms take each a variance of 1 over their number.
+    left = math.sqrt(1 - 190 / clear.sum())
+    assert fit.rms == pytest.approx(left, rel=0.03)
+    coefficients = np.array(list(fit.wavefront.to_zernike(obscuration=0.61).values()))
+    assert np.sqrt((coefficients**2).mean() * clear.sum()) == pytest.approx(1.0, abs=0.15)
+    with pytest.raises(ValueError, match=r"do not determine 190 terms over the pupil .* state the obscuration"):
+        lm.fit_opd(noise, unit="radians", degree=18, mask=clear)
+
+
+def test_a_vignetted_pupil_is_fitted_where_its_samples_are():
+    x, y = grid(160)
+    clear = (np.hypot(x, y) <= 1) & (np.hypot(x, y) >= 0.45) & (np.hypot(x - 1.2, y) < 1.8)
+    exact = lm.opd_map(lm.Wavefront.zernike(random_annular(14, 2), obscuration=0.45), 160)
+    asked = {"unit": "radians", "degree": 14, "obscuration": 0.45, "mask": clear}
+    with pytest.raises(ValueError, match=r'120 terms over the pupil \(condition .*within="samples"'):
+        lm.fit_opd(exact, **asked)
+    fit = lm.fit_opd(exact, **asked, within="samples")
+    assert fit.condition > 1e4
+    off = (lm.opd_map(fit.wavefront, 160) - exact)[clear]
+    assert np.ptp(off) < 1e-6
+    noisy = lm.fit_opd(exact + np.random.default_rng(1).normal(size=exact.shape), **asked, within="samples")
+    grown = (lm.opd_map(noisy.wavefront, 160) - exact)[clear]
+    assert grown.std() == pytest.approx(math.sqrt(119 / clear.sum()), rel=0.25)
+    # Samples that leave too much open are refused there, too.
+    with pytest.raises(ValueError, match="do not determine 45 terms"):
+        lm.fit_opd(exact, unit="radians", degree=8, mask=np.abs(x) < 0.02, within="samples")
+
+
+def test_where_the_phase_must_be_determined_is_one_of_two():
+    with pytest.raises(ValueError, match="within must be"):
+        lm.fit_opd(np.zeros((8, 8)), unit="waves", within="disc")
+    with pytest.raises(ValueError, match="obscuration must be"):
+        lm.fit_opd(np.zeros((8, 8)), unit="waves", obscuration=1.0)

@@ -408,3 +408,55 @@ def test_the_radius_that_is_out_of_range_is_named_and_no_other():
 def test_wavefronts_of_no_pupil_are_refused(given):
     with pytest.raises(ValueError, match=r"the coefficients of a wavefront \(.*\) must not be empty"):
         Wavefront(**given)
+
+
+def mahajan(n: int, m: int, rho: np.ndarray, eps: float) -> np.ndarray:
+    """Return the radial factor of an annular term of rms 1: V. N. Mahajan, JOSA 71, 75 (1981), Table I."""
+    e = eps * eps
+    two, four = 1 + e + e**2, 1 + 4 * e + e**2
+    return {
+        (1, 1): 2 * rho / math.sqrt(1 + e),
+        (2, 0): math.sqrt(3) * (2 * rho**2 - 1 - e) / (1 - e),
+        (2, 2): math.sqrt(6) * rho**2 / math.sqrt(two),
+        (3, 1): math.sqrt(8) * (3 * (1 + e) * rho**3 - 2 * two * rho) / ((1 - e) * math.sqrt((1 + e) * four)),
+        (3, 3): math.sqrt(8) * rho**3 / math.sqrt(1 + e + e**2 + e**3),
+        (4, 0): math.sqrt(5) * (6 * rho**4 - 6 * (1 + e) * rho**2 + four) / (1 - e) ** 2,
+    }[n, m]
+
+
+@pytest.mark.parametrize("eps", [0.2, 0.61, 0.9])
+@pytest.mark.parametrize("term", [(1, 1), (2, 0), (2, 2), (3, 1), (3, 3), (4, 0)])
+def test_annular_terms_are_those_of_mahajans_table(term, eps):
+    rho = np.linspace(eps, 1, 40)
+    found = Wavefront.zernike({term: 0.7}, obscuration=eps).phase(rho, 0.0)
+    exact = 0.7 * mahajan(*term, rho, eps)
+    np.testing.assert_allclose(found - found[0], exact - exact[0], atol=1e-11 / (1 - eps))
+    edge = Wavefront.zernike({term: 0.7}, obscuration=eps, normalization="edge").phase(rho, 0.0)
+    scaled = exact / mahajan(*term, np.ones(1), eps)
+    np.testing.assert_allclose(edge - edge[0], scaled - scaled[0], atol=1e-11 / (1 - eps))
+
+
+@given(
+    st.floats(0.05, 0.8),
+    st.dictionaries(st.sampled_from([(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]), st.floats(-3, 3)),
+    st.sampled_from(["rms", "edge"]),
+)
+def test_annular_coefficients_come_back(eps, terms, normalization):
+    asked = {"obscuration": eps, "normalization": normalization, "unit": "waves"}
+    made = Wavefront.zernike(terms, **asked)
+    found = made.to_zernike(**asked)
+    for term in {*terms, *found}:
+        assert float(found.get(term, 0.0)) == pytest.approx(terms.get(term, 0.0), abs=1e-8)
+    if normalization == "rms":
+        pupil = lm.Pupil(made, obscuration=eps)
+        assert float(lm.rms(pupil, unit="waves")) == pytest.approx(math.hypot(*terms.values()), abs=1e-7)
+
+
+def test_annular_terms_may_be_a_stack_and_have_limits():
+    stack = Wavefront.zernike({7: [0.1, 0.2], 11: 0.3}, order="noll", unit="waves", obscuration=0.5)
+    assert stack.shape == (2,)
+    np.testing.assert_allclose(stack.to_zernike(order="noll", unit="waves", obscuration=0.5)[7], [0.1, 0.2])
+    with pytest.raises(ValueError, match="obscuration must be"):
+        Wavefront.zernike({(2, 0): 1.0}, obscuration=1.0)
+    with pytest.raises(ValueError, match=r"order m = 0 up to n = 60 over an obscuration of 0\.9 are nearly alike"):
+        Wavefront.zernike({(60, 0): 1.0}, obscuration=0.9)

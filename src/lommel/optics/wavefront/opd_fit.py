@@ -18,8 +18,11 @@ from lommel.special import zernike
 MAX_RADIAL = 2 * (2 + MAX_HIGHER)
 """Highest power of rho in a radial fit, and highest degree n of a fit to a map."""
 
-MAX_CONDITION = 1e4
-"""Largest condition number of a fit: measurement errors grow by up to this factor."""
+MAX_GROWTH = 1e4
+"""Errors of measurements grow by up to this factor, in single coefficients or at least in the phase."""
+
+MAX_ROUNDING = 1e7
+"""Largest condition number at which terms can be orthogonalised on the samples."""
 
 _BLOCK = 16384  # samples at a time, so that a fit to a large map needs little memory
 _RADIAL_NODES = 400
@@ -122,7 +125,8 @@ class WavefrontFit:
     samples : ndarray of int, shape ``wavefront.shape``
         Number of samples used.
     condition : float
-        Condition number of the worst fit, the amplification of measurement errors; 1 for a full pupil.
+        Condition number of the worst fit, the amplification of measurement errors in single coefficients; 1 for a
+        full pupil. Where it is above 1e4 the phase over the pupil is determined, single coefficients are not.
     unit : str
         Unit of these numbers.
     """
@@ -208,6 +212,8 @@ def fit_opd(
     center: tuple[float, float] | None = None,
     radius: float | None = None,
     tol: float | None = None,
+    obscuration: float = 0.0,
+    within: str = "pupil",
 ) -> WavefrontFit:
     """Fit Zernike terms to a measured map of optical path differences, or to a stack of maps.
 
@@ -232,12 +238,19 @@ def fit_opd(
         Radius of the pupil in pixels. Default: half the smaller side, the circle inscribed in the array.
     tol : float, optional
         Largest accepted rms residual, in `unit`.
+    obscuration : float, default 0
+        Radius of the central obscuration over that of the pupil, 0 to below 1. Pixels whose centre lies within it
+        are not used, and the fit is by annular Zernike terms, as in :meth:`lommel.Wavefront.zernike`: to high
+        degrees, where terms over the disc are nearly alike over the annulus.
+    within : {"pupil", "samples"}, default "pupil"
+        Where the phase must be determined. "samples": only among the samples, for a vignetted pupil whose aperture is
+        stated elsewhere; beyond them the wavefront may be anything.
 
     Returns
     -------
     WavefrontFit
-        A least-squares fit, also over an obscured pupil, where the terms are not orthogonal. Pixels whose centre lies
-        outside the circle are not used.
+        A least-squares fit, also over samples on which the terms are not orthogonal. Pixels whose centre lies outside
+        the circle are not used. The wavefront holds terms over the disc.
 
     Raises
     ------
@@ -255,10 +268,13 @@ def fit_opd(
     scale = radians_per(unit, wavelength)
     limit = math.inf if tol is None else validation.real("tol", tol, above=0.0)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
+    eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
+    validation.choice("within", within, ("pupil", "samples"))
     maps, valid = _maps(opd, mask)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
-    used = valid & (x * x + y * y <= 1.0)
+    square = x * x + y * y
+    used = valid & (square <= 1.0) & (square >= eps * eps)
     bad = np.argwhere(used & ~np.isfinite(maps))
     if len(bad):
         listed = ", ".join(str(tuple(place.tolist())) for place in bad[:3]) + (", ..." if len(bad) > 3 else "")
@@ -277,7 +293,8 @@ def fit_opd(
     for members in alike.values():
         where = used.reshape(flat.shape)[members[0]]
         rho, theta = np.hypot(x[where], y[where]), np.arctan2(y[where], x[where])
-        found, left, worst = _least_squares(rho, theta, flat[members][:, where], terms)
+        places = _places(x, y, where if within == "samples" else (square <= 1.0) & (square >= eps * eps))
+        found, left, worst = _least_squares(rho, theta, flat[members][:, where], terms, None, eps, places)
         coefficients[members] = found
         for member, rest in zip(members, left, strict=True):
             residual[member][where] = rest
@@ -326,45 +343,102 @@ def opd_map(
 
 
 def _least_squares(
-    rho: Array, theta: Array, values: Array, terms: list[tuple[int, int]], weights: Array | None = None
+    rho: Array,
+    theta: Array,
+    values: Array,
+    terms: list[tuple[int, int]],
+    weights: Array | None = None,
+    obscuration: float = 0.0,
+    places: tuple[Array, Array] | None = None,
 ) -> tuple[Array, Array, float]:
     """Return rms-normalized coefficients (maps, terms), residuals (maps, samples) and the condition of the fit.
 
-    Normal equations of nearly orthonormal terms with one refinement: rounding errors only, at a condition of 1e4.
+    Normal equations of nearly orthonormal terms, annular ones over an obscuration, with one refinement: rounding
+    errors only, at a condition of 1e4. Beyond, terms are made orthonormal on the samples (Cholesky factors), if their
+    sum is determined at all `places`.
     """
+    over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
     share = np.full(rho.size, 1.0 / rho.size) if weights is None else weights
     gram = np.zeros((len(terms), len(terms)))
-    for block, basis in _basis(rho, theta, terms):
+    for block, basis in _basis(rho, theta, terms, over_disc):
         gram += (basis * share[block]) @ basis.T
     eigenvalues = np.linalg.eigvalsh(gram)
     low, high = float(eigenvalues[0]), float(eigenvalues[-1])
     condition = math.sqrt(high / low) if low > 0.0 else math.inf
-    if not condition <= MAX_CONDITION:
-        raise ValueError(
-            f"the {rho.size} samples do not determine {len(terms)} terms (condition {condition:.2g}, the limit is "
-            f"{MAX_CONDITION:g}); lower degree, or see whether the samples cover the pupil"
+    if not condition <= MAX_GROWTH:
+        if places is None:
+            raise _undetermined(rho.size, terms, condition, "", "")
+        hints = "" if obscuration else ", state the obscuration of an annular pupil"
+        refused = _undetermined(
+            rho.size, terms, condition, " over the pupil", f'{hints}, or take within="samples" for a vignetted pupil'
         )
+        if not condition <= MAX_ROUNDING:
+            raise refused
+        whole = _most(places, terms, over_disc)
+        own = np.linalg.inv(np.linalg.cholesky(gram)).T
+        over_disc = own if over_disc is None else over_disc @ own
+        if not 0.0 < _most(places, terms, over_disc) <= MAX_GROWTH * whole:
+            raise refused
+        gram = np.zeros_like(gram)
+        for block, basis in _basis(rho, theta, terms, over_disc):
+            gram += (basis * share[block]) @ basis.T
     coefficients, residual = np.zeros((len(values), len(terms))), values.copy()
     for _ in range(2):
         moments = np.zeros_like(coefficients)
-        for block, basis in _basis(rho, theta, terms):
+        for block, basis in _basis(rho, theta, terms, over_disc):
             moments += (residual[:, block] * share[block]) @ basis.T
         coefficients += np.linalg.solve(gram, moments.T).T
-        for block, basis in _basis(rho, theta, terms):
+        for block, basis in _basis(rho, theta, terms, over_disc):
             residual[:, block] = values[:, block] - coefficients @ basis
-    return coefficients, residual, condition
+    return coefficients if over_disc is None else coefficients @ over_disc.T, residual, condition
 
 
-def _basis(rho: Array, theta: Array, terms: list[tuple[int, int]]) -> Iterator[tuple[slice, Array]]:
+def _places(x: Array, y: Array, inside: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Return rho and theta in the middle of some of the squares of four pixels inside."""
+    every = max(1, int(math.sqrt(x.size) / 128))
+    four = (inside[1:, 1:] & inside[:-1, 1:] & inside[1:, :-1] & inside[:-1, :-1])[::every, ::every]
+    across = 0.5 * (x[1:, 1:] + x[:-1, :-1])[::every, ::every][four]
+    down = 0.5 * (y[1:, 1:] + y[:-1, :-1])[::every, ::every][four]
+    return np.hypot(across, down), np.arctan2(down, across)
+
+
+def _most(places: tuple[Array, Array], terms: list[tuple[int, int]], over_disc: Array | None) -> float:
+    """Return the largest root of the sum of the squares of all terms; 0 without places."""
+    squares = [(basis**2).sum(axis=0).max() for _, basis in _basis(*places, terms, over_disc)]
+    return math.sqrt(max(squares, default=0.0))
+
+
+def _undetermined(samples: int, terms: list[tuple[int, int]], condition: float, where: str, hints: str) -> ValueError:
+    return ValueError(
+        f"the {samples} samples do not determine {len(terms)} terms{where} (condition {condition:.2g}); lower "
+        f"degree{hints}"
+    )
+
+
+def _over_disc(terms: list[tuple[int, int]], obscuration: float) -> Array | None:
+    """Return the matrix from coefficients of annular terms to those over the disc, or None without an obscuration."""
+    if obscuration == 0.0:
+        return None
+    made = np.zeros((len(terms), len(terms)))
+    for m in {m for _, m in terms}:
+        alike = [i for i, (_, k) in enumerate(terms) if k == m]  # of rising n
+        made[np.ix_(alike, alike)] = zernike.annular(m, terms[alike[-1]][0], obscuration)
+    return made
+
+
+def _basis(
+    rho: Array, theta: Array, terms: list[tuple[int, int]], over_disc: Array | None
+) -> Iterator[tuple[slice, Array]]:
     """Yield slices of the samples with the terms there, normalized to their rms, shape (terms, samples)."""
     for start in range(0, rho.size, _BLOCK):
         block = slice(start, start + _BLOCK)
         r, angle = rho[block], theta[block]
         radial = {key: zernike.rms_factor(*key) * zernike.radial(*key, r) for key in {(n, abs(m)) for n, m in terms}}
         azimuth = {m: np.cos(m * angle) if m >= 0 else np.sin(-m * angle) for m in {m for _, m in terms}}
-        yield block, np.array([radial[n, abs(m)] * azimuth[m] for n, m in terms])
+        basis = np.array([radial[n, abs(m)] * azimuth[m] for n, m in terms])
+        yield block, basis if over_disc is None else over_disc.T @ basis
 
 
 def _finish(

@@ -244,8 +244,9 @@ class Wavefront(EqualByContent, display.Shown):
         normalization: str = "rms",
         wavelength: float | None = None,
         error: float = 0.0,
+        obscuration: float = 0.0,
     ) -> Self:
-        """Build a wavefront from Zernike coefficients.
+        r"""Build a wavefront from Zernike coefficients.
 
         Parameters
         ----------
@@ -264,15 +265,22 @@ class Wavefront(EqualByContent, display.Shown):
             Metres.
         error : float, default 0
             Bound on the phase that the terms do not represent, radians; see :class:`lommel.Wavefront`.
+        obscuration : float, default 0
+            eps, 0 to below 1. Above 0 the terms are annular Zernike terms: orthogonal over ``eps <= rho <= 1``, made
+            of those of the disc with the same m by the Gram-Schmidt process in the order of n. "rms" is then the root
+            mean square over that annulus. The wavefront holds the same function in terms over the disc; the
+            obscuration of a :class:`lommel.Pupil` is stated there.
 
         Raises
         ------
         TypeError, ValueError
-            If a term does not exist or is given twice; the message names the term.
+            If a term does not exist or is given twice; the message names the term. If annular terms are of so high a
+            degree that terms over the disc would not represent them to nine digits.
 
         References
         ----------
-        R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207.
+        R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207. Annular terms: V. N. Mahajan,
+        J. Opt. Soc. Am. 71, 75 (1981), doi:10.1364/JOSA.71.000075.
 
         Examples
         --------
@@ -281,6 +289,7 @@ class Wavefront(EqualByContent, display.Shown):
         """
         scale = radians_per(unit, wavelength)
         validation.choice("normalization", normalization, NORMALIZATIONS)
+        eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         try:
             pairs = [(index, value) for index, value in (terms.items() if isinstance(terms, Mapping) else terms)]
         except (TypeError, ValueError):
@@ -295,21 +304,34 @@ class Wavefront(EqualByContent, display.Shown):
             given = _coefficients(f"the Zernike coefficient {index!r}", value)
             with np.errstate(over="ignore"):  # refused below where not finite
                 found[n, m] = scale * _edge_factor((n, m), normalization) * given
+        if eps > 0.0:
+            with np.errstate(over="ignore", invalid="ignore"):
+                found = _over_disc(found, normalization, eps)
         return cls.from_edge(found, validation.real("error", error, least=0.0))
 
     def to_zernike(
-        self, *, order: str = "nm", unit: str = "radians", normalization: str = "rms", wavelength: float | None = None
+        self,
+        *,
+        order: str = "nm",
+        unit: str = "radians",
+        normalization: str = "rms",
+        wavelength: float | None = None,
+        obscuration: float = 0.0,
     ) -> dict[Any, Array]:
         """Return the Zernike coefficients by index; the inverse of :meth:`zernike`.
 
-        `order`, `unit`, `normalization` and `wavelength` are as there. Each coefficient has the shape of the stack;
-        terms that are all zero, and piston, are omitted. Raises ValueError if a term has no index in the order
-        (Fringe ends with 37).
+        `order`, `unit`, `normalization`, `wavelength` and `obscuration` are as there. Each coefficient has the shape
+        of the stack; terms that are all zero, and piston, are omitted. Raises ValueError if a term has no index in
+        the order (Fringe ends with 37).
         """
         scale = radians_per(unit, wavelength)
         validation.choice("normalization", normalization, NORMALIZATIONS)
+        eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
+        terms = self.edge_terms()
+        if eps > 0.0:
+            terms = _annular(terms, normalization, eps)
         found = {}
-        for (n, m), c in self.edge_terms().items():
+        for (n, m), c in terms.items():
             if np.any(c):
                 factor = scale * _edge_factor((n, m), normalization)
                 found[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
@@ -729,6 +751,25 @@ def _once_or_all(value: Array) -> Any:
 def _edge_factor(term: Term, normalization: str) -> float:
     """Return the value at the edge of the pupil of a term with the coefficient 1."""
     return zernike.rms_factor(*term) if normalization == "rms" else 1.0
+
+
+def _over_disc(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
+    """Return coefficients at the edge of terms over the disc, from those of annular ones times _edge_factor()."""
+    rms = {(n, m): c / _annular_factor((n, m), normalization, eps) for (n, m), c in terms.items()}
+    return {term: zernike.rms_factor(*term) * c for term, c in zernike.over_disc(rms, eps).items()}
+
+
+def _annular(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
+    """Return what :func:`_over_disc` makes `terms` of, without piston."""
+    rms = zernike.over_annulus({term: c / zernike.rms_factor(*term) for term, c in terms.items()}, eps)
+    least = 1e-14 * max((float(np.abs(c).max()) for c in rms.values()), default=0.0)  # rounding errors
+    kept = {term: c for term, c in rms.items() if term != (0, 0) and np.abs(c).max() > least}
+    return {term: c * _annular_factor(term, normalization, eps) for term, c in kept.items()}
+
+
+def _annular_factor(term: Term, normalization: str, eps: float) -> float:
+    """Return the coefficient times _edge_factor() of an annular term of rms 1."""
+    return zernike.rms_factor(*term) if normalization == "rms" else zernike.annular_edge(*term, eps)
 
 
 def _listed(terms: Mapping[Term, Array]) -> str:

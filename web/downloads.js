@@ -54,7 +54,7 @@ export function csvText(state, { psf, measures }) {
     `# diameter_80_percent_um=${measures.d80 === null ? "" : short(measures.d80)}`,
     `# light_in_window_percent=${number("inside")}`,
     `# proven_error_over_peak=${psf.bound === null ? "" : stated(psf.bound, 0, 2)}`,
-    `# proven_error_of_profile_and_energy=${stated(error, 0, 2)}`,
+    `# proven_error_of_profile_and_energy=${measures.strehl_error === null ? "" : stated(error, 0, 2)}`,
   ];
   const places = Math.min(12, Math.max(0, Math.floor(-Math.log10(error || 1e-12))));
   const proven = (values) => Array.from(values, (value) => String(Math.max(0, Number(value.toFixed(places)))));
@@ -65,7 +65,7 @@ export function csvText(state, { psf, measures }) {
   });
   const rows = Math.max(...columns.map(([, values]) => values.length));
   const lines = [columns.map(([head]) => head).join(",")];
-  for (let i = 0; i < rows; i++) lines.push(columns.map(([, values]) => (i < values.length ? values[i] : "")).join(","));
+  for (let i = 0; i < rows; i++) lines.push(columns.map(([, values]) => (i < values.length && !Number.isNaN(values[i]) ? values[i] : "")).join(","));
   return [...said, ...lines, ""].join("\r\n");
 }
 

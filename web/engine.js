@@ -3,14 +3,15 @@ import { COLOURS } from "./fields.js";
 import { counted } from "./noise.js";
 import { changed, DEFAULTS } from "./state.js";
 import {
-  clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
+  clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, rayReach, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
 } from "./optics.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
 const QUALITY = {
-  drag: { tol: 1e-4, side: 256, error: 1e-6, radii: 97, frequencies: 33, nodes: 2 },
-  settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, frequencies: 65, nodes: 10 },
+  drag: { tol: 1e-4, side: 256, error: 1e-6, radii: 97, nodes: 2, grids: [[32, 1, 100], [32, 1, 30]], price: 1e6 },
+  settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, nodes: 10, grids: [[64, 0.5, 600], [48, 0.5, 150]], price: 4e7 },
 };
+const DEAREST = 1e8; // nodes of all transfer functions of a state: about a second
 
 const RINGS = 10; // of rays
 
@@ -27,11 +28,12 @@ export class Engine {
     const { side, pixel, tol } = asked(state, quality);
     const values = new Float32Array(side * side);
     const [proven, peak, sum, area] = this.image(state, side, pixel, state.view === "averaged", tol, values);
-    const bound = Number.isNaN(proven) ? null : proven; // none is proven with vanes
+    const bound = Number.isNaN(proven) ? null : proven; // none is proven of quadrature along rows
     this.seen = { key: keyOf(state, side, pixel, tol), bound, peak, sum };
     const made = { values, side, pixel, bound, peak, sum, area, python: pythonOf(stated, side, pixel) };
     if (state.light === "white") made.colour = this.colour(side * side);
-    if (state.noise === "on") {
+    // Photons are counted by pixels of the sensor, which those of the fine view are not.
+    if (state.noise === "on" && state.view !== "fine") {
       const expected = values.map((share) => share * state.photons);
       made.counts = counted(expected, state, seedOf(state, this.seen.key));
     }
@@ -49,16 +51,17 @@ export class Engine {
   curves(given, quality = "settled") {
     const state = focused(changed(DEFAULTS, given));
     const { side, pixel } = asked(state, quality);
-    const { error, radii, frequencies, nodes } = QUALITY[quality];
+    const { error, radii } = QUALITY[quality];
     this.light(state);
     const window = stepOf(state, fineReach(state));
-    const reach = state.vanes ? this.core.call("cut_reach", window) : window;
-    const circles = (state.vanes ? this.cutCircles : this.wholeCircles).call(this, state, reach, radii, error);
+    const cut = state.vanes || beyondCircles(state);
+    const reach = cut ? this.core.call("cut_reach", window) : window;
+    const circles = (cut ? this.cutCircles : this.wholeCircles).call(this, state, reach, radii, error);
     // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
     const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;
     const edge = Math.min(reach, stepOf(state, 0.5 * side * pixel));
-    const r = evenly(radii, lengthOf(state, reach));
-    const { mean, reference, share, flat, area, radius } = circles;
+    const { v, mean, reference, share, flat, area, radius } = circles;
+    const r = v.map((at) => lengthOf(state, at));
     return {
       strehl: mean[0],
       strehl_error: circles.error,
@@ -67,7 +70,7 @@ export class Engine {
       within: summed ? null : circles.within(edge),
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
-      mtf: withPixel(state, this.contrast(state, frequencies, nodes)),
+      mtf: withPixel(state, this.contrast(state, quality)),
     };
   }
 
@@ -75,12 +78,37 @@ export class Engine {
   wholeCircles(state, reach, radii, allowed) {
     this.core.call("set_circles", reach, allowed);
     const error = this.core.call("circle_error");
-    const v = evenly(radii, reach);
+    const v = evenly(4 * radii - 3, reach);
+    this.toZeros(v);
     const [mean, reference] = this.circles(v, false);
     const [share, flat] = this.circles(v, true);
     const radius = this.core.call("radius_of", 0.8, reach);
     const within = (at) => this.circles(Float64Array.of(at), true)[0][0];
-    return { mean, reference, share, flat, error, radius, within, area: 1 - state.obscuration ** 2 };
+    return { v, mean, reference, share, flat, error, radius, within, area: 1 - state.obscuration ** 2 };
+  }
+
+  // Moves radii next to a least mean there, but not every fourth, so that dark rings are dark.
+  toZeros(v) {
+    this.circles(v, false).forEach((mean, curve) => {
+      const least = [];
+      for (let i = 1; i < v.length - 1; i++) if (mean[i] <= mean[i - 1] && mean[i] < mean[i + 1] && mean[i] < 0.01) least.push(i);
+      const low = Float64Array.from(least, (i) => v[i - 1]);
+      const high = Float64Array.from(least, (i) => v[i + 1]);
+      for (let step = 0; least.length && step < 24; step++) {
+        const third = low.map((at, k) => (high[k] - at) / 3);
+        const [left, right] = [low.map((at, k) => at + third[k]), high.map((at, k) => at - third[k])];
+        const [a, b] = [left, right].map((at) => this.circles(at, false)[curve]);
+        for (let k = 0; k < low.length; k++) {
+          if (a[k] < b[k]) high[k] = right[k];
+          else low[k] = left[k];
+        }
+      }
+      least.forEach((i, k) => {
+        const at = 0.5 * (low[k] + high[k]);
+        const moved = i % 4 ? i : at < v[i] ? i - 1 : i + 1;
+        v[moved] = at;
+      });
+    });
   }
 
   // The same of one with vanes, for which no error is proven; between radii shares are cubics, whose slopes the means are.
@@ -106,7 +134,7 @@ export class Engine {
       if (within(middle) < 0.8) low = middle;
       else radius = middle;
     }
-    return { mean: lit.mean, reference: plain.mean, share: lit.share, flat: plain.share, error: null, radius, within, area: lit.area };
+    return { v, mean: lit.mean, reference: plain.mean, share: lit.share, flat: plain.share, error: null, radius, within, area: lit.area };
   }
 
   maps(given, side) {
@@ -119,20 +147,22 @@ export class Engine {
       const [rho, theta] = [Math.hypot(x, y), Math.atan2(y, x)];
       if (clear(rho, theta)) wavefront[i] = wave(rho, theta);
     }
-    return { wavefront };
+    return { wavefront, ...extremes(wave, clear, state.obscuration) };
   }
 
-  // Where rays from evenly distributed points of the clear aperture meet the sensor, as lommel.show.rays has them.
+  // Where rays from rings of the clear aperture meet the sensor, as lommel.show.rays has them.
   rays(given) {
     const state = focused(changed(DEFAULTS, given));
     const [slope, clear] = [slopes(state), clearOf(state)];
     const found = [];
-    for (let ring = 0; ring <= RINGS; ring++) {
-      const rho = Math.max(ring / (RINGS + 0.5), 1e-9);
-      for (let k = 0; k < Math.max(1, 6 * ring); k++) {
-        const theta = (k * Math.PI) / (3 * Math.max(1, ring));
+    const rings = Array.from({ length: RINGS + 1 }, (_, k) => [(k / RINGS) * (1 - 1e-12), 6 * k]);
+    const edge = state.obscuration;
+    if (edge > 0) rings.push([edge * (1 + 1e-12), 6 * Math.ceil(RINGS * edge)]);
+    for (const [rho, count] of rings) {
+      for (let k = 0; k < Math.max(1, count); k++) {
+        const theta = (2 * Math.PI * k) / Math.max(1, count);
         if (!clear(rho, theta)) continue;
-        const [outward, around] = slope(rho, theta).map((v) => lengthOf(state, v));
+        const [outward, around] = slope(Math.max(rho, 1e-9), theta).map((v) => lengthOf(state, v));
         const [c, s] = [Math.cos(theta), Math.sin(theta)];
         found.push([outward * c - around * s, outward * s + around * c]);
       }
@@ -147,8 +177,8 @@ export class Engine {
     const count = Math.floor(picture.length / size);
     const side = 2 * spreadReach(state, Math.min(width, height)) + 1;
     const { core } = this;
-    // Averages would take hundreds of samples across each pixel.
-    const coarse = largestStep(state, state.pixel) > 200;
+    // Averages would take hundreds of samples across each pixel, or all of a very large spot.
+    const coarse = largestStep(state, state.pixel) > 200 || (beyondSeries(state, true) && !state.vanes);
     if (coarse) core.put("values", this.binned(state, side));
     else this.image(state, side, state.pixel, true, QUALITY[quality].tol);
     const noisy = (light) => (state.noise === "on" ? this.noisy(light, state) : light);
@@ -204,7 +234,8 @@ export class Engine {
         const white = state.light === "white";
         const weights = white ? core.put("weights", Float64Array.from(COLOURS.flat())) : 0;
         const colours = white ? core.room("colours", Float32Array, 3 * side * side) : 0;
-        core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, asked, out, numbers, weights, colours);
+        const cut = state.vanes || beyondSeries(state, integrate) ? 1 : 0;
+        core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, asked, out, numbers, weights, colours, cut);
       } catch (error) {
         // Large aberrations leave rounding errors above the tolerance; the bound says by how much.
         if (asked < 1e-3 && error.message === "tolerance not met") continue;
@@ -245,15 +276,30 @@ export class Engine {
     return [both.slice(0, v.length), both.slice(v.length)];
   }
 
-  contrast(state, count, nodes) {
+  // The MTF, by samples of the transfer function so dense that between them polynomials have it.
+  contrast(state, quality) {
     const { core } = this;
-    const ends = linesOf(state).map(([stretch]) => stretch);
-    const f = evenly(count, Math.max(...ends));
-    const at = core.put("points", f);
-    const out = core.room("numbers", Float64Array, 3 * count);
-    core.call("contrast", at, count, nodes, out, out + 8 * count, out + 16 * count);
-    const [x, y, limit] = [0, 1, 2].map((k) => core.view(out + 8 * count * k, Float64Array, count).slice());
-    return { f: f.map((over) => over * cutoff(state)), x, y, limit };
+    const { nodes, grids, price } = QUALITY[quality];
+    const end = Math.max(...linesOf(state).map(([stretch]) => stretch));
+    const wide = 2 * rayReach(state); // radians of the transfer function over the cutoff, at most
+    let samples, at;
+    for (const grid of grids) {
+      samples = frequencies(end, wide, ...grid);
+      at = core.put("points", samples);
+      if (state.vanes || core.call("contrast_price", at, samples.length) < price) break;
+    }
+    if (!state.vanes && core.call("contrast_price", at, samples.length) > DEAREST) {
+      const none = Float64Array.of(NaN, NaN);
+      const refused = "No MTF: aberrations this large would take too long. Stop down, or reduce them.";
+      return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };
+    }
+    const count = samples.length;
+    const out = core.room("numbers", Float64Array, 5 * count);
+    core.call("contrast", at, count, nodes, out, out + 16 * count, out + 32 * count);
+    const [x, y] = [0, 1].map((k) => core.view(out + 16 * count * k, Float64Array, 2 * count).slice());
+    const limit = core.view(out + 32 * count, Float64Array, count).slice();
+    const made = interpolated(samples, x, y, limit);
+    return { ...made, f: made.f.map((over) => over * cutoff(state)) };
   }
 
   light(state) {
@@ -281,16 +327,39 @@ export function completed({ unaberrated, within, ...curves }, { peak, sum }) {
 // A fine view has fewer pixels of the same field while something is dragged; where the pupil is radial and the light of one
 // wavelength nothing is won by it.
 function asked(state, quality) {
+  const steepest = state.light === "white" ? 1250 : 3500;
+  const waves = (slope) => Math.floor(slope / (4 * Math.PI));
+  if (unevenSlope(state) > steepest) {
+    throw new RangeError(
+      `this takes as long as ${waves(unevenSlope(state))} waves of defocus, and the limit for wavefronts that are not radial is ` +
+        `${waves(steepest)}${state.light === "white" ? " in white light" : ""}: stop down, or reduce the defocus`,
+    );
+  }
   const slow = state.light === "white" || termsOf(state).some(([, m]) => m !== 0);
   const { tol, side: most } = QUALITY[slow ? quality : "settled"];
   let side = state.view === "fine" ? Math.min(most, state.side) : state.side;
-  // Vanes are paid for by the window: of the sensor's pixels those in the fine window.
-  if (state.vanes && state.view !== "fine") side = Math.min(side, Math.max(64, 2 * Math.ceil(fineReach(state) / state.pixel)));
+  // Quadrature along rows is paid for by the window: of the sensor's pixels those in the fine window.
+  if ((state.vanes || beyondSeries(state, state.view === "averaged")) && state.view !== "fine") side = Math.min(side, Math.max(64, 2 * Math.ceil(fineReach(state) / state.pixel)));
   return { side, pixel: pixelOf(state, side), tol };
 }
 
 function keyOf(state, side, pixel, tol) {
   return JSON.stringify([termsOf(state), linesOf(state), state.obscuration, vanesOf(state), state.vane_width, state.view === "averaged", stepOf(state, pixel), side, tol]);
+}
+
+// Radians of the phase of a pupil without symmetry, over the radius, in the line where they are most.
+function unevenSlope(state) {
+  const uneven = termsOf(state).some(([, m]) => m !== 0);
+  return uneven ? rayReach(state) * Math.max(...linesOf(state).map(([stretch]) => stretch)) : 0;
+}
+
+// Whether the series of the image would take seconds, or more terms than there are.
+function beyondSeries(state, integrate) {
+  return unevenSlope(state) > (state.light === "white" ? 500 : integrate ? 800 : 1500);
+}
+
+function beyondCircles(state) {
+  return unevenSlope(state) > (state.light === "white" ? 1200 : 2800);
 }
 
 // Of settings that change the expected numbers, not of those of the display.
@@ -308,6 +377,94 @@ function withPixel({ pixel }, mtf) {
 // Of all lines, over that of the reference.
 function brightness(state) {
   return linesOf(state).reduce((all, [stretch, part]) => all + part * stretch ** 2, 0);
+}
+
+// Frequencies from 0 to `end`, no farther apart than end / count; and than `turn` radians of a function that turns through `wide`
+// of them a unit, until it has turned through `far`, where little is left of it.
+function frequencies(end, wide, count, turn, far) {
+  const found = [0];
+  const most = end / count;
+  let step = Math.min(most, turn / wide);
+  for (let f = step; f < end; f += step) {
+    found.push(f);
+    if (wide * f > far) step = Math.min(most, 1.3 * step);
+  }
+  if (found.at(-1) > end - 0.3 * step) found.pop();
+  return Float64Array.from([...found, end]);
+}
+
+const PARTS = 4; // of each interval between samples
+
+// Moduli of two complex functions, and a real one, by polynomials of degree 5 between samples; points next to a least value are moved
+// there, so that zeros are zeros.
+function interpolated(samples, x, y, limit) {
+  const last = samples.length - 1;
+  const f = Float64Array.from({ length: PARTS * last + 1 }, (_, i) => {
+    const k = Math.min(last - 1, Math.floor(i / PARTS));
+    return samples[k] + ((i - PARTS * k) / PARTS) * (samples[k + 1] - samples[k]);
+  });
+  // Lagrange's weights of six samples about an interval.
+  const weightsAt = (at, k) => {
+    const first = Math.max(0, Math.min(last - 5, k - 2));
+    return Array.from({ length: 6 }, (_, i) => {
+      let weight = 1;
+      for (let j = 0; j < 6; j++) if (j !== i) weight *= (at - samples[first + j]) / (samples[first + i] - samples[first + j]);
+      return [first + i, weight];
+    });
+  };
+  const modulus = (values, weights) => {
+    let [re, im] = [0, 0];
+    for (const [j, weight] of weights) {
+      re += weight * values[2 * j];
+      im += weight * values[2 * j + 1];
+    }
+    return Math.hypot(re, im);
+  };
+  const interval = (i) => Math.min(last - 1, Math.floor(i / PARTS));
+  const curve = (values) => f.map((at, i) => modulus(values, weightsAt(at, interval(i))));
+  for (const values of new Set([x, y])) {
+    const size = curve(values);
+    for (let i = 1; i < size.length - 1; i++) {
+      if (!(size[i] <= size[i - 1] && size[i] < size[i + 1] && size[i] < 0.1)) continue;
+      let [low, high] = [f[i - 1], f[i + 1]];
+      const of = (at) => modulus(values, weightsAt(at, at < f[i] ? interval(i - 1) : interval(i)));
+      for (let k = 0; k < 40; k++) {
+        const [a, b] = [low + (high - low) / 3, high - (high - low) / 3];
+        if (of(a) < of(b)) high = b;
+        else low = a;
+      }
+      const least = 0.5 * (low + high);
+      // Samples themselves stay.
+      const moved = i % PARTS ? i : least < f[i] ? i - 1 : i + 1;
+      if (moved % PARTS) f[moved] = least;
+    }
+  }
+  const real = f.map((at, i) => weightsAt(at, interval(i)).reduce((sum, [j, weight]) => sum + weight * limit[j], 0));
+  return { f, x: curve(x), y: curve(y), limit: real };
+}
+
+// The least and the greatest of the waves over the closed aperture: the best of a grid, then of ever smaller steps from there.
+function extremes(wave, clear, edge) {
+  const inside = (rho) => Math.min(1, Math.max(edge, rho));
+  const [low, high] = [1, -1].map((sign) => {
+    let [best, at] = [Infinity, [inside(0), 0]];
+    const take = (rho, theta) => {
+      const value = clear(rho, theta) ? sign * wave(rho, theta) : Infinity;
+      if (value < best) [best, at] = [value, [rho, theta]];
+    };
+    for (let i = 0; i <= 24; i++) for (let k = 0; k < 48; k++) take(edge + ((1 - edge) * i) / 24, (Math.PI * k) / 24);
+    for (let step = 0.03; step > 1e-6; step *= 0.5) {
+      for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+        for (let k = 0; k < 4; k++) {
+          const before = best;
+          take(inside(at[0] + a * step), at[1] + 2 * b * step);
+          if (best === before) break;
+        }
+      }
+    }
+    return sign * best;
+  });
+  return Number.isFinite(low) ? { low, high } : {};
 }
 
 // From 0 to the last.

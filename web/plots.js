@@ -131,10 +131,13 @@ export class Plot {
 }
 
 function path({ x, y }, across, up, end) {
-  const step = Math.max(1, Math.floor(x.length / 600));
   let text = "";
-  for (let i = 0; i < x.length; i += step) {
-    if (!Number.isFinite(y[i])) continue;
+  let last = -1;
+  for (let i = 0; i < x.length; i++) {
+    // As near as half a pixel only least values are drawn.
+    const near = across(x[i]) - last < 0.5 && i < x.length - 1;
+    if (!Number.isFinite(y[i]) || (near && !(y[i] < y[i - 1] && y[i] <= y[i + 1]))) continue;
+    last = across(x[i]);
     text += `${text ? "L" : "M"}${Math.round(across(x[i]) * 10) / 10} ${Math.round(up(y[i]) * 10) / 10}`;
     if (x[i] > end) break;
   }

@@ -35,12 +35,14 @@ export function percentSaid(share, error = 0) {
   return `${value.toFixed(Math.max(0, Math.min(most, Math.floor(-Math.log10(100 * error || 1e-9)))))} %`;
 }
 
+const ASSUMED = 1e-6; // error where none is proven
+
 // Bounds on the errors of the numbers: over the unaberrated peak, and of the light in the window.
 export function errorsOf(psf, measures) {
   const { strehl_error: circles, peak_strehl: peak } = measures;
   const perPixel = psf.peak / peak; // of the unaberrated peak
-  const summed = Number.isFinite(perPixel) ? (psf.bound ?? 0) * perPixel * psf.side ** 2 : 0;
-  return { strehl: circles, largest: psf.bound ?? 0, inside: Math.min(1, Math.max(circles, summed)) };
+  const summed = Number.isFinite(perPixel) ? (psf.bound ?? ASSUMED) * perPixel * psf.side ** 2 : 0;
+  return { strehl: circles ?? ASSUMED, largest: psf.bound ?? ASSUMED, inside: Math.min(1, Math.max(circles ?? ASSUMED, summed)) };
 }
 
 // {key: {text, value, error}} of what the numbers show; value in the unit that is shown, NaN where there is none to compare.

@@ -52,7 +52,7 @@ export function compose(canvases, { state, shown, held = null, mode = "one", sha
     found.panels.unshift({ name: "A", canvas: canvases.held, state: held.state, shown: held });
   }
   const point = both ? "the brightest point of A and B" : old ? "the brightest point of each" : "the brightest point";
-  const label = `${map === TRUE_COLOUR ? "true colour, " : ""}${psf.counts ? "electrons per pixel" : `of ${point}`}`;
+  const label = `${map === TRUE_COLOUR ? "true colour, " : ""}${psf.counts ? "electrons per pixel" : `of ${point}`}${state.noise === "on" && !psf.counts ? ", without noise: that is of the sensor's pixels" : ""}`;
   return { ...found, ticks: drawBar(canvases.bar, { map, stretch: state.stretch }, psf.counts ? Math.max(1, top) : 1), label };
 }
 

@@ -164,6 +164,8 @@ export class View {
   // Changes of one gesture, such as a drag, are one step back.
   set(change, moving = false, gesture = "") {
     const before = this.state;
+    // Photons are counted by pixels of the sensor.
+    if (change.noise === "on" && before.noise === "off" && before.view === "fine" && !("view" in change)) change = { ...change, view: "averaged" };
     if (this.apply(changed(before, change), moving)) this.history.note(before, gesture);
   }
 
@@ -367,7 +369,7 @@ export class View {
       jobs.push(client.call("psf", { ...state, side }, quality).then((psf) => got({ psf })));
       jobs.push(client.call("measures", { ...state, side }, quality).then((measures) => got({ measures: { ...measures, side } })));
       const pupil = Object.keys(state).map((key) => matters("wavefront", key, state) && state[key]).join();
-      if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => got({ wavefront })));
+      if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront, low, high }) => got({ wavefront: Object.assign(wavefront, { low, high }) })));
       this.pupil = pupil;
     }
     if (state.rays !== "on") {
@@ -426,7 +428,8 @@ export class View {
     if (this.shown.psf && (this.stateOf("psf").view === "fine" ? part.psf : part.measures)) this.drawPsf();
     if (part.measures) this.drawPlots();
     if (part.wavefront) {
-      this.seen = drawWavefront(page.wavefront, part.wavefront, MAP_SIDE);
+      const { low, high } = part.wavefront;
+      this.seen = { ...drawWavefront(page.wavefront, part.wavefront, MAP_SIDE), ...(high === undefined ? {} : { low, high }) };
       drawFringes(page.fringes, part.wavefront, MAP_SIDE);
       this.stage.showWavefront(part.wavefront);
       page.wavefrontSaid.textContent = wavefrontSaid(state, this.seen);
@@ -516,6 +519,7 @@ export class View {
       y: { top: 1 },
       curves: curves(mtf, frequency.factor, MTF_CURVES, held?.mtf),
     });
+    page.plots.mtf.readout.textContent = mtf.refused ?? "";
   }
 
   drawNumbers() {

@@ -91,15 +91,15 @@ EXPORT(set_vanes) void set_vanes(const double* angles, std::size_t count, double
 }
 
 // Fractions of all light per pixel; numbers: the bound on their error over the peak, the largest value, the sum,
-// the clear area over that of the disk. Where `weights`
-// has three for each line, `planes` gets the sums over the lines by them.
+// the clear area over that of the disk. Where `weights` has three for each line, `planes` gets the sums over the lines by them.
+// `cut`: by quadrature along rows, which vanes and very large aberrations need, and for which no bound is proven.
 EXPORT(psf)
 void psf(std::size_t side, double step, bool integrate, double tol, float* out, double* numbers, const double* weights,
-         float* planes) {
+         float* planes, bool cut) {
     const live::View view{side, step, integrate};
     numbers[3] = light.area();
-    const live::Proof proof = light.vanes.empty() ? live::image_of(light, view, tol, out, weights, planes)
-                                                  : live::cut_image_of(light, view, out, weights, planes, &numbers[3]);
+    const live::Proof proof = cut ? live::cut_image_of(light, view, out, weights, planes, &numbers[3])
+                                  : live::image_of(light, view, tol, out, weights, planes);
     // In lanes, as the compiler may not by itself.
     constexpr std::size_t lanes = 16;
     const std::size_t pixels = side * side;
@@ -133,7 +133,7 @@ EXPORT(set_circles) void set_circles(double reach, double error) { circles = liv
 // Bound on the error of means on circles, over the peak without aberration.
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
-// At radii in v of a pupil with vanes, with aberrations or without: means over the peak without aberration, and shares of all light
+// At radii in v by quadrature along rows, with aberrations or without: means over the peak without aberration, and shares of all light
 // within. Returns the clear area.
 EXPORT(on_cut_circles) double on_cut_circles(const double* v, std::size_t count, bool lit, double* means, double* shares) {
     return live::cut_circles(light, lit, v, count, means, shares);
@@ -165,29 +165,47 @@ EXPORT(radius_of) double radius_of(double share, double reach) {
     return 0.5 * (low + high);
 }
 
-// Contrast at frequencies over the cutoff of the reference: along columns, along rows, and without aberration.
-EXPORT(contrast) void contrast(const double* f, std::size_t count, std::size_t more, double* x, double* y, double* limit) {
-    std::vector<std::complex<double>> sums(2 * count);
+// About how many nodes contrast() takes of a pupil without vanes.
+EXPORT(contrast_price) double contrast_price(const double* f, std::size_t count) {
+    double nodes = 0.0;
+    for (const live::Line& line : light.lines) {
+        lommel::Overlap overlap(light.terms, light.stretched(line.stretch).data(), light.obscuration);
+        for (std::size_t axis = 0; axis < (light.radial() ? 1 : 2); ++axis) {
+            overlap.face(axis == 0 ? 0.0 : 1.5707963267948966);
+            for (std::size_t i = 0; i < count && f[i] < line.stretch; ++i) {
+                nodes += overlap.price(f[i] / line.stretch);
+            }
+        }
+    }
+    return nodes;
+}
+
+// The OTF at frequencies over the cutoff of the reference, real and imaginary parts in turn: along columns, along rows, and real
+// numbers without aberration.
+EXPORT(contrast)
+void contrast(const double* f, std::size_t count, std::size_t more, std::complex<double>* x, std::complex<double>* y,
+              double* limit) {
     if (!light.vanes.empty()) {
         live::cut_contrast(light, f, count, more, x, y, limit);
         return;
     }
+    std::fill_n(x, count, 0.0);
+    std::fill_n(y, count, 0.0);
     std::fill_n(limit, count, 0.0);
     for (const live::Line& line : light.lines) {
         lommel::Overlap overlap(light.terms, light.stretched(line.stretch).data(), light.obscuration);
         for (std::size_t axis = 0; axis < (light.radial() ? 1 : 2); ++axis) {
             overlap.face(axis == 0 ? 0.0 : 1.5707963267948966);
             for (std::size_t i = 0; i < count; ++i) {
-                sums[axis * count + i] += line.share * overlap.at(f[i] / line.stretch, more);
+                (axis == 0 ? x : y)[i] += line.share * overlap.at(f[i] / line.stretch, more);
             }
         }
         for (std::size_t i = 0; i < count; ++i) {
             limit[i] += line.share * lommel::flat_overlap(f[i] / line.stretch, light.obscuration);
         }
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        x[i] = std::abs(sums[i]);
-        y[i] = std::abs(sums[light.radial() ? i : count + i]);
+    if (light.radial()) {
+        std::copy_n(x, count, y);
     }
 }
 

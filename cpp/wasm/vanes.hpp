@@ -1,4 +1,4 @@
-// Images of a pupil with straight vanes, by quadrature along its rows, for the live page.
+// Images of a pupil with straight vanes, or with very large aberrations, by quadrature along its rows, for the live page.
 #pragma once
 
 #include <algorithm>
@@ -53,8 +53,7 @@ class CutPupil {
         const double far = static_cast<double>(side / 2) * step, slope = overlap_.slope() + far;
         const std::vector<Row> all = rows_to(far);
         if (!(seconds(all, side, far) < 2.0)) {
-            throw std::domain_error(
-                "aberrations this large would take the page too long with vanes: smaller ones, or no vanes");
+            throw std::domain_error("these aberrations would take the page too long: smaller ones, or a larger f-number");
         }
         const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
         WaveSums waves(side);
@@ -97,7 +96,7 @@ class CutPupil {
     std::complex<double> contrast(double f, std::size_t more) {
         std::complex<double> sum = 0.0;
         overlap_.set_shift(f, more);
-        for (const Row& row : rows(f, 2.0 * overlap_.slope() * std::min(1.0, 2.0 * f), 6.0, 0.15)) {
+        for (const Row& row : rows(f, overlap_.run(), 8.0, 0.25)) {
             for (const Interval& part : row.parts) {
                 sum += row.weight * overlap_.along(row.y, part.low, part.high);
             }
@@ -575,20 +574,21 @@ inline double cut_circles(const Light& light, bool lit, const double* v, std::si
     return area;
 }
 
-// Contrast along x and y at frequencies over the cutoff of the reference, and without aberration.
-inline void cut_contrast(const Light& light, const double* f, std::size_t count, std::size_t more, double* x, double* y,
-                         double* limit) {
-    double* const curves[3] = {x, y, limit};
+// The OTF along x and y at frequencies over the cutoff of the reference, and without aberration.
+inline void cut_contrast(const Light& light, const double* f, std::size_t count, std::size_t more, std::complex<double>* x,
+                         std::complex<double>* y, double* limit) {
+    std::vector<std::complex<double>> flat(count);
+    std::complex<double>* const curves[3] = {x, y, flat.data()};
     for (std::size_t curve = 0; curve < 3; ++curve) {
-        std::vector<std::complex<double>> sums(count);
+        std::fill_n(curves[curve], count, 0.0);
         for (const Line& line : light.lines) {
             CutPupil pupil(light, line.stretch, curve == 1 ? 1.5707963267948966 : 0.0, curve < 2);
             for (std::size_t i = 0; i < count && f[i] < line.stretch; ++i) {
-                sums[i] += line.share * pupil.contrast(f[i] / line.stretch, more);
+                curves[curve][i] += line.share * pupil.contrast(f[i] / line.stretch, more);
             }
         }
-        std::transform(sums.begin(), sums.end(), curves[curve], [](std::complex<double> sum) { return std::abs(sum); });
     }
+    std::transform(flat.begin(), flat.end(), limit, [](std::complex<double> sum) { return std::abs(sum); });
 }
 
 }  // namespace live

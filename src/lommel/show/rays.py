@@ -21,15 +21,16 @@ if TYPE_CHECKING:
 
 
 def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
-    """Return the positions at which rays from evenly distributed points of the clear aperture meet the sensor.
+    """Return the positions at which rays from rings of points of the clear aperture meet the sensor.
 
     Parameters
     ----------
     pupil : Pupil
         A single one.
     rings : int, default 12
-        Number of rings of points about the axis, 1 to 100, with six more points on each: ``3 rings (rings + 1) + 1``
-        for a full disc, each for about the same area.
+        Number of rings of points about the axis, 1 to 100, at equal distances and with six more points on each:
+        ``3 rings (rings + 1) + 1`` for a full disc. The last is the rim, of the marginal rays; an obscuration adds
+        one along its edge.
 
     Returns
     -------
@@ -46,12 +47,16 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     count = validation.integer("rings", rings, least=1, most=100)
-    ring = np.repeat(np.arange(count + 1), [1, *(6 * k for k in range(1, count + 1))])
-    place = np.concatenate([np.arange(max(6 * k, 1)) for k in range(count + 1)])
-    # In the middle, where slopes over rho have a limit only, beside it.
-    rho = np.maximum(ring / (count + 0.5), 1e-9)
-    theta = place * math.pi / (3.0 * np.maximum(ring, 1))
+    points = [1, *(6 * k for k in range(1, count + 1))]
+    # A hair inside the rim, whose own points may be rounded to outside.
+    radius = np.arange(count + 1) / count * (1.0 - 1e-12)
+    if pupil.obscuration > 0.0:
+        points.append(6 * math.ceil(count * pupil.obscuration))
+        radius = np.append(radius, pupil.obscuration * (1.0 + 1e-12))
+    rho = np.repeat(radius, points)
+    theta = np.concatenate([2.0 * math.pi * np.arange(n) / n for n in points])
     x, y = rho * np.cos(theta), rho * np.sin(theta)
+    rho = np.maximum(rho, 1e-9)  # in the middle slopes over rho have a limit only
     clear = pupil.opening.margin(x, y) >= 0.0
     if pupil.mask is not None:
         clear &= pupil.mask.at(x, y) > 0.0

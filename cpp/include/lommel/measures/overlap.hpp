@@ -5,8 +5,9 @@
 // theta, so that Gauss-Legendre nodes in theta and in u converge faster than any power. An obscured aperture is cut where its arcs
 // meet, with y = eps sin(theta) beside the obscuration (H. H. Hopkins, Proc. R. Soc. A 231, 91, 1955).
 //
-// A rule of n nodes for exp(i D) over an interval on which D runs through s radians is off by some (e s / 8 n)^(2n), once n is
-// beyond s / 4: what is asked here beyond that is found by experience, and checked against rules of more nodes.
+// A rule of n nodes for exp(i D) over an interval on which D runs through s radians is off by some J_2n(s / 2), which falls faster
+// than any power once n is beyond s / 4 by a few cube roots of s. How far D runs is known from the first and second derivatives
+// of the phase; long runs are cut into pieces, so that rules stay short.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +82,7 @@ class Overlap {
             mirrored_ = mirrored_ && (m == 0 || std::abs(sine) < 1e-15);
             add(terms_[j].n, m, edge_[j] * cosine, m == 0 ? 0.0 : edge_[j] * sine);
         }
-        steepest_ = steepest();
+        survey();
     }
 
     // At f over the cutoff, from 0 to 1, in the direction faced; `more` nodes than an error of 1e-4 takes.
@@ -103,14 +104,28 @@ class Overlap {
     void set_shift(double f, std::size_t more) {
         f_ = f;
         more_ = more;
-        swing_ = 2.0 * steepest_ * (1.0 - f) * std::min(1.0, 2.0 * f);
+        across_ = 2.0 * std::min(steepest_, f * bend_along_);
+        down_ = 2.0 * std::min(steepest_, f * bend_across_);
         shift();
+    }
+
+    // After set_shift(): how fast D runs at most, in radians over the radius.
+    double run() const { return std::max(across_, down_); }
+
+    // About how many nodes at() takes.
+    double price(double f) const {
+        const double across = 2.0 * std::min(steepest_, f * bend_along_), down = 2.0 * std::min(steepest_, f * bend_across_);
+        const double end = std::acos(f), height = std::sqrt((1.0 - f) * (1.0 + f));
+        return (even_ || mirrored_ ? 1.0 : 2.0) * (25.0 + 0.2 * across * (1.0 - f)) *
+               (25.0 + 0.25 * end * (across * height + down)) * (eps_ > 0.0 ? 1.7 : 1.0);
     }
 
     // The integral of exp(i D(u, y)) over u from `low` to `high`.
     std::complex<double> along(double y, double low, double high) {
         re_ = im_ = 0.0;
-        add_line(rule_for((high - low) / (2.0 * (1.0 - f_))), y, low, high - low, high - low);
+        pieces(across_ * (high - low), [&](const Rule& rule, double first, double part) {
+            add_line(rule, y, low + first * (high - low), part * (high - low), part * (high - low));
+        });
         return {re_, im_};
     }
 
@@ -143,10 +158,16 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // For a part of the swing; few different ones.
-    const Rule& rule_for(double part) const {
-        const std::size_t wanted = static_cast<std::size_t>(6.0 + 0.3 * swing_ * std::min(1.0, part)) + more_;
-        return rule((wanted + 3) / 4 * 4);
+    // Calls `use` with a rule and its piece of [0, 1], for a phase that runs through so many radians; few different rules.
+    template <class Use>
+    void pieces(double radians, Use use) const {
+        const std::size_t count = 1 + static_cast<std::size_t>(radians / 600.0);
+        const double each = radians / static_cast<double>(count), part = 1.0 / static_cast<double>(count);
+        const std::size_t wanted = static_cast<std::size_t>(6.0 + 0.25 * each + 1.3 * std::cbrt(each)) + more_;
+        const Rule& chosen = rule((wanted + 3) / 4 * 4);
+        for (std::size_t k = 0; k < count; ++k) {
+            use(chosen, static_cast<double>(k) * part, part);
+        }
     }
 
     // Adds R_n^m(rho) (c cos(m theta) + s sin(m theta)) to the coefficients of x^i y^j.
@@ -171,28 +192,33 @@ class Overlap {
         return std::round(std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0)));
     }
 
-    // max |grad Phi|, by samples.
-    double steepest() const {
-        double most_square = 0.0;
+    // max |grad Phi|, |d^2 Phi / dx^2| and |d^2 Phi / dx dy|, by samples.
+    void survey() {
+        steepest_ = bend_along_ = bend_across_ = 0.0;
         for (std::size_t i = 0; i <= 8; ++i) {
             const double rho = eps_ + (1.0 - eps_) * static_cast<double>(i) / 8.0;
             for (std::size_t k = 0; k < 24; ++k) {
                 const double theta = 6.283185307179586 * static_cast<double>(k) / 24.0;
                 const double x = rho * std::cos(theta), y = rho * std::sin(theta);
-                double across = 0.0, down = 0.0;
+                // Of polynomials in x, by Horner's rule: the value, the derivative, and half the second one.
+                double along[3] = {}, down[2] = {};
                 for (std::size_t a = degree_ + 1; a-- > 0;) {
                     double value = 0.0, slope = 0.0;  // of the coefficient of x^a
                     for (std::size_t b = degree_ - a + 1; b-- > 0;) {
                         slope = slope * y + (b < degree_ - a ? static_cast<double>(b + 1) * powers_[a][b + 1] : 0.0);
                         value = value * y + powers_[a][b];
                     }
-                    down = down * x + slope;
-                    across += a > 0 ? static_cast<double>(a) * value * std::pow(x, static_cast<double>(a - 1)) : 0.0;
+                    along[2] = along[2] * x + along[1];
+                    along[1] = along[1] * x + along[0];
+                    along[0] = along[0] * x + value;
+                    down[1] = down[1] * x + down[0];
+                    down[0] = down[0] * x + slope;
                 }
-                most_square = std::max(most_square, across * across + down * down);
+                steepest_ = std::max(steepest_, 1.05 * std::hypot(along[1], down[0]));
+                bend_along_ = std::max(bend_along_, 2.1 * std::abs(along[2]));
+                bend_across_ = std::max(bend_across_, 1.05 * std::abs(down[1]));
             }
         }
-        return 1.05 * std::sqrt(most_square);
     }
 
     // D(u, y) = Phi(u - f, y) - Phi(u + f, y): coefficients of u^p y^j.
@@ -235,15 +261,22 @@ class Overlap {
         if (!(last > first)) {
             return;
         }
-        const double whole = 2.0 * (1.0 - f_);
-        const Rule& rule = rule_for(radius * (std::sin(last) - std::sin(first)) / whole + (last - first > 0.6 ? 0.5 : 0.1));
+        // Per radian of theta, ends of lines move at most so far, and lines rise.
+        const double move = radius * (radius == 1.0 ? std::sin(last) : 1.0), rise = radius * std::cos(first);
+        pieces((last - first) * (across_ * move + down_ * rise), [&](const Rule& rule, double start, double part) {
+            rows(rule, first + start * (last - first), part * (last - first), radius);
+        });
+    }
+
+    // Its lines from `first` on.
+    void rows(const Rule& rule, double first, double length, double radius) {
         for (std::size_t k = 0; k < rule.nodes; ++k) {
-            const double theta = first + (last - first) * rule.x[k];
+            const double theta = first + length * rule.x[k];
             const double y = radius * std::sin(theta), rim = std::sqrt((1.0 - y) * (1.0 + y));
-            const double weight = (last - first) * rule.w[k] * radius * std::cos(theta);
+            const double weight = length * rule.w[k] * radius * std::cos(theta);
             const auto between = [&](double low, double high) {
                 if (high > low) {
-                    line(y, low, high, weight, whole);
+                    line(y, low, high, weight);
                 }
             };
             if (radius == 1.0) {  // beside the obscurations
@@ -261,15 +294,16 @@ class Overlap {
         }
     }
 
-    void line(double y, double low, double high, double weight, double whole) {
-        const Rule& rule = rule_for((high - low) / whole);
+    void line(double y, double low, double high, double weight) {
         // Turned by half a turn, an even phase gives the conjugate; mirrored, a symmetric one gives the same.
         const bool once = even_ || mirrored_;
         const double times = (once ? 2.0 : 1.0) * weight * (high - low);
-        add_line(rule, y, low, high - low, times);
-        if (!once) {
-            add_line(rule, -y, low, high - low, times);
-        }
+        pieces(across_ * (high - low), [&](const Rule& rule, double first, double part) {
+            add_line(rule, y, low + first * (high - low), part * (high - low), part * times);
+            if (!once) {
+                add_line(rule, -y, low + first * (high - low), part * (high - low), part * times);
+            }
+        });
     }
 
     void add_line(const Rule& rule, double y, double low, double width, double weight) {
@@ -306,7 +340,9 @@ class Overlap {
     std::size_t degree_ = 1, more_ = 0;
     std::array<Line, size> powers_{}, shifted_{};  // of the phase and of D, [power of x][power of y]
     bool even_ = true, mirrored_ = true;  // under half a turn, and in y
-    double steepest_ = 0.0, f_ = 0.0, swing_ = 0.0, re_ = 0.0, im_ = 0.0;
+    double steepest_ = 0.0, bend_along_ = 0.0, bend_across_ = 0.0;
+    double across_ = 0.0, down_ = 0.0;  // how fast D runs along u and along y, at most
+    double f_ = 0.0, re_ = 0.0, im_ = 0.0;
 };
 
 }  // namespace lommel

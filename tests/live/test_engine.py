@@ -412,17 +412,17 @@ def test_a_focus_nearer_than_the_focal_length_is_refused(engine):
     )
 
 
-def test_more_defocus_than_the_tolerance_allows_has_a_larger_bound(engine):
+def test_the_image_of_large_defocus_is_that_of_quadrature_over_the_disk(engine):
     state = {"focus": "distances", "f_number": 1.8, "object_distance": 1 / (0.5 + 1.1), "coma": 0.3, "side": 128}
     made = engine.psf(state)
-    assert 1e-6 < made["bound"] <= 1e-3
+    assert made["bound"] is None
     pupil, step = stated_pupil(state), made["pixel"] * 1e-6
     v = math.pi * step / (pupil.wavelength * pupil.f_number) * (np.arange(128) - 64)
     middle = slice(60, 69)
     exact = np.abs(exact_lattice(pupil, v[middle], v[middle], rings=1400, angles=1200)) ** 2
     values = np.array(made["values"]).reshape(128, 128)[middle, middle]
     error = np.abs(values - exact * (v[1] - v[0]) ** 2 / (4 * math.pi)).max()
-    assert error <= made["bound"] * made["peak"]
+    assert error <= 1e-6 * made["peak"]
 
 
 @pytest.mark.parametrize("defocus", [1, 2, 3])
@@ -439,9 +439,9 @@ def test_the_mtf_with_pixels_is_that_of_the_package(engine, pixel):
     state = {"coma": 0.4, "astigmatism": 0.2, "pixel": pixel}
     found = engine.measures(state)["mtf"]
     answer = lm.psf(pupil_of(state), 33, pixel * 1e-6, tol=1e-8)
-    f = 1e3 * np.array(found["f"])
+    f = 1e3 * np.array(found["f"])[::4]
     for name, along in {"pixel_x": (f, 0.0), "pixel_y": (0.0, f)}.items():
-        assert np.array(found[name]) == pytest.approx(answer.mtf(*along), abs=2e-6), name
+        assert np.array(found[name])[::4] == pytest.approx(answer.mtf(*along), abs=2e-6), name
 
 
 @pytest.mark.parametrize("state", [{}, {"coma": 0.6, "coma_angle": 30, "obscuration": 0.3, "view": "averaged"}])
@@ -650,7 +650,7 @@ def heavy_states():
     """Settings with large defocus, and with large coma, astigmatism and trefoil: of every kind, obscured or not."""
     rng = np.random.default_rng(8)
     states = []
-    for i in range(20):
+    for i in range(8):
         state = {"defocus": rng.uniform(-50, 50) * (0.1 if i % 3 else 1), "spherical": rng.uniform(-2, 2)}
         for name, turn in (("coma", 180), ("astigmatism", 90), ("trefoil", 60)):
             state[name] = rng.uniform(0, 10) if i % 4 else 0.1
@@ -665,7 +665,7 @@ def heavy_states():
 def test_the_mtf_of_large_aberrations_is_that_of_the_package(engine, state):
     found, pupil = engine.measures({**state, "side": 64})["mtf"], pupil_of(state)
     f = np.array(found["f"])
-    which = np.unique(np.linspace(0, f.size - 1, 25).astype(int) // 4 * 4)
+    which = np.unique(np.linspace(0, f.size - 1, 8).astype(int) // 4 * 4)
     for name, (fx, fy) in {"x": (1e3 * f[which], 0.0), "y": (0.0, 1e3 * f[which])}.items():
         exact = lm.mtf(pupil, fx, fy, tol=1e-6)
         assert np.array(found[name])[which] == pytest.approx(exact, abs=1e-5), name
@@ -678,7 +678,7 @@ def test_the_mtf_of_a_lens_focused_far_from_the_object_is_that_of_the_package(en
     state |= {"object_distance": distance, "zernike": terms, "side": 64}
     found, pupil = engine.measures(state)["mtf"], stated_pupil(state)
     f = np.array(found["f"])
-    which = np.unique(np.linspace(0, f.size - 1, 21).astype(int) // 4 * 4)
+    which = np.unique(np.linspace(0, f.size - 1, 9).astype(int) // 4 * 4)
     exact = lm.mtf(pupil, 1e3 * f[which], 0.0, tol=1e-6)
     assert np.array(found["x"])[which] == pytest.approx(exact, abs=1e-5)
 

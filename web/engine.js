@@ -327,7 +327,7 @@ export function completed({ unaberrated, within, ...curves }, { peak, sum }) {
 // A fine view has fewer pixels of the same field while something is dragged; where the pupil is radial and the light of one
 // wavelength nothing is won by it.
 function asked(state, quality) {
-  const steepest = state.light === "white" ? 1250 : 3500;
+  const steepest = state.light === "white" ? 1250 : 3100;
   const waves = (slope) => Math.floor(slope / (4 * Math.PI));
   if (unevenSlope(state) > steepest) {
     throw new RangeError(
@@ -359,7 +359,7 @@ function beyondSeries(state, integrate) {
 }
 
 function beyondCircles(state) {
-  return unevenSlope(state) > (state.light === "white" ? 1200 : 2800);
+  return unevenSlope(state) > (state.light === "white" ? 1200 : 2750);
 }
 
 // Of settings that change the expected numbers, not of those of the display.

@@ -180,10 +180,10 @@ def test_profiles_are_relative_to_the_unaberrated_peak(engine, light):
     state = {"defocus": 0.8, "spherical": -0.4, "obscuration": 0.3, "light": light, "side": 64}
     found = engine.measures(state)["profile"]
     radii, way = np.array(found["r"]) * 1e-6, white(state)
-    step = radii[1]
+    step = radii[4]  # every fourth is at an equal distance, others may lie in dark rings
     for name, pupil in {"mean": pupil_of(state), "reference": pupil_of(state).unaberrated()}.items():
         row = lm.psf(pupil, (1, 129), step, method=way, normalize="strehl", center=(0, 0), integrate=False, tol=1e-8)
-        assert np.array(found[name])[:129] == pytest.approx(row.values[0], abs=1e-6), name
+        assert np.array(found[name])[: 4 * 128 + 1 : 4] == pytest.approx(row.values[0][:129], abs=1e-6), name
 
 
 def test_mean_and_light_in_a_window_are_those_of_its_pixels(engine):
@@ -286,7 +286,7 @@ def test_a_failure_is_a_sentence_and_the_next_call_works(engine):
     before = engine.psf({"coma": 0.4, "side": 32})
     failed = engine.psf({"coma": 10, "focus": "distances", "f_number": 0.8, "object_distance": 0.7})
     assert failed["kind"] == "RangeError"
-    assert re.match(r"this takes as long as \d+ waves of defocus, and the limit for .* is 278: stop", failed["error"])
+    assert re.match(r"this takes as long as \d+ waves of defocus, and the limit for .* is 246: stop", failed["error"])
     # Of the core itself, which is then another instance: what was thrown left things undone.
     failed, anew = engine.page.evaluate(
         """() => {
@@ -495,8 +495,11 @@ def test_rays_meet_the_sensor_where_the_package_has_them(engine, state):
     assert np.stack([found["x"], found["y"]], axis=1) == pytest.approx(exact, abs=1e-6 * np.abs(exact).max())
 
 
+SENSOR = {"view": "sampled", "pixel": 0.2}
+
+
 def test_noise_has_the_variance_of_photons_and_of_the_readout(engine):
-    state = {"side": 256, "defocus": 1.0, "noise": "on", "photons": 2e6, "read_noise": 3.0}
+    state = {"side": 256, "defocus": 1.0, "noise": "on", "photons": 2e6, "read_noise": 3.0, **SENSOR}
     made = engine.psf(state)
     expected = 2e6 * np.array(made["values"])
     rest = (np.array(made["counts"]) - expected) / np.sqrt(expected + 9.0)
@@ -508,7 +511,7 @@ def test_noise_has_the_variance_of_photons_and_of_the_readout(engine):
 
 
 def test_photons_alone_are_whole_numbers_with_the_distribution_of_poisson(engine):
-    made = engine.psf({"side": 256, "defocus": 3.0, "noise": "on", "photons": 1e6, "read_noise": 0})
+    made = engine.psf({"side": 256, "defocus": 3.0, "noise": "on", "photons": 1e6, "read_noise": 0, **SENSOR})
     counts, expected = np.array(made["counts"]), 1e6 * np.array(made["values"])
     assert np.array_equal(counts, np.round(counts))
     for low, high in ((0.5, 2.0), (5, 12), (30, 45)):
@@ -521,12 +524,13 @@ def test_photons_alone_are_whole_numbers_with_the_distribution_of_poisson(engine
 
 
 def test_the_same_setting_has_the_same_noise_and_another_one_another(engine):
-    state = {"side": 64, "noise": "on", "photons": 1e4}
+    state = {"side": 64, "noise": "on", "photons": 1e4, **SENSOR}
     first = engine.psf(state)["counts"]
     assert engine.psf({**state, "map": "gray", "focal_length": 85})["counts"] == first
     assert engine.psf({**state, "read_noise": 2.1})["counts"] != first
     assert "counts" not in engine.psf({"side": 64})
     picture = np.full((1, 40, 50), 0.5)
+    state["pixel"] = 2
     noisy = blurred_planes(engine, {**state, "photons": 100, "read_noise": 0}, picture)
     assert np.array_equal(noisy, blurred_planes(engine, {**state, "photons": 100, "read_noise": 0}, picture))
     assert noisy.mean() == pytest.approx(0.5, abs=5 * math.sqrt(0.005 / 2000))
@@ -722,3 +726,45 @@ def test_very_large_defocus_is_computed_without_a_bound_or_refused_at_once(engin
         )
         assert "stop down, or reduce the defocus" in failed[0]
         assert failed[1] < 300
+
+
+@pytest.mark.parametrize("quality", ["settled", "drag"])
+def test_dark_rings_of_the_airy_pattern_are_dark(engine, quality):
+    found = engine.measures({"defocus": 0, "side": 64}, quality)["profile"]
+    r, unit = np.array(found["r"]), 0.55 * 4
+    for zero in (1.219670, 2.233131, 3.238315):
+        assert np.interp(zero * unit, r, found["mean"]) < 1e-6
+        assert np.interp(zero * unit, r, found["reference"]) < 1e-6
+    at = np.linspace(0, 3.5, 200)
+    exact = lm.psf(
+        pupil_of({"defocus": 0}), (1, 801), unit * 3.5e-6 / 800, center=(0, 0), integrate=False, normalize="strehl"
+    )
+    values = np.interp(at, np.linspace(0, 3.5, 801), exact.values[0])
+    assert np.interp(at * unit, r, found["mean"]) == pytest.approx(values, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("state", "depth"),
+    [
+        ({"defocus": 1.0}, 1.0),
+        ({"defocus": 0.6}, 0.6),
+        ({"defocus": 4 / 3, "obscuration": 0.5}, 1.0),
+        ({"defocus": -1.0, "spherical": 1.0}, 0.25),
+        ({"defocus": 0, "astigmatism": 0.7, "astigmatism_angle": 17}, 1.4),
+        ({"defocus": 0, "trefoil": 0.3, "trefoil_angle": 11, "obscuration": 0.3}, 0.6),
+        ({"defocus": 0, "coma": 0.5, "coma_angle": 33}, 1.0),
+    ],
+)
+def test_peak_to_valley_is_of_the_closed_aperture(engine, state, depth):
+    made = engine.page.evaluate(
+        "(given) => { const { low, high } = engine.maps(given, 40); return high - low }", state
+    )
+    assert made == pytest.approx(depth, abs=1e-5)
+
+
+def test_the_fine_view_has_no_photons_for_its_samples_are_no_pixels(engine):
+    state = {"side": 64, "noise": "on", "photons": 1000}
+    assert "counts" not in engine.psf(state)
+    counts = engine.psf({**state, "view": "averaged", "side": 65, "read_noise": 0})["counts"]
+    assert 800 < sum(counts) < 1200
+    assert max(counts) > 20

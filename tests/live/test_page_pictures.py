@@ -263,8 +263,8 @@ def test_rays_lie_where_the_geometry_has_them(visit: Callable[..., Any]) -> None
     places = re.findall(r"M([\d.]+) ([\d.]+)", page.locator(".now .rays path").last.get_attribute("d"))
     x, y = (np.array(places, dtype=float) / 1000 - 64.5 / 128).T * 128 * page.evaluate("live.result().psf.pixel")
     reach = np.hypot(x, y).max()
-    # 2 N times the slope of the wavefront, 2 W020 lambda rho, at the outermost ring of rays.
-    assert reach == pytest.approx(2 * 4 * 2 * 3 * 0.55 * 10 / 10.5, rel=0.01)
+    # 2 N times the slope of the wavefront, 2 W020 lambda rho, of marginal rays.
+    assert reach == pytest.approx(2 * 4 * 2 * 3 * 0.55, rel=0.01)
 
 
 def test_noise_is_drawn_as_electrons(visit: Callable[..., Any]) -> None:

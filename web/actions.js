@@ -39,6 +39,19 @@ export function actions(view) {
     view.page.heldPicture.checked = false;
     view.draw();
   };
+  const openAny = async (file) => {
+    if (SUFFIXES.some((suffix) => file.name.toLowerCase().endsWith(suffix)) || !/^image\//.test(file.type)) return openFile(view, file);
+    try {
+      view.own = await ownPicture(file);
+      view.tell("");
+      if (view.gone) return;
+      view.set({ picture: "own" });
+      view.wanted ??= "picture";
+      view.schedule();
+    } catch (error) {
+      view.tell(error.message);
+    }
+  };
   return {
     pick(change) {
       if (change.picture !== "own" || view.own) return view.set(change);
@@ -47,20 +60,10 @@ export function actions(view) {
     },
     // Lens files and tables by their suffix, others as pictures.
     async file(files) {
-      const file = files?.[0];
-      if (!file) return;
+      const isLens = ({ name }) => name.toLowerCase().endsWith(".toml");
+      const list = [...(files ?? [])].sort((a, b) => isLens(b) - isLens(a)); // tables after the lens that names them
       view.page.file.value = "";
-      if (SUFFIXES.some((suffix) => file.name.toLowerCase().endsWith(suffix)) || !/^image\//.test(file.type)) return openFile(view, file);
-      try {
-        view.own = await ownPicture(file);
-        view.tell("");
-        if (view.gone) return;
-        view.set({ picture: "own" });
-        view.wanted ??= "picture";
-        view.schedule();
-      } catch (error) {
-        view.tell(error.message);
-      }
+      for (const file of list) await openAny(file);
     },
     before: () => view.drawRecorded(),
     preset(index) {
@@ -108,7 +111,7 @@ export async function openFile(view, file) {
     if (file.size > MOST_BYTES) throw new Error(`${file.name} has ${file.size} bytes; the limit is ${MOST_BYTES}.`);
     const text = decodedText(new Uint8Array(await file.arrayBuffer()));
     if (view.gone) return false;
-    view.take(readFile(file.name, text, view.state));
+    view.take(readFile(file.name, text, view.state, view.waiting));
     view.tell("");
     return true;
   } catch (error) {

@@ -60,7 +60,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
   );
 
   const onchange = () => actions.file(page.file.files);
-  page.file = el("input", { type: "file", class: "unseen", tabindex: -1, "aria-label": "File", onchange });
+  page.file = el("input", { type: "file", multiple: true, class: "unseen", tabindex: -1, "aria-label": "File", onchange });
   const choose = (accept) => {
     page.file.accept = accept;
     page.file.click();

@@ -154,8 +154,8 @@ function addAplanatic(terms, radius, sphere, vergence, wavelength) {
   for (let j = 1; j <= 30; j++) if (Math.abs(sums[j]) > 1e-13 * size) terms.plus(2 * j, 0, sums[j]);
 }
 
-// {name, source, state, left_out} of a lens file.
-function lensOf(raw, where, faults) {
+// {name, source, state, left_out, pending} of a lens file; with the table of Zernike coefficients that it names, if that is open.
+function lensOf(raw, where, faults, opened) {
   const { name, source = "", lens = {}, aperture = {}, aberrations = {}, object = {}, sensor = {}, ...others } = checkedSection(raw, SECTIONS, "", where, faults);
   for (const key of REQUIRED) {
     const [section, entry] = key.split(".");
@@ -175,7 +175,7 @@ function lensOf(raw, where, faults) {
   if (zernike !== undefined) {
     const at = (key) => where(`aberrations.zernike.${key}`);
     if (zernike === null || typeof zernike !== "object" || Array.isArray(zernike)) faults.push(`${where("aberrations.zernike")}: must be a section`);
-    else if (zernike.file === undefined) table = sectionTable(zernike, at, faults);
+    else table = zernike.file === undefined ? sectionTable(zernike, at, faults) : opened;
   }
   if (faults.length) return null;
 
@@ -202,7 +202,8 @@ function lensOf(raw, where, faults) {
   const leftOut = [];
   const { ellipse, cat_eye: catEye, mask } = aperture;
   const vanes = equalVanes(spider, radius);
-  if (typeof zernike?.file === "string") leftOut.push(`the Zernike table ${zernike.file}, which can be opened after this file`);
+  const pending = typeof zernike?.file === "string" && !table;
+  if (pending) leftOut.push(`the Zernike table ${zernike.file}, which can be opened after this file`);
   if ((spider && !vanes) || ellipse || catEye || mask) leftOut.push("the spider, vignetting or mask");
   if (lens.apodization && inWords(lens.apodization) !== "[]") leftOut.push("the apodization");
   if (others.colour) leftOut.push("colour aberrations");
@@ -221,7 +222,7 @@ function lensOf(raw, where, faults) {
     pixel: sensor.pixel * 1e6,
     ...vanes,
   };
-  return { name, source, ...withWavefront(state, placed ? own : terms, leftOut) };
+  return { name, source, pending, ...withWavefront(state, placed ? own : terms, leftOut) };
 }
 
 const FARTHEST_OBJECT = 1e12; // metres, which stands for infinity
@@ -301,8 +302,8 @@ export function decodedText(bytes) {
 }
 
 // {name, source, state, left_out} of a file by its name and text; all errors in one message. A table of Zernike coefficients is the
-// wavefront of the lens in the given state.
-export function readFile(name, text, given) {
+// wavefront of the lens in the given state, or of the lens file that names one, {name, text}.
+export function readFile(name, text, given, waiting = null) {
   const suffix = /\.([a-z]+)$/i.exec(name)?.[1].toLowerCase() ?? "";
   const faults = [];
   let found = null;
@@ -310,7 +311,10 @@ export function readFile(name, text, given) {
     if (text.length > MOST_BYTES) throw new Error(`has ${text.length} characters; the limit is ${MOST_BYTES}`);
     if (!Object.hasOwn(READERS, suffix)) throw new Error(`must end in .${Object.keys(READERS).join(", .")}: a lens file or a Zernike table`);
     found = READERS[suffix](text, faults);
-    if (found?.terms && !faults.length) found = { name: name.slice(0, 80), source: "", ...withTable(given, found) };
+    if (found?.terms && !faults.length) {
+      if (waiting) found = { name: waiting.name, ...structured(waiting.text, faults, found) };
+      else found = { name: name.slice(0, 80), source: "", ...withTable(given, found) };
+    }
   } catch (error) {
     faults.push(error.message);
   }
@@ -318,7 +322,7 @@ export function readFile(name, text, given) {
     const more = faults.length > MOST_FAULTS ? `; and ${faults.length - MOST_FAULTS} more` : "";
     throw new Error(`${(name || "The file").slice(0, 60)}: ${faults.slice(0, MOST_FAULTS).join("; ")}${more}.`);
   }
-  return { ...found, name: found.name || name.replace(/\.toml$/i, "") };
+  return { ...found, name: found.name || name.replace(/\.toml$/i, ""), waiting: found.pending ? { name, text } : null };
 }
 
 const READERS = {
@@ -331,14 +335,14 @@ const READERS = {
 };
 export const SUFFIXES = Object.keys(READERS).map((suffix) => `.${suffix}`);
 
-function structured(text, faults) {
+function structured(text, faults, opened = null) {
   const { root, lines } = parseToml(text);
   const where = (path) => {
     for (let at = path; at; at = at.slice(0, Math.max(0, at.lastIndexOf(".")))) if (lines.has(at)) return `${path} (line ${lines.get(at)})`;
     return path;
   };
   if (root.objective && !root.lens) throw new Error("describes a microscope, [objective]; this page takes lenses, [lens]");
-  return root.terms && !root.lens ? sectionTable(root, where, faults) : lensOf(root, where, faults);
+  return root.terms && !root.lens ? sectionTable(root, where, faults) : lensOf(root, where, faults, opened);
 }
 
 function parsedJson(text) {

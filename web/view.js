@@ -319,8 +319,14 @@ export class View {
     const state = { ...changed(DEFAULTS, lens.state) };
     for (const key of BESIDE_LENS) if (key !== "focal_length") state[key] = this.state[key];
     this.lenses = [{ source: "", left_out: "", ...lens, state }, ...this.lenses.filter(({ name }) => name !== lens.name)];
-    this.lens = undefined;
+    this.lens = this.named = undefined; // other notes, even of the same numbers
     this.set(state);
+    this.schedule();
+  }
+
+  // The lens file, unchanged since, whose table of Zernike coefficients is not open.
+  get waiting() {
+    return this.lenses.find((lens) => sameLens(lens.state, this.state))?.waiting;
   }
 
   // What fails is told on the page, which lives on.

@@ -624,13 +624,14 @@ def test_a_thin_vane_hardly_changes_large_aberrations(engine):
     state = {"defocus": 20, "spherical": 3, "coma": 1}
     clear, cut = engine.measures(state), engine.measures({**state, "vanes": 1, "vane_width": 0.001})
     hidden = 0.001 / math.pi
-    assert cut["energy"]["share"] == pytest.approx(clear["energy"]["share"], abs=5 * hidden)
-    assert cut["energy"]["reference"] == pytest.approx(clear["energy"]["reference"], abs=5 * hidden)
+    for name in ("share", "reference"):
+        assert cut["energy"][name] == pytest.approx(clear["energy"][name][::4], abs=5 * hidden)
     assert cut["d80"] == pytest.approx(clear["d80"], rel=1e-3)
-    mean = np.array(clear["profile"]["mean"])
+    mean = np.array(clear["profile"]["mean"])[::4]
     assert cut["profile"]["mean"] == pytest.approx(mean, abs=math.sqrt(hidden) * mean.max())
     for name in ("x", "y"):
-        assert cut["mtf"][name] == pytest.approx(clear["mtf"][name], abs=5 * hidden)
+        same = np.interp(clear["mtf"]["f"], cut["mtf"]["f"], cut["mtf"][name])
+        assert same == pytest.approx(clear["mtf"][name], abs=5 * hidden + 1e-3)
 
 
 @pytest.mark.parametrize(("pixel", "light"), [(20.0, "mono"), (50.0, "white")])

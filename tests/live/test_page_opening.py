@@ -150,6 +150,46 @@ def test_plain_columns_and_utf_16_are_read(visit: Callable[..., Any]) -> None:
     assert state(page)["defocus"] == pytest.approx(0.5 - 0.0, rel=1e-8)
 
 
+def lens_with_table(name: str, title: str = "A lens") -> str:
+    lens = '[lens]\nfocal_length = "6 mm"\nf_number = 2.8\nfocus_distance = "0.7 m"\nwavelength = "550 nm"\n'
+    return f'name = "{title}"\n{lens}[sensor]\npixel = "2 um"\n[aberrations]\nzernike = {{ file = "{name}" }}\n'
+
+
+@pytest.mark.parametrize("together", [False, True])
+def test_a_listing_that_a_lens_file_names_becomes_the_wavefront_of_that_lens(
+    visit: Callable[..., Any], tmp_path: Path, together: bool
+) -> None:
+    texts = {"terms.txt": LISTING.format(kind="Fringe"), "lens.toml": lens_with_table("terms.txt")}
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    page = visit("/mounted#side=32")
+    if together:
+        page.locator("input[type=file]").set_input_files([tmp_path / name for name in texts])
+        page.wait_for_function("live.state.coma !== 0")
+    else:
+        assert opened(page, "lens.toml", texts["lens.toml"])["taken"]
+        page.get_by_text("terms.txt, which can be opened after this file").wait_for()
+        assert opened(page, "terms.txt", texts["terms.txt"])["taken"]
+    rest(page)
+    assert_same(state(page), complete(state_of(lm.load_instrument(tmp_path / "lens.toml"))[0]))
+    assert page.get_by_role("heading", name="A lens", exact=True).count()
+    assert not page.get_by_text("which can be opened after").count()
+    # Without such a lens it is a wavefront at its own wavelength, as ever.
+    assert opened(page, "terms.txt", texts["terms.txt"])["state"]["wavelength"] == pytest.approx(632.8)
+
+
+def test_a_file_of_the_same_numbers_has_its_own_note(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=32")
+    for name in ("terms.txt", "absent.txt"):
+        assert opened(page, "lens.toml", lens_with_table(name))["taken"]
+        rest(page)
+        page.wait_for_function(
+            "name => document.querySelector('.lommel-live-host').shadowRoot.textContent.includes(`${name}, which`)",
+            arg=name,
+            timeout=3000,
+        )
+
+
 GOOD = '[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\n'
 FAULTS = {
     "not TOML": (GOOD + "name = \n", ".toml", ["line 7"]),

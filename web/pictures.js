@@ -115,12 +115,14 @@ function linear(data, count) {
   return planes;
 }
 
-// A file of the user, made to have about as many pixels as the others; grey ones keep one plane.
+const MOST = 480_000; // pixels that are blurred and drawn while something is dragged
+
+// A file of the user, with at most so many pixels, each of which stands for `reduced` of them in a row; grey ones keep one plane.
 export async function ownPicture(file) {
   const bitmap = await createImageBitmap(file).catch(() => {
     throw new Error(`${file.name || "This file"} is not a picture that the browser reads.`);
   });
-  const scale = Math.min(1, Math.sqrt((WIDTH * HEIGHT) / (bitmap.width * bitmap.height)));
+  const scale = Math.min(1, Math.sqrt(MOST / (bitmap.width * bitmap.height)));
   const width = Math.max(8, Math.round(bitmap.width * scale));
   const height = Math.max(8, Math.round(bitmap.height * scale));
   const context = scratch(width, height);
@@ -131,5 +133,5 @@ export async function ownPicture(file) {
   let grey = true;
   for (let i = 0; i < data.length && grey; i += 4) grey = data[i] === data[i + 1] && data[i] === data[i + 2];
   const count = grey ? 1 : 3;
-  return { planes: linear(data, count), width, height, count };
+  return { planes: linear(data, count), width, height, count, reduced: 1 / scale };
 }

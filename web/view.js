@@ -61,6 +61,9 @@ function matters(part, key, { focus }) {
   return !LOOKS.has(key) || (focus === "distances" && key === "focal_length") || (part === "recorded" && key === "picture");
 }
 
+// The state with the pixels of a picture that was reduced.
+const sensorOf = (state, { reduced = 1 }) => ({ ...state, pixel: state.pixel * reduced });
+
 // What takes long in a state.
 function longSaid({ view, light }) {
   if (view === "averaged") return "averages over pixels";
@@ -406,7 +409,7 @@ export class View {
     const picture = (state.picture === "own" && this.own) || testPicture(state.picture);
     const { planes, width, height } = picture;
     const fast = quality === "drag" ? "drag" : "settled";
-    const recorded = await this.client.call("blur", state, planes, width, height, fast);
+    const recorded = await this.client.call("blur", sensorOf(state, picture), planes, width, height, fast);
     const count = recorded.length / (width * height); // three of one, in white light
     got({ recorded: { ...picture, planes: recorded, count }, picture });
   }
@@ -477,7 +480,7 @@ export class View {
 
   async recordHeld(held, picture) {
     const { planes, width, height } = picture;
-    const recorded = await this.client.call("blur", held.state, planes, width, height, "settled").catch(({ message }) => {
+    const recorded = await this.client.call("blur", sensorOf(held.state, picture), planes, width, height, "settled").catch(({ message }) => {
       this.tell(`The picture through A cannot be computed: ${message}`);
     });
     if (this.gone || !recorded) return;
@@ -550,8 +553,10 @@ export class View {
     page.psf.setAttribute("aria-label", this.compare.shown === "difference" ? `Difference, B minus A. B: ${said}` : said);
     if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
     const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";
-    const pitch = `a sensor with pixels of ${short(state.pixel)} micrometres`;
+    const { width, height, reduced = 1 } = shown.picture ?? {};
+    const pitch = `a sensor with pixels of ${short(sensorOf(state, { reduced }).pixel)} micrometres`;
     page.recorded.setAttribute("aria-label", `${name}, blurred as ${pitch} records it.`);
+    page.recorded.title = reduced > 1 ? `Reduced to ${width} × ${height} pixels, of ${short(sensorOf(state, { reduced }).pixel, 3)} µm each` : "";
     const titles = { profile: "Profile", energy: "Encircled energy", mtf: "MTF" };
     for (const [key, { node, shown: curves }] of Object.entries(page.plots))
       if (curves) node.setAttribute("aria-label", plotSaid(titles[key], curves.x, curves.curves));

@@ -195,6 +195,28 @@ def test_a_picture_of_ones_own_is_blurred_here_and_stays_here(visit: Callable[..
     page.locator(".notice", has_text="no.png is not a picture").wait_for()
 
 
+def test_a_large_picture_is_said_to_be_reduced_and_has_larger_pixels(visit: Callable[..., Any]) -> None:
+    image = pytest.importorskip("PIL.Image")
+    page = visit("/mounted#side=64&pixel=2&defocus=3")
+    sides = {}
+    for width, height in ((600, 400), (2400, 1600)):
+        file = io.BytesIO()
+        values = np.zeros((height, width), dtype=np.uint8)
+        values[:, width // 2 :] = 255
+        image.fromarray(values).save(file, "PNG")
+        page.locator("input[type=file]").set_input_files(
+            {"name": f"{width}.png", "mimeType": "image/png", "buffer": file.getvalue()}
+        )
+        page.wait_for_function("live.state.picture === 'own'")
+        page.wait_for_timeout(100)
+        rest(page)
+        sides[width] = page.locator(".picture canvas").evaluate("node => [node.width, node.height, node.title]")
+        page.evaluate("live.set({ picture: 'bars' })")
+        rest(page)
+    assert sides[600] == [600, 400, ""]
+    assert sides[2400] == [849, 566, "Reduced to 849 × 566 pixels, of 5.66 µm each"]
+
+
 REFUSING = """const { postMessage } = Worker.prototype;
 Worker.prototype.postMessage = function (message) {
   const refused = message.arguments[0].defocus === 13;

@@ -11,7 +11,7 @@ from matplotlib.text import Text
 import lommel as lm
 from lommel.methods import METHODS
 from lommel.show import plot
-from lommel.show.drawing import columns_of, entitle, round_length
+from lommel.show.drawing import columns_of, entitle, fitted, round_length
 
 METRIC = {"wavelength": 500e-9, "f_number": 4.0}
 
@@ -149,12 +149,12 @@ def test_a_comparison_shows_every_image_and_the_slices_and_the_errors(answers):
     *pictures, slices, errors = figure.axes
     truth, others = answers["Hankel"], [name for name in answers if name != "Hankel"]
     first, *maps, bar = pictures
-    assert [axes.get_title() for axes in (first, *maps)] == ["Hankel, the reference", *others]
+    assert [axes.get_title() for axes in (first, *maps)] == ["Hankel, the reference\n(square root)", *others]
     np.testing.assert_array_equal(first.get_images()[0].get_array(), truth.values)
     for axes, name in zip(maps, others, strict=True):
         away = np.abs(answers[name].values - truth.values) / truth.values.max()
         np.testing.assert_allclose(axes.get_images()[0].get_array(), np.maximum(away, 1e-12), rtol=1e-6)
-    assert bar.get_ylabel() == errors.get_ylabel() == "error / peak of Hankel"
+    assert bar.get_ylabel() == errors.get_ylabel() == "error / peak of the reference"
     assert len(slices.get_lines()) == 1
     assert len(errors.get_lines()) == len(others)
     assert {axes.get_xlabel() for axes in (slices, errors)} == {"distance from the centre (µm)"}
@@ -185,6 +185,20 @@ def test_a_line_of_errors_has_its_name_at_its_end_in_its_colour(answers):
     heights = [Text.get_window_extent(text).height for text in errors.texts]
     assert min(np.diff(places)) > max(heights)
     assert all(text.get_window_extent().x1 <= figure.bbox.x1 for text in errors.texts)
+
+
+@pytest.mark.parametrize("count", [2, 3, 5])
+def test_nothing_of_a_comparison_overlaps_nor_leaves_the_figure(answers, count):
+    long = "nonuniform-fft (tol=1e-11)"
+    few = {long: answers["Hankel"]} | dict(list(answers.items())[1:count])
+    figure = plot.compare(few, long)
+    figure.draw_without_rendering()
+    titles = [axes.title.get_window_extent() for axes in figure.axes if axes.get_title()]
+    labels = [axes.yaxis.label.get_window_extent() for axes in figure.axes if axes.get_ylabel()]
+    for box in (*titles, *labels):
+        assert figure.bbox.x0 <= box.x0 <= box.x1 <= figure.bbox.x1
+        assert figure.bbox.y0 <= box.y0 <= box.y1 <= figure.bbox.y1
+    assert not any(a.overlaps(b) for k, a in enumerate(titles) for b in titles[:k])
 
 
 @pytest.mark.parametrize("count", [1, 2])
@@ -300,6 +314,14 @@ def test_titles_are_no_wider_than_their_figures_and_say_the_stretch(stretch):
     assert {"sqrt": "square root", "linear": "brightness: the value", "log": "logarithm"}[stretch] in " ".join(
         figure.get_suptitle().split()
     )
+
+
+def test_lines_of_a_title_are_about_equally_long():
+    text = "brightness: the square root of the value, each channel over its largest value"
+    lines = fitted(text, plt.figure(figsize=(4.8, 3.0))).split("\n")
+    assert len(lines) == 2
+    assert min(map(len, lines)) > 0.7 * max(map(len, lines))
+    assert " ".join(lines) == text
 
 
 @pytest.mark.parametrize(("count", "columns"), [(1, 1), (8, 8), (9, 3), (12, 4), (16, 4), (25, 5), (49, 7), (64, 8)])

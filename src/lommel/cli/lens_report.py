@@ -87,7 +87,7 @@ def introduce_lens(instrument: Instrument) -> Report:
 def summarize_lens(instrument: Instrument) -> Report:
     """Return the same with one line for people."""
     setup = introduce_lens(instrument)
-    focused, seen = _distinct(setup.facts["focus_distance"], setup.facts["object_distance"])
+    focused, seen = distinct(setup.facts["focus_distance"], setup.facts["object_distance"])
     lens = instrument.lens
     line = (
         f"f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}, {format_length(lens.wavelength)}; "
@@ -114,7 +114,7 @@ def _depth_of_field(instrument: Instrument) -> tuple[float | None, float, float 
 
 def _setup(facts: Facts) -> list[tuple[str, str | None]]:
     """Return the rows of lens, object and sensor."""
-    focused, seen = _distinct(facts["focus_distance"], facts["object_distance"])
+    focused, seen = distinct(facts["focus_distance"], facts["object_distance"])
     obscured = f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else ""
     pixel, sharp = pitch_in_words(facts["pixel"]), facts["in_focus"]
     if facts["arcsec_per_pixel"]:
@@ -122,7 +122,7 @@ def _setup(facts: Facts) -> list[tuple[str, str | None]]:
     if facts["pixel_in_object"]:
         pixel += f", {format_length(facts['pixel_in_object'])} in the sample"
     if sharp is not None:
-        near, far = _distinct(sharp["near"], sharp["far"])
+        near, far = distinct(sharp["near"], sharp["far"])
         sharp = f"{near} to {far} (circle of confusion up to {IN_FOCUS:g} pixels)"
     hyperfocal = facts["hyperfocal_distance"]
     return [
@@ -399,10 +399,10 @@ def _finite(value: float) -> float | None:
     return None if math.isinf(value) else value
 
 
-def _distinct(*distances: float | None) -> list[str]:
+def distinct(*distances: float | None) -> list[str]:
     """Return lengths with enough digits for different ones to look different."""
     for digits in range(4, 13):
-        texts = ["infinity" if d is None else format_length(d, digits=digits) for d in distances]
+        texts = [format_length(math.inf if d is None else d, digits=digits) for d in distances]
         if len(set(texts)) == len(set(distances)):
             break
     return texts

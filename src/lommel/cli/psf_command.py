@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import click
 
+from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
 from lommel.cli.instruments import INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, STACK, instrument_of, microscope_of
-from lommel.cli.lens_report import summarize_lens
+from lommel.cli.lens_report import distinct, summarize_lens
 from lommel.cli.options import FILE, JSON, WINDOW, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
@@ -27,6 +28,7 @@ from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.psf import PSF
 from lommel.psf import psf as compute
+from lommel.show.drawing import STRETCHES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -57,7 +59,9 @@ class _Product(Generic[Made]):
            help=f"Output file; may be repeated. Formats: {suffixes('psf', described=True)}. "
            f"With --field: {suffixes('field')}. "
            f"With --colour: {suffixes('colours')}."),
-    plot_option("Figure with axes and a colour bar (square-root scale)"),
+    plot_option("Figure with axes and a colour bar"),
+    Option("--stretch", default="sqrt", type=click.Choice(list(STRETCHES)), show_default=True,
+           help="Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes."),
     OBJECT_DISTANCE,
     PIXEL,
     SHAPE,
@@ -90,6 +94,7 @@ def psf(
     lens: Path,
     outputs: tuple[Path, ...],
     figure: Path | None,
+    stretch: str,
     field: int | tuple[int, int] | None,
     colour: bool,
     mtf: bool,
@@ -105,6 +110,7 @@ def psf(
     Examples
     --------
       lommel psf hubble-1990.toml -o hubble.tif -o hubble.png
+      lommel psf newtonian-off-axis.toml --plot star.png --stretch log
       lommel psf phone.toml --object-distance 1.2m --tol 1e-9 -o phone.npz
       lommel psf phone.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
       lommel psf camera-field.toml --field 5x7 --plot field.png -o field.tif
@@ -118,19 +124,22 @@ def psf(
         raise ValueError("tol is given twice, by --tol and by --set")
     microscope = microscope_of(lens, field=field, colour=colour or None, mtf=mtf or None, **given)
     if microscope is not None:
-        return _write(_of_microscope(microscope, options), outputs, figure)
+        return _write(_of_microscope(microscope, options), outputs, figure, stretch)
     lens_only = {name: value for name, value in given.items() if name not in ("stack", "step", "depth")}
     instrument = instrument_of(lens, **lens_only)
     options |= instrument.sensor_options
     channels = (instrument.channels or Channels.rgb()) if colour else None
     if field is not None:
-        return _write(_of_field(instrument, field, channels, mtf, options), outputs, figure)
+        return _write(_of_field(instrument, field, channels, mtf, options), outputs, figure, stretch)
     if channels is not None:
-        return _write(_in_colour(instrument, channels, mtf, options), outputs, figure)
-    return _write(_of_lens(instrument, mtf, options), outputs, figure)
+        return _write(_in_colour(instrument, channels, mtf, options), outputs, figure, stretch)
+    return _write(_of_lens(instrument, mtf, options), outputs, figure, stretch)
 
 
-def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | None) -> Report:
+_SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}
+
+
+def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | None, stretch: str) -> Report:
     """Compute a product, write its files, and return its report."""
     # All is checked before anything is computed.
     files = [place for path in outputs for place in product.find(path, "--output").places(path)]
@@ -150,12 +159,16 @@ def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | No
             if path not in drawn:
                 made.save(path)
         if drawn:
-            axes: Any = made.plot()
+            axes: Any = made.plot(stretch=stretch)
             first = axes.flat[0] if hasattr(axes, "flat") else axes
             product.entitle(first)
             for path in drawn:
                 save_figure(first.figure, path)
-    return report + written(files, lambda path: product.drawn if path in drawn else product.note(made, path))
+
+    def note(path: Path) -> str:
+        return product.drawn.format(_SCALES[stretch]) if path in drawn else product.note(made, path)
+
+    return report + written(files, note)
 
 
 def _mtf(wanted: bool, *of: Any) -> Report:
@@ -172,9 +185,9 @@ def _of_lens(instrument: Instrument, mtf: bool, options: Facts) -> _Product[PSF]
         report=lambda made, seconds: (
             summarize_lens(instrument) + reports.describe_psf(made, seconds) + _mtf(mtf, instrument)
         ),
-        entitle=lambda axes: axes.set_title(_named(axes, instrument.name, axes.get_title()), fontsize=9),
+        entitle=lambda axes: axes.set_title(_named(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,
-        drawn=": square root of the values",
+        drawn=": {}",
     )
 
 
@@ -185,6 +198,7 @@ def _of_field(
     if not isinstance(field, tuple):
         raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
     rows, columns = field
+    setting = _setting(instrument, channels).replace("\n", "; ")  # three lines would not fit
     if channels is not None:
         options["channels"] = channels
 
@@ -207,9 +221,12 @@ def _of_field(
         make=make,
         report=report,
         entitle=lambda axes: axes.set_title(
-            _named(axes, instrument.name, axes.get_title("left")), fontsize=9, loc="left", pad=22
+            _named(axes, setting, axes.get_title("left")),
+            fontsize=9,
+            loc="left",
+            pad=22,
         ),
-        drawn="" if channels else ": square root of the values, each PSF normalized to its maximum",
+        drawn="" if channels else ": {}, each PSF normalized to its maximum",
     )
 
 
@@ -222,7 +239,7 @@ def _in_colour(instrument: Instrument, channels: Channels, mtf: bool, options: F
         report=lambda made, seconds: (
             reports.describe_colour(instrument, made, seconds) + _mtf(mtf, instrument, None, channels)
         ),
-        entitle=lambda axes: _entitle_figure(axes, instrument.name),
+        entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
 
 
@@ -240,9 +257,18 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
         ),
         entitle=lambda axes: _entitle_figure(axes, microscope.name),
         note=_picture_note,
-        drawn=f": {'sections xy, xz and yz, ' if stack else ''}square root of the values",
+        drawn=f": {'sections xy, xz and yz, ' if stack else ''}{{}}",
         sections=stack,
     )
+
+
+def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
+    """Return the name of a lens, its wavelength unless there are channels, and its distances."""
+    lens = instrument.lens
+    focused, seen = distinct(lens.focus_distance, instrument.object_distance)
+    light = "" if channels else f"{format_length(lens.wavelength)}, "
+    where = f"object at {seen}" if focused == seen else f"focus at {focused}, object at {seen}"
+    return f"{instrument.name}\n{light}{where}"
 
 
 def _named(axes: Axes, name: str, title: str) -> str:

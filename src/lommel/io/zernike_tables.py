@@ -446,6 +446,8 @@ _WAVELENGTH = re.compile(r"^\s*Wavelength\s*:\s*([\d.,]+)\s*(\S+)\s*$", re.MULTI
 _RATIO = re.compile(r"^\s*(?:Obscuration|Epsilon|Annular ratio)[\w ]*:\s*([\d.,]+)\s*$", re.MULTILINE | re.IGNORECASE)
 _TERM = re.compile(r"^\s*Z\s*(\d{1,4})\s*[:=]?\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*(?::.*)?$", re.ASCII)
 _ENTRY = re.compile(r"^\s*Z\s*\d", re.ASCII)
+# Which no other term has; by its number the orders differ.
+_SPHERICAL = re.compile(r":.*\(\s*6\s*p\^4\s*-\s*6\s*p\^2\s*\+\s*1\s*\)\s*$", re.IGNORECASE)
 _BOMS = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16", codecs.BOM_UTF8: "utf-8-sig"}
 
 
@@ -475,6 +477,12 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
                 found.append(f"line {place}: a term must have a number and a value, got {validation.shown(line)}")
             continue
         index, value = int(entry[1]), _number(entry[2])
+        place_of = {"standard": 11, "fringe": 9}.get(kind)
+        if place_of and _SPHERICAL.search(line) and index != place_of:
+            found.append(
+                f"line {place}: 6p^4 - 6p^2 + 1 is the term {place_of} of Zernike {kind.capitalize()}, which "
+                f"the heading states, got the term {index}; correct the heading"
+            )
         if index in terms:
             found.append(f"line {place}: the term {index} was given before")
         elif not math.isfinite(value):

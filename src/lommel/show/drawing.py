@@ -126,7 +126,16 @@ def fitted(text: str, drawn: Figure | Axes, size: float = 9.0) -> str:
     """Return a title broken between words into lines no wider than its figure, for letters of so many points."""
     figure: Any = drawn.get_figure(root=True)
     letters = int(72.0 * figure.get_figwidth() / (0.56 * size))
-    return "\n".join(part for line in text.split("\n") for part in textwrap.wrap(line, letters) or [""])
+    return "\n".join(part for line in text.split("\n") for part in _wrapped(line, letters))
+
+
+def _wrapped(line: str, most: int) -> list[str]:
+    """Return a text in as few lines as its letters take, none of which is much shorter than the others."""
+    lines = textwrap.wrap(line, most) or [""]
+    for width in range(-(-len(line) // len(lines)), most if len(lines) > 1 else 0):
+        if len(even := textwrap.wrap(line, width)) == len(lines):
+            return even
+    return lines
 
 
 def entitle(figure: Figure, text: str) -> None:

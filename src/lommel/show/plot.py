@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -315,9 +316,9 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     count = 1 + len(others)
     columns = min(count, 6)
     rows = -(-count // columns)
-    size = (2.0 * max(columns, 3) + 1.6, 2.05 * rows + 5.0)
+    size = (2.0 * max(columns, 3) + 1.6, 2.2 * rows + 5.3)
     figure: Figure = library("matplotlib.figure", *USER).Figure(figsize=size, layout="constrained")
-    parts: Any = figure.subfigures(2, 1, height_ratios=(2.05 * rows + 0.4, 4.6))
+    parts: Any = figure.subfigures(2, 1, height_ratios=(2.2 * rows + 0.7, 4.6))
     pictures, graphs = parts
     peak = float(truth.values.max())
     scale: Any = library("matplotlib.colors", *USER).LogNorm(*_ERRORS, clip=True)
@@ -332,33 +333,37 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
             )
             _show(away, truth, axes, cmap="viridis", norm=scale, interpolation="nearest")
             drawn.append(axes)
-        axes.set_title(f"{name}, the reference" if name == reference else name, fontsize=9)
+        title = f"{name}, the reference (square root)" if name == reference else name
+        axes.set_title("\n".join(textwrap.wrap(title, _LETTERS)), fontsize=8)
         axes.tick_params(labelsize=7)
         axes.xaxis.label.set_fontsize(8)
         axes.yaxis.label.set_fontsize(8)
         only_outer(axes, k, count, columns)
     if drawn:
-        label = f"error / peak of {reference}"
-        pictures.colorbar(drawn[0].images[0], ax=pictures.axes, label=label, extend="min", pad=0.01)
+        bar = pictures.colorbar(drawn[0].images[0], ax=pictures.axes, extend="min", pad=0.01)
+        bar.set_label("error / peak of the reference", fontsize=8)
+        bar.ax.tick_params(labelsize=7)
     factor, unit = lengths(truth.unit)
     slices, errors = graphs.subplots(1, 2, width_ratios=(1.0, 1.35))
     radius, expected = truth.profile()
     far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
     ends: list[tuple[float, str, str]] = []
     slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.6)
-    slices.set_title(f"{reference} (square root of the values above)", fontsize=9)
+    slices.set_title("the reference along x, from the centre", fontsize=9)
     slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
     for k, (name, psf) in enumerate(others.items()):
         difference = np.maximum(np.abs(psf.profile()[1] - expected) / peak, 1e-17)
         errors.semilogy(radius * factor, difference, color=f"C{k}", linewidth=1.3)
         ends.append((float(np.median(difference[-max(1, difference.size // 8) :])), name, f"C{k}"))
-    errors.set(ylabel=f"error / peak of {reference}", ylim=(1e-17, 3.0), xlim=(0.0, far))
+    errors.set_title("errors along the same line", fontsize=9)
+    errors.set(ylabel="error / peak of the reference", ylim=(1e-17, 3.0), xlim=(0.0, far))
     errors.set(xlabel=f"distance from the centre ({unit})")
     errors.grid(alpha=0.3)
     _label_ends(errors, ends)
     return figure
 
 
+_LETTERS = 27  # of a title above one of the pictures of a comparison
 _ERRORS = (1e-12, 1.0)  # that colours tell apart
 
 

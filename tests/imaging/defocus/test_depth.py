@@ -257,7 +257,7 @@ def test_lenses_must_be_round_and_candidates_near_enough():
     comatic = lm.Lens(
         focal_length=35e-3, f_number=8.0, wavelength=540e-9, aberrations=lm.Wavefront(nonradial={(3, 1): 1.0})
     )
-    with pytest.raises(ValueError, match=r"lenses\[1\] must have radially symmetric"):
+    with pytest.raises(ValueError, match=r"lenses\[1\] must .* symmetric .* got coma x: leave"):
         lm.imaging.depth_from_defocus(images, [LENS, comatic], PIXEL, **CAMERA)
     spiders = lm.Lens(focal_length=35e-3, f_number=8.0, wavelength=540e-9, spider=lm.Spider(0.02, angles=(0.0, 1.5)))
     with pytest.raises(ValueError, match=r"lenses\[0\] must have a round aperture"):

@@ -327,3 +327,22 @@ def test_the_png_of_a_comparison_has_both(visit: Callable[..., Any]) -> None:
     assert both.shape[1] > 2 * 1024 > one.shape[1]
     page.get_by_label("How to compare").select_option("difference")
     assert figure(page)[1].shape[1] == one.shape[1]
+
+
+def test_noise_is_shown_by_pixels_of_the_sensor(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&photons=1000")
+    page.locator('select[data-key="noise"]').select_option("on")
+    rest(page)
+    assert page.evaluate("live.state.view") == "averaged"
+    assert bar_label(page) == "electrons per pixel"
+    move(page, view="fine")
+    assert bar_label(page).endswith("without noise: that is of the sensor's pixels")
+
+
+def test_differences_below_the_assumed_error_are_none_where_none_is_proven(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&vanes=3&defocus=0.6")
+    page.locator('[data-action="hold"]').click()
+    move(page, defocus=0.6000002)
+    assert page.locator('[data-number="strehl"] small').inner_text() == "as A"
+    move(page, defocus=0.6002)
+    assert page.locator('[data-number="strehl"] small').inner_text().endswith("from A")

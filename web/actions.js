@@ -7,10 +7,13 @@ import { PRESETS } from "./presets.js";
 import { changed, DEFAULTS, toText } from "./state.js";
 import { psfSaid } from "./sentences.js";
 
+const PICTURE = /\.(png|jpe?g|webp|gif|bmp|avif|svg)$/i; // of files that say no type
+
 export function actions(view) {
   const done = (button, text) => {
     const { page } = view;
     const before = (button.dataset.text ??= button.textContent);
+    button.style.minWidth = `${button.offsetWidth}px`;
     button.textContent = text;
     page.said.textContent = text;
     setTimeout(() => (button.textContent = before), 1600);
@@ -26,7 +29,7 @@ export function actions(view) {
   const save = (make) => {
     try {
       if (!view.settled?.psf) throw new Error("nothing is computed yet");
-      make(view.settled);
+      make();
     } catch (error) {
       view.tell(`This cannot be saved: ${error.message}`);
     }
@@ -40,7 +43,7 @@ export function actions(view) {
     view.draw();
   };
   const openAny = async (file) => {
-    if (SUFFIXES.some((suffix) => file.name.toLowerCase().endsWith(suffix)) || !/^image\//.test(file.type)) return openFile(view, file);
+    if (SUFFIXES.some((suffix) => file.name.toLowerCase().endsWith(suffix)) || !(/^image\//.test(file.type) || PICTURE.test(file.name))) return openFile(view, file);
     try {
       view.own = await ownPicture(file);
       view.tell("");
@@ -100,8 +103,8 @@ export function actions(view) {
     },
     python: () => (view.shown?.psf ? copy(view.page.python, (view.settled ?? view.shown).psf.python) : undefined),
     png: () => save(() => savePng(view.figure())),
-    csv: () => save((settled) => saveCsv(view.state, settled)),
-    tiff: () => save((settled) => saveTiff(view.state, settled)),
+    csv: () => save(() => saveCsv(view.figure())),
+    tiff: () => save(() => saveTiff(view.figure())),
   };
 }
 

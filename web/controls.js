@@ -153,13 +153,23 @@ export class Controls {
   type(row) {
     const { key, box, name, spec } = row;
     const { low, high } = FIELDS[key];
-    const typed = () => box.valueAsNumber / row.factor;
+    const typed = () => (box.validity.badInput ? NaN : box.valueAsNumber) / row.factor;
     const outside = () => typed() < low * (1 - 1e-12 * Math.sign(low)) || typed() > high * (1 + 1e-12);
     const range = () => `${name} is ${short(low * row.factor)} to ${short(high * row.factor)} ${spec.waves ? row.unit.textContent : spec.said}`.trim();
-    box.addEventListener("focus", () => (box.value = short(this.state[key] * row.factor, 12)));
+    // All digits, selected as a whole: what is typed replaces them. A click would put a caret between them.
+    let fresh = false;
+    box.addEventListener("focus", () => {
+      box.value = short(this.state[key] * row.factor, 12);
+      box.select();
+      fresh = true;
+    });
+    box.addEventListener("click", () => {
+      if (fresh) box.select();
+      fresh = false;
+    });
     box.addEventListener("input", () => {
       this.edited = box;
-      if (outside()) this.say(box, range());
+      if (outside() || box.validity.badInput) this.say(box, range());
       else if (Number.isFinite(typed())) this.set({ [key]: typed() }, true, this.gestureOf(key, false));
     });
     const written = () => {
@@ -167,7 +177,7 @@ export class Controls {
         const inside = Math.min(high, Math.max(low, typed()));
         this.set({ [key]: inside }, false, this.gestureOf(key, false));
         this.say(box, `${range()}: set to ${short(inside * row.factor)}`);
-      }
+      } else if (this.edited === box && !Number.isFinite(typed())) this.say(box, `${range()}: unchanged`);
       this.edited = row.shown = undefined;
       this.update(this.state);
     };
@@ -204,7 +214,7 @@ export class Controls {
     if (!row.dragging) this.range(row, value);
     slider.value = placeOf(row, value);
     this.fill(row);
-    const text = short(value * factor);
+    const text = short(value * factor, Math.abs(value * factor) < 0.1 ? 3 : 4); // what the box has room for
     // What is typed stays until the typing is over.
     if (this.edited !== box) box.value = box.matches(":focus") ? short(value * factor, 12) : text;
     row.unit.textContent = name;
@@ -248,6 +258,14 @@ export class Play {
     this.choose([...controls.rows.keys()][0]);
   }
 
+  // The first slider that is shown, where that used last is not.
+  follow() {
+    const there = (key) => !this.controls.rows.get(key).box.closest("[data-row]:is([hidden], .idle)");
+    if (!this.key || there(this.key)) return;
+    const key = [...this.controls.rows.keys()].find(there);
+    if (key) this.choose(key);
+  }
+
   choose(key) {
     this.stop();
     this.key = key;
@@ -259,9 +277,10 @@ export class Play {
     if (!this.key) return;
     const { name } = this.controls.rows.get(this.key);
     const does = this.running ? "Pause" : this.still.matches ? "Step" : "Play";
-    this.button.textContent = `${this.running ? "❚❚" : "▶"} ${name}`;
+    this.button.textContent = `${this.running ? "❚❚" : "▶"} ${does === "Step" ? "Step: " : ""}${name}`;
     this.button.setAttribute("aria-label", `${does} ${name}`);
-    this.button.title = `${does}: run the slider used last through its range`;
+    const steps = "one step each time, since your system asks for reduced motion";
+    this.button.title = does === "Step" ? `Step: ${steps}` : `${does} (Escape stops): run the slider used last through its range`;
   }
 
   press() {

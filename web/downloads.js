@@ -39,7 +39,7 @@ export function savePng(given) {
 const HEADS = {
   profile: ["radius (um)", "profile", "profile unaberrated"],
   energy: ["radius (um)", "encircled energy", "encircled energy unaberrated"],
-  mtf: ["frequency (cycles/mm)", "MTF x", "MTF y", "MTF diffraction limit"],
+  mtf: ["frequency (cycles/mm)", "MTF x", "MTF y", "MTF diffraction limit", "MTF x with pixel", "MTF y with pixel"],
 };
 
 export function csvText(state, { psf, measures }) {
@@ -59,8 +59,8 @@ export function csvText(state, { psf, measures }) {
   const places = Math.min(12, Math.max(0, Math.floor(-Math.log10(error || 1e-12))));
   const proven = (values) => Array.from(values, (value) => String(Math.max(0, Number(value.toFixed(places)))));
   const columns = Object.entries(HEADS).flatMap(([name, heads]) => {
-    const { r, f, mean, reference, share, x, y, limit } = measures[name];
-    const parts = { profile: [r, proven(mean ?? []), reference], energy: [r, proven(share ?? []), reference], mtf: [f, x, y, limit] }[name];
+    const { r, f, mean, reference, share, x, y, limit, pixel_x, pixel_y } = measures[name];
+    const parts = { profile: [r, proven(mean ?? []), reference], energy: [r, proven(share ?? []), reference], mtf: [f, x, y, limit, pixel_x, pixel_y] }[name];
     return heads.map((head, index) => [head, parts[index]]);
   });
   const rows = Math.max(...columns.map(([, values]) => values.length));
@@ -69,8 +69,8 @@ export function csvText(state, { psf, measures }) {
   return [...said, ...lines, ""].join("\r\n");
 }
 
-export function saveCsv(state, settled) {
-  saveBlob(new Blob([csvText(settled.state, settled)], { type: "text/csv" }), "lommel-curves.csv");
+export function saveCsv({ state, shown }) {
+  saveBlob(new Blob([csvText(state, shown)], { type: "text/csv" }), "lommel-curves.csv");
 }
 
 const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
@@ -120,6 +120,6 @@ export function tiffBytes(state, psf) {
   return file;
 }
 
-export function saveTiff(state, settled) {
-  saveBlob(new Blob([tiffBytes(settled.state, settled.psf)], { type: "image/tiff" }), "lommel-psf.tif");
+export function saveTiff({ state, shown }) {
+  saveBlob(new Blob([tiffBytes(state, shown.psf)], { type: "image/tiff" }), "lommel-psf.tif");
 }

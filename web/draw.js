@@ -196,14 +196,23 @@ export function drawWavefront(canvas, wavefront, side) {
   return seen;
 }
 
+// Grey where fringes are finer than the pixels resolve; returns whether none is.
 export function drawFringes(canvas, wavefront, side) {
   const { context, image, out } = pixels(canvas, side, side);
   const colours = ramp("gray");
+  let resolved = true;
   for (let i = 0; i < out.length; i++) {
     const waves = wavefront[i];
-    out[i] = waves === waves ? colours[Math.round(275 + 225 * Math.cos(2 * Math.PI * waves))] : 0;
+    // A neighbour within the row or column that is outside of the pupil does not count.
+    const by = (k) => Math.abs(wavefront[k] - waves) || 0;
+    const x = i % side;
+    const slope = Math.max(x ? by(i - 1) : 0, x < side - 1 ? by(i + 1) : 0, by(i - side), by(i + side));
+    const contrast = Math.min(1, Math.max(0, 2.2 - 5 * slope));
+    if (waves === waves && !contrast) resolved = false;
+    out[i] = waves === waves ? colours[Math.round(275 + contrast * 225 * Math.cos(2 * Math.PI * waves))] : 0;
   }
   context.putImageData(image, 0, 0);
+  return resolved;
 }
 
 // About the mean over the clear part: piston is nobody's concern.

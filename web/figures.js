@@ -34,6 +34,13 @@ export function settingsSaid(state) {
   return said.join(", ");
 }
 
+// Two settings: what differs, and what both have.
+function bothSaid(...states) {
+  const [a, b] = states.map((state) => settingsSaid(state).split(", "));
+  const own = (these, others) => these.filter((one) => !others.includes(one)).join(", ") || "no other";
+  return `A: ${own(a, b)}. B: ${own(b, a)}. Both: ${a.filter((one) => b.includes(one)).join(", ")}.`;
+}
+
 // given: what compose takes, with the name of the lens.
 export function figureOf(given) {
   const { state, shown, held, mode, name } = given;
@@ -59,7 +66,7 @@ export function figureOf(given) {
   const captions = panels.map((panel) => {
     const numbers = numbersSaid(panel.state, panel.shown.psf, panel.shown.measures);
     const values = `Strehl ratio on the axis ${numbers.strehl.text}; 80 % of the light within ${numbers.d80.text}`;
-    const text = panel.name === "B − A" ? `A: ${settingsSaid(held.state)}. B: ${settingsSaid(state)}.` : `${settingsSaid(panel.state)}. ${values}.`;
+    const text = panel.name === "B − A" ? bothSaid(held.state, state) : `${settingsSaid(panel.state)}. ${values}.`;
     return wrapped(text, 24, PANEL);
   });
   const high = ({ lines, size }) => Math.ceil(lines.length * size * 1.35);

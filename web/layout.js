@@ -4,7 +4,7 @@ import { MODES, SCALES } from "./compare.js";
 import { el, menu } from "./dom.js";
 import { SUFFIXES } from "./lensfiles.js";
 import { PICTURES } from "./pictures.js";
-import { Plot } from "./plots.js";
+import { Plot, svg } from "./plots.js";
 import { explainOnClick, help, NUMBERS } from "./words.js";
 
 export const UNNAMED = "Point spread function, live";
@@ -12,6 +12,16 @@ export const UNNAMED = "Point spread function, live";
 const VIEWS = { fine: "finely sampled", sampled: "at the pixels’ centres", averaged: "averaged by pixels" };
 const STRETCH_NAMES = { linear: "linear", sqrt: "square root", log: "logarithm" };
 const MAPS = { auto: "automatic", inferno: "inferno", viridis: "viridis", cividis: "cividis", gray: "grey" };
+
+// A box that scrolls shows where more is below: scrollbars may be hidden until one scrolls.
+function cueMore(box) {
+  const look = () => box.classList.toggle("more", box.scrollHeight - box.scrollTop - box.clientHeight > 12);
+  const watch = new ResizeObserver(look);
+  const follow = () => [box, ...box.children].forEach((node) => watch.observe(node));
+  new MutationObserver(follow).observe(box, { childList: true });
+  follow();
+  for (const name of ["scroll", "toggle"]) box.addEventListener(name, look, true);
+}
 
 // level: of the heading; docs: address of the documentation, if there is one.
 export function layout({ state, set, controls, lessons, presets, actions, only, level, docs }) {
@@ -77,7 +87,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
       shows("picture") ? el("label", { class: "tick" }, page.before, "without lens") : null,
       el("label", { class: "tick", hidden: true }, page.heldPicture, "through A"),
     ],
-    el("div", { class: "stage" }, canvas("recorded", "Test picture")),
+    el("div", { class: "stage" }, canvas("recorded", "Test picture"), (page.rings = svg("svg", { class: "rings", viewBox: "0 0 384 288", "aria-hidden": "true" }))),
   );
 
   const small = (name, text) => {
@@ -92,9 +102,9 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
   };
   const numbers = el("dl", { class: "numbers" }, ...Object.entries(NUMBERS).map(number));
 
-  const plot = (key, text, legend) => {
+  const plot = (key, text, legend, held = [["held", "A"]]) => {
     const made = (page.plots[key] = new Plot(text));
-    const keys = [["held", "A"], ...legend].map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
+    const keys = [...held, ...legend].map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
     const caption = el("figcaption", {}, title(key, text), el("span", { class: "legend" }, ...keys));
     return el("figure", { class: "curve" }, caption, made.node, made.readout);
   };
@@ -103,7 +113,12 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     { class: "plots" },
     plot("profile", "Profile", [["main", "mean over angle"], ["limit", "unaberrated"]]),
     plot("energy", "Encircled energy", [["main", "share of light"], ["limit", "unaberrated"]]),
-    plot("mtf", "MTF", [["main", "x"], ["second", "y"], ["main pixel", "with pixel"], ["limit", "diffraction limit"]]),
+    plot(
+      "mtf",
+      "MTF",
+      [["main", "x"], ["second", "y"], ["main pixel", "x with pixel"], ["second pixel", "y with pixel"], ["limit", "limit"]],
+      [["held", "A x"], ["held second", "A y"]],
+    ),
   );
 
   page.preset = el("select", { "aria-label": "Preset", "data-key": "preset", onchange: () => actions.preset(page.preset.value) });
@@ -123,8 +138,8 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
       menu("How to compare", MODES, "beside", actions.mode),
       (page.scale = menu("Scale of A and B", SCALES, "one", actions.scale)),
       button("turn", "Show A", "Change between A and B by hand", actions.turn),
-      button("exchange", "Exchange", "Go back to A, and hold what is here now", actions.exchange),
-      button("release", "Let go", "Forget A", actions.release),
+      button("exchange", "⇄", "Exchange: go back to A, and hold what is here now", actions.exchange, { "aria-label": "Exchange" }),
+      button("release", "×", "Let go: forget A", actions.release, { "aria-label": "Let go" }),
     )),
   );
   const files = el(
@@ -169,6 +184,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     button("play", "▶", "", actions.play),
   );
   page.side = el("div", { class: "side" }, lessons.node, hands, controls);
+  for (const box of [page.side, lessons.body]) cueMore(box);
 
   page.code = el("pre", { tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
   const code = el("details", { class: "code", open: true }, el("summary", {}, "As Python"), page.code);

@@ -31,8 +31,8 @@ const W040 = () => sub("W", "040");
 
 const near = (value, wanted, by) => Math.abs(value - wanted) <= by;
 
-// `controls` are the rows that matter, `shows` the pictures and curves beside the PSF. A step is done when its condition holds of the state, the measures and the range of
-// defocus since the step before it was done. Formulas are made when they are shown: scripts that use the engine alone have no
+// `controls` are the rows that matter, `shows` the pictures and curves beside the PSF. A step is done, in any order, when its
+// condition holds of the state, the measures and the range of defocus since another was done last. Formulas are made when they are shown: scripts that use the engine alone have no
 // document.
 const LESSONS = {
   airy: {
@@ -82,7 +82,8 @@ const LESSONS = {
     ],
     answer: `With −1 wave of defocus the wavefront is ρ⁴ − ρ²: it stays within a quarter wave again, and its rms σ is 0.075 waves, or
       1/13.4 wave; Maréchal’s approximation gives S = 0.803, the exact value is 0.800. A quarter wave of defocus leaves 0.811, one
-      of spherical alone 0.800. On the sensor a quarter wave of defocus is a shift of 2 λN², here 18 µm: the depth of focus.`,
+      of spherical alone 0.800. On the sensor a quarter wave of defocus is a shift of 2 λN², so that the depth of focus is
+      ±18 µm here, to each side of the focus.`,
     source: `Lord Rayleigh, Phil. Mag. 8, 403 (1879); V. N. Mahajan, doi:10.1364/JOSA.73.000860; ${BORN_WOLF}, section 9.3`,
   },
   axis: {
@@ -109,21 +110,21 @@ const LESSONS = {
   },
   contrast: {
     title: "Contrast reversal",
-    text: `Out of focus, a Siemens star turns grey, then its spokes appear again farther in, with black and white exchanged. The MTF shows
-      how much contrast is left at each spatial frequency, not its sign.`,
+    text: `In focus, a Siemens star is grey only near its middle, where the spokes are too fine. Out of focus it has grey rings, and
+      farther in the spokes appear again with black and white exchanged. The MTF shows how much contrast is left, not its sign.`,
     state: { defocus: 0, picture: "star", pixel: 2 },
     controls: ["defocus", "length_unit"],
     shows: ["picture", "mtf"],
     steps: [
       ["Drag defocus to 2 waves and follow one white spoke of the star inwards, through the first grey ring.",
         (now) => near(Math.abs(now.defocus), 2, 0.1)],
-      ["Set lengths to λN and point at the MTF: where are its first minima? They are zeros: grey rings. Frequency rises inwards.", (now) => now.length_unit === "lambdaN"],
+      ["Set lengths to λN and point at the MTF: where are its first minima? They are zeros: grey rings. Marks on the star give the frequency, which rises inwards.", (now) => now.length_unit === "lambdaN"],
       ["Drag defocus to 3 waves. Where do the grey rings go?", (now) => near(Math.abs(now.defocus), 3, 0.1)],
     ],
     question: "Between the first two grey rings the spokes can be counted. Has the lens resolved them?",
     formula: () => [row("OTF ≈", over(row("2", sub("J", "1"), "( a )"), "a"), ", a = 8 π", W020(), "ν λ N")],
     answer: `Not truly: the transfer function (OTF) is negative there, and white spokes are printed black: spurious resolution. With 2
-      waves the signs change at ν = 0.084 and 0.167 per λN, here 38 and 76 cycles/mm. The formula, that of rays, is zero where
+      waves the signs change at ν = 0.084 and 0.167 cycles/λN, here 38 and 76 cycles/mm. The formula, that of rays, is zero where
       a = 3.83: it gives 0.076 for 2 waves and 0.051 for 3, where waves give 0.054. Between the first two zeros at 2 waves the
       reversed contrast reaches 11 %. No sharpening that ignores the sign restores such a picture.`,
     source: "H. H. Hopkins, Proc. R. Soc. A 231, 91 (1955), doi:10.1098/rspa.1955.0158",
@@ -131,13 +132,13 @@ const LESSONS = {
   hubble: {
     title: "Hubble, 1990",
     text: `The mirror of the Hubble Space Telescope was polished to a wrong shape: 8 waves of spherical aberration. Only its focus could
-      be changed from the ground. Here it starts where most light is within 0.1″.`,
+      be changed from the ground. Here it starts at the focus that puts the most light within a radius of 0.1″.`,
     state: { defocus: -5.33, spherical: 8.14, f_number: 24, obscuration: 0.33, pixel: 15, focal_length: 57600, length_unit: "arcsec", picture: "points" },
     controls: ["defocus", "spherical"],
     shows: ["picture", "energy"],
     steps: [
-      ["Point at the curve of encircled energy: which share of the light is within 0.1″?", (now) => now.defocus !== -5.33],
-      ["Drag defocus from −1 to −10. Can you get more light into 0.1″, or a Strehl ratio of 0.2?",
+      ["Point at the curve of encircled energy: which share of the light is within a radius of 0.1″?", (now) => now.defocus !== -5.33],
+      ["Drag defocus from −1 to −10. Can you get more light into that radius, or a Strehl ratio of 0.2?",
         (now, _, went) => went.low < -9 && went.high > -2],
       ["Set spherical and defocus to 0: the mirror as designed, and the effect of the corrective optics of 1993.",
         (now) => near(now.defocus, 0, 0.1) && near(now.spherical, 0, 0.1)],
@@ -148,7 +149,7 @@ const LESSONS = {
       row("σ ≥", over(row(W040(), power(row("( 1 −", power("ε", "2"), ")"), "2")), row("6", math("msqrt", "5")))),
     ],
     answer: `A term in ρ² cannot cancel one in ρ⁴. The least rms wavefront error, at −9.0 waves of defocus, is still σ = 0.48 waves;
-      a Strehl ratio of 0.8 takes 0.075. Focus only trades: at best 16 % of the light is within 0.1″, as designed 89 %. Some light
+      a Strehl ratio of 0.8 takes 0.075. Focus only trades: at best 16 % of the light is within a radius of 0.1″, as designed 89 %. Some light
       always forms a sharp core, which is why bright stars could still be measured and images be deconvolved. In 1993 mirrors with the
       opposite error were built in.`,
     source: "C. J. Burrows et al., Astrophys. J. 369, L21 (1991), doi:10.1086/185950",
@@ -171,7 +172,8 @@ const LESSONS = {
     formula: () => [row("coma: W ( ρ , θ + 180° ) = − W ,"), row("astigmatism: W ( ρ , θ + 90° ) = − W")],
     answer: `Focus in and out. With coma the two sides are the same, and the tail points one way at every focus: a wavefront that is odd
       under a turn by 180° has the same PSF for +d and −d waves of defocus. With astigmatism the line turns by 90°; the lines are
-      sharpest at a defocus of plus and minus the coefficient, and in the middle is the circle of least confusion. A Strehl ratio of
+      sharpest at a defocus of plus and minus the coefficient. In the middle rays fill a disk, the circle of least confusion; waves
+      of so small an aberration form a cross there. A Strehl ratio of
       0.8 is left by 0.21 waves of coma or 0.18 waves of astigmatism (Zernike terms, at the edge of the pupil).`,
     source: `${BORN_WOLF}, section 9.4; V. N. Mahajan, doi:10.1364/JOSA.73.000860`,
   },
@@ -212,13 +214,12 @@ export class Lessons {
     const reduce = () => this.reduce(!this.reduced);
     this.all = el("button", { type: "button", onclick: reduce }, "Show everything");
     const close = button("×", "Close the lesson", () => this.open(""));
-    this.body = el("div");
+    this.body = el("div", { class: "body" });
     this.node = el(
       "section",
       { class: "lesson", "aria-label": "Lesson", hidden: true },
       el("div", { class: "head" }, this.title, el("span", { class: "inline" }, this.before, this.after, close)),
       this.body,
-      this.all,
     );
   }
 
@@ -237,7 +238,6 @@ export class Lessons {
     this.title.textContent = `${index + 1} of ${NAMES.length}: ${lesson.title}`;
     this.before.disabled = index === 0;
     this.after.disabled = index === NAMES.length - 1;
-    this.next = 0;
     this.went = null;
     this.steps = lesson.steps.map(([text]) => el("li", {}, text));
     const formulas = lesson.formula().map((formula) => {
@@ -251,6 +251,7 @@ export class Lessons {
       el("ol", {}, ...this.steps),
       el("p", { class: "question" }, lesson.question),
       el("details", {}, ...answer, el("p", { class: "note" }, `Source: ${lesson.source}`)),
+      this.all,
     );
   }
 
@@ -271,15 +272,21 @@ export class Lessons {
     hide(shows, ".picture, .pupils, figure.curve", (node) => [...node.querySelectorAll("[data-word]")].map(({ dataset }) => dataset.word));
   }
 
-  // Marks the next step as done once a settled state, which has measures, meets its condition; others are passed through.
+  get heading() {
+    return LESSONS[this.name]?.title ?? "";
+  }
+
+  // Marks a step as done once a settled state, which has measures, meets its condition; others are passed through.
   check(state, measures) {
-    if (!this.name || this.next === this.steps.length) return;
+    if (!this.name) return;
     const { low, high } = (this.went ??= { low: state.defocus, high: state.defocus });
     this.went = { low: Math.min(low, state.defocus), high: Math.max(high, state.defocus) };
-    if (!measures || !LESSONS[this.name].steps[this.next][1](state, measures, this.went)) return;
-    const step = this.steps[this.next++];
-    step.classList.add("done");
-    step.append(el("span", { class: "unseen" }, " (done)"));
-    this.went = null;
+    if (!measures) return;
+    const done = this.steps.filter((step, k) => step.className !== "done" && LESSONS[this.name].steps[k][1](state, measures, this.went));
+    for (const step of done) {
+      step.className = "done";
+      step.append(el("span", { class: "unseen" }, " (done)"));
+    }
+    if (done.length) this.went = null;
   }
 }

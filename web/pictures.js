@@ -34,13 +34,15 @@ function sampled(at) {
   return plane;
 }
 
+export const STAR = { spokes: 36, radius: 136, middle: [WIDTH / 2, HEIGHT / 2] };
+
 function star() {
   return sampled((x, y) => {
     const dx = x - WIDTH / 2;
     const dy = y - HEIGHT / 2;
     const r = Math.hypot(dx, dy);
-    if (r > 136) return 0.75;
-    return r < 3 ? 0.4 : Math.sin(36 * Math.atan2(dy, dx)) > 0 ? 0.92 : 0.03;
+    if (r > STAR.radius) return 0.75;
+    return r < 3 ? 0.4 : Math.sin(STAR.spokes * Math.atan2(dy, dx)) > 0 ? 0.92 : 0.03;
   });
 }
 

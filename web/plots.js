@@ -1,6 +1,7 @@
 // Curves over two axes, as SVG that the style of the page colours. One frame changes paths; axes only when their ranges do.
 
 import { powerOfTen } from "./draw.js";
+import { unitAfter } from "./units.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const MARGIN = { left: 40, right: 10, top: 8, bottom: 34 };
@@ -25,7 +26,11 @@ export function niceTop(value) {
   return power * [1, 2, 5, 10].find((step) => step * power >= value * (1 - 1e-9));
 }
 
-export const short = (value, digits = 4) => (Number.isFinite(value) ? String(Number(value.toPrecision(digits))) : "–");
+export function short(value, digits = 4) {
+  if (!Number.isFinite(value)) return "–";
+  const rounded = Number(value.toPrecision(digits));
+  return rounded && Math.abs(rounded) < 1e-3 ? rounded.toExponential() : String(rounded);
+}
 
 export class Plot {
   constructor(title) {
@@ -34,9 +39,10 @@ export class Plot {
     this.window = svg("rect", { x: MARGIN.left, y: MARGIN.top - 2 });
     this.curves = svg("g", { "clip-path": `url(#${this.clip})` });
     this.cursor = svg("line", { class: "cursor", visibility: "hidden" });
+    this.mark = svg("g", { class: "mark", visibility: "hidden" }, svg("line"), svg("text"));
     const inside = svg("clipPath", { id: this.clip }, this.window);
     const said = { class: "plot", role: "img", "aria-label": title };
-    this.node = svg("svg", said, inside, this.axes, this.curves, this.cursor);
+    this.node = svg("svg", said, inside, this.axes, this.mark, this.curves, this.cursor);
     this.readout = document.createElement("output");
     this.readout.className = "readout";
     this.readout.setAttribute("aria-hidden", "true");
@@ -64,10 +70,12 @@ export class Plot {
   clear() {
     while (this.paths.length) this.paths.pop().remove();
     this.shown = null;
+    this.mark.setAttribute("visibility", "hidden");
     this.leave();
   }
 
-  // {x: {top, label}, y: {top, bottom, log, label}, curves: [{kind, name, x, y}]}
+  // {x: {top, label}, y: {top, bottom, log, label}, curves: [{kind, name, x, y}], mark: a place on x that is always read,
+  // {at, name, said}}
   draw(shown) {
     this.shown = shown;
     const { x, y, curves } = shown;
@@ -86,6 +94,21 @@ export class Plot {
       this.paths[index].setAttribute("class", `curve ${curve.kind}`);
       this.paths[index].setAttribute("d", path(curve, across, up, x.top));
     });
+    this.showMark(shown, inner);
+    if (this.pointed === undefined) this.leave();
+    else this.tell(this.pointed);
+  }
+
+  showMark({ x, mark }, inner) {
+    const there = mark && mark.at <= x.top;
+    this.mark.setAttribute("visibility", there ? "visible" : "hidden");
+    if (!there) return;
+    const [line, text] = this.mark.children;
+    const place = this.across(mark.at);
+    for (const [name, value] of [["x1", place], ["x2", place], ["y1", MARGIN.top], ["y2", MARGIN.top + inner.height]]) line.setAttribute(name, value);
+    const left = place > MARGIN.left + 0.7 * inner.width;
+    for (const [name, value] of [["x", place + (left ? -4 : 4)], ["y", MARGIN.top + 10], ["text-anchor", left ? "end" : "start"]]) text.setAttribute(name, value);
+    text.textContent = mark.name;
   }
 
   frame(x, y, inner, across, up) {
@@ -100,7 +123,7 @@ export class Plot {
       lines.push(svg("line", { x1: across(k * step), x2: across(k * step), y1: top, y2: bottom }));
       words.push(svg("text", { x: across(k * step), y: bottom + 14, "text-anchor": "middle" }, short(k * step)));
     }
-    const count = y.log ? Math.round(Math.log10(y.top / y.bottom)) : 4;
+    const count = Math.round(y.log ? Math.log10(y.top / y.bottom) : y.top / niceStep(y.top, inner.height > 90 ? 5 : 2));
     for (let k = 0; k <= count; k++) {
       const mark = y.log ? y.bottom * 10 ** k : (y.top * k) / count;
       const word = y.log ? powerOfTen(Math.round(Math.log10(mark))) : short(mark, 3);
@@ -115,18 +138,35 @@ export class Plot {
   point(event) {
     if (!this.shown) return;
     const box = this.node.getBoundingClientRect();
-    const { x, curves } = this.shown;
+    const { x } = this.shown;
     const at = ((event.clientX - box.left - MARGIN.left) / (box.width - MARGIN.left - MARGIN.right)) * x.top;
     if (at < 0 || at > x.top) return this.leave();
+    return this.tell(at);
+  }
+
+  tell(at) {
+    this.pointed = at;
     for (const name of ["x1", "x2"]) this.cursor.setAttribute(name, this.across(at));
     this.cursor.setAttribute("visibility", "visible");
-    const said = curves.filter((curve) => curve.name).map((curve) => `${curve.name} ${short(read(curve, at), 3)}`);
-    this.readout.textContent = `${short(at, 3)} ${x.unit}: ${said.join(", ")}`;
+    this.readout.textContent = `${short(at, 3)}${unitAfter(this.shown.x.unit)}: ${this.values(at)}`;
+    delete this.readout.dataset.rest;
+  }
+
+  // Curves of one value are named together: "x, y 0.5; limit 0.61".
+  values(at) {
+    const said = new Map();
+    for (const curve of this.shown.curves) {
+      const value = short(read(curve, at), 3);
+      said.set(value, [...(said.get(value) ?? []), curve.name]);
+    }
+    return [...said].map(([value, names]) => `${names.join(", ").replace("x with pixel, y", "x, y")} ${value}`).join("; ");
   }
 
   leave() {
+    this.pointed = undefined;
     this.cursor.setAttribute("visibility", "hidden");
-    this.readout.textContent = "";
+    this.readout.textContent = this.readout.title = this.shown?.mark?.said ?? "";
+    this.readout.dataset.rest = "";
   }
 }
 

@@ -1,7 +1,7 @@
 // What is said in words: numbers beside the pictures, read-outs, and sentences for those who do not see these.
 
 import { short } from "./plots.js";
-import { lengthUnit, wavesUnit } from "./units.js";
+import { lengthUnit, unitAfter, wavesUnit } from "./units.js";
 
 // A value in at most four digits, none of them below its proven error: "0.1234", "1.2e-4", "< 3e-7".
 export function stated(value, error = 0, digits = 4) {
@@ -30,6 +30,7 @@ export function ratioSaid(value, error = 0) {
 
 export function percentSaid(share, error = 0) {
   const value = Math.max(0, 100 * share);
+  if (error >= 1) return "–"; // nothing is proven of it
   if (100 * error > value) return `< ${upwards(100 * error)} %`;
   const most = share > 0.9995 ? 2 : 1;
   return `${value.toFixed(Math.max(0, Math.min(most, Math.floor(-Math.log10(100 * error || 1e-9)))))} %`;
@@ -55,7 +56,7 @@ export function numbersSaid(state, psf, measures) {
     said.strehl = { text: ratioSaid(measures.strehl, strehl), value: measures.strehl, error: strehl };
     said.largest = { text: ratioSaid(measures.peak_strehl, largest), value: measures.peak_strehl, error: largest };
     const least = 2 * measures.energy.r.at(-1) * factor; // where the curve ends
-    said.d80 = { text: `${measures.d80 === null ? `more than ${short(least, 2)}` : short(wide)} ${name}`, value: wide, error: 0, unit: name };
+    said.d80 = { text: `${measures.d80 === null ? `more than ${short(least, 2)}` : short(wide)}${unitAfter(name)}`, value: wide, error: 0, unit: name };
     said.inside = { text: percentSaid(measures.inside, inside), value: 100 * measures.inside, error: 100 * inside, unit: "points" };
   }
   if (psf) {
@@ -71,7 +72,7 @@ export function differenceSaid(now, held) {
   const by = now.value - held.value;
   if (Math.abs(by) <= now.error + held.error || Math.abs(by) < 1e-12) return "as A";
   const size = now.unit === "points" ? Number(Math.abs(by).toFixed(Math.abs(by) < 0.1 ? 2 : 1)) : stated(Math.abs(by), now.error + held.error, 2);
-  return `${by < 0 ? "−" : "+"}${size}${now.unit ? ` ${now.unit}` : ""} from A`;
+  return `${by < 0 ? "−" : "+"}${size}${now.unit ? unitAfter(now.unit) : ""} from A`;
 }
 
 export function psfSaid(state, psf, measures) {
@@ -98,7 +99,7 @@ export function valueSaid(state, psf, measures, column, row) {
   const over = unaberrated ? values[at] / unaberrated : NaN;
   if (psf.peak > 0) said.push(`${stated(Math.max(0, values[at] / psf.peak), unaberrated ? (error * unaberrated) / psf.peak : 0, 3)} of the brightest`);
   if (unaberrated) said.push(`${stated(Math.max(0, over), error, 3)} of the unaberrated peak`);
-  return `x, y = ${place} ${name}: ${said.join(", ")}`;
+  return `x, y = ${place}${unitAfter(name)}: ${said.join(", ")}`;
 }
 
 export function wavefrontSaid(state, seen) {
@@ -115,8 +116,11 @@ export function waveSaid(state, wavefront, side, column, row) {
 
 export function plotSaid(title, x, curves) {
   const ends = curves.filter((curve) => curve.name && curve.y.length).map((curve) => {
-    const half = curve.y.findIndex((value) => (title === "Encircled energy" ? value >= 0.5 : value <= 0.5 * curve.y[0]));
-    return half > 0 ? `${curve.name} passes one half at ${short(curve.x[half], 3)} ${x.unit}` : curve.name;
+    const { x: at, y } = curve;
+    const level = title === "Encircled energy" ? 0.5 : 0.5 * y[0];
+    const k = y.findIndex((value) => (title === "Encircled energy" ? value >= level : value <= level));
+    const half = at[k - 1] + ((at[k] - at[k - 1]) * (level - y[k - 1])) / (y[k] - y[k - 1]);
+    return k > 0 ? `${curve.name} passes ${title === "Profile" ? "half its value on the axis" : "one half"} at ${short(half, 3)} ${x.unit}` : curve.name;
   });
   return `${title}: ${ends.join("; ")}.`;
 }

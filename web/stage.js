@@ -2,7 +2,7 @@
 
 import { el } from "./dom.js";
 import { axisOf, difference, drawAtScale, drawBar, drawPsf, drawSigned, drawSignedBar, colour, largest, mapOf, placesOfRays, RAYS, TRUE_COLOUR } from "./draw.js";
-import { lengthUnit } from "./units.js";
+import { lengthUnit, unitAfter } from "./units.js";
 import { niceStep, short, svg } from "./plots.js";
 import { valueSaid, waveSaid } from "./sentences.js";
 
@@ -60,7 +60,7 @@ export function compose(canvases, { state, shown, held = null, mode = "one", sha
 export function rulerOf(state, field) {
   const { factor, name } = lengthUnit(state);
   const step = niceStep(field * factor, 4);
-  return [`${short(step)} ${name}`, step / (field * factor)];
+  return [`${short(step)}${unitAfter(name)}`, step / (field * factor)];
 }
 
 // A label that follows the pointer or, by arrow keys, a cross: said(column, row) has the text for a pixel of the canvas.

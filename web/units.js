@@ -13,6 +13,9 @@ export function wavesUnit({ waves_unit, wavelength }) {
   }[waves_unit];
 }
 
+// After a number; seconds of arc follow without a space.
+export const unitAfter = (name) => (name === "″" ? name : ` ${name}`);
+
 // From micrometres on the sensor.
 export function lengthUnit(state) {
   return {

@@ -8,8 +8,8 @@ import { el } from "./dom.js";
 import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { layout, UNNAMED } from "./layout.js";
 import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
-import { testPicture } from "./pictures.js";
-import { niceTop, short } from "./plots.js";
+import { STAR, testPicture } from "./pictures.js";
+import { niceTop, read, short, svg } from "./plots.js";
 import { PRESETS } from "./presets.js";
 import { differenceSaid, numbersSaid, plotSaid, psfSaid, wavefrontSaid } from "./sentences.js";
 import { FIELDS } from "./fields.js";
@@ -30,9 +30,9 @@ const MAP_SIDE = 160;
 const MTF_CURVES = [
   ["main", "x", "x"],
   ["second", "y", "y"],
-  ["main pixel", "x with the pixel", "pixel_x"],
-  ["second pixel", "y with the pixel", "pixel_y"],
   ["limit", "limit", "limit"],
+  ["main pixel", "x with pixel", "pixel_x"],
+  ["second pixel", "y with pixel", "pixel_y"],
 ];
 const SEEN = 128;
 // Keys that change how answers are shown, not the answers.
@@ -119,7 +119,10 @@ export class View {
     document.addEventListener("visibilitychange", this.hide);
     // Keys while nothing has the focus are for the page that has the address.
     this.keys = (event) => {
-      if (event.key === "Escape") this.page.tip.hidden = true;
+      if (event.key === "Escape") {
+        this.page.tip.hidden = true;
+        this.play.stop();
+      }
       if (url && event.target === document.body) this.key(event);
     };
     document.addEventListener("keydown", this.keys);
@@ -258,7 +261,7 @@ export class View {
   // Shortcuts of the page around are not meant for what is typed here.
   key(event) {
     event.stopPropagation();
-    if (event.target !== this.page.play) this.play.stop();
+    if (event.target !== this.page.play || event.key === "Escape") this.play.stop();
     if (!(event.ctrlKey || event.metaKey) || event.altKey || !/^[zy]$/i.test(event.key)) return;
     if (this.controls.typing()) return; // the box undoes what is typed
     event.preventDefault();
@@ -310,7 +313,8 @@ export class View {
     this.named = state;
     const exact = this.lenses.find((lens) => sameLens(lens.state, state));
     if (exact || sameLens(this.start, state)) this.lens = exact;
-    page.name.textContent = exact ? exact.name : this.lens ? `${this.lens.name}, changed` : UNNAMED;
+    page.name.textContent = exact ? exact.name : this.lens ? `${this.lens.name}, changed` : this.lessons.heading || UNNAMED;
+    page.name.title = page.name.textContent; // the heading is cut where there is no room
     page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
     const said = exact ? [exact.left_out && `Left out here: ${exact.left_out}.`, exact.source].filter(Boolean).join(" ") : "";
     page.source.hidden = !said;
@@ -349,6 +353,7 @@ export class View {
     this.look();
     if (this.stopped) return;
     this.lessons.check(this.state, this.settled?.measures);
+    this.play.follow();
     this.say();
     // The first wavefront without symmetry makes tables, which take longest: before anybody waits for them.
     const other = { ...DEFAULTS, coma: 0.1, astigmatism: 0.1 };
@@ -439,11 +444,12 @@ export class View {
     if (part.wavefront) {
       const { low, high } = part.wavefront;
       this.seen = { ...drawWavefront(page.wavefront, part.wavefront, MAP_SIDE), ...(high === undefined ? {} : { low, high }) };
-      drawFringes(page.fringes, part.wavefront, MAP_SIDE);
+      const resolved = drawFringes(page.fringes, part.wavefront, MAP_SIDE);
       this.stage.showWavefront(part.wavefront);
       page.wavefrontSaid.textContent = wavefrontSaid(state, this.seen);
       const dark = short(state.obscuration, 3);
-      page.fringesSaid.textContent = state.obscuration ? `the inner ${dark} of the radius obscured` : "clear to the middle";
+      const inner = state.obscuration ? `inner ${dark} of the radius obscured` : "no central obscuration";
+      page.fringesSaid.textContent = resolved ? inner : "grey: too many fringes to draw";
     }
     if (part.recorded) this.drawRecorded();
     if (part.psf || part.measures) {
@@ -472,10 +478,31 @@ export class View {
     const { page, shown, compare } = this;
     if (!shown?.recorded) return;
     const { held } = compare;
+    this.drawRings();
     if (page.before.checked) drawPicture(page.recorded, shown.picture);
     else if (!held || !page.heldPicture.checked) drawPicture(page.recorded, shown.recorded);
     else if (held.picture === shown.picture) drawPicture(page.recorded, held.recorded);
     else this.recordHeld(held, shown.picture);
+  }
+
+  // Spatial frequencies of the spokes of the star on the sensor, by their distance from its middle.
+  drawRings() {
+    const { page, state } = this;
+    const there = state.picture === "star";
+    page.rings.toggleAttribute("hidden", !there);
+    const print = there && `${state.pixel} ${state.length_unit} ${state.focal_length} ${state.f_number} ${state.wavelength}`;
+    if (!there || print === this.ringed) return;
+    this.ringed = print;
+    const { factor, name } = frequencyUnit(state);
+    const perRadius = (1000 / state.pixel) * factor * (STAR.spokes / (2 * Math.PI));
+    const marks = [];
+    for (let f = niceTop(perRadius / STAR.radius); perRadius / f > 16; f = niceTop(1.01 * f)) {
+      const x = STAR.middle[0] + perRadius / f;
+      const y = STAR.middle[1];
+      const r = perRadius / f;
+      marks.push(svg("path", { d: `M${x - r * 0.134} ${y - r / 2}A${r} ${r} 0 0 1 ${x - r * 0.134} ${y + r / 2}` }), svg("text", { x, y: y + 4 }, short(f, 2)));
+    }
+    page.rings.replaceChildren(...marks, svg("text", { x: 380, y: 282, "text-anchor": "end" }, name));
   }
 
   async recordHeld(held, picture) {
@@ -523,12 +550,20 @@ export class View {
       curves: curves(energy, unit.factor, [["main", "light", "share"], ["limit", "unaberrated", "reference"]], held?.energy),
     });
     const frequency = frequencyUnit(state);
+    // Of the sensor: half a cycle in each pixel.
+    const nyquist = (500 / state.pixel) * frequency.factor;
+    const last = end(mtf, frequency.factor);
+    const there = (x, y) => {
+      const [a, b] = [x, y].map((curve) => short(read({ x: mtf.f, y: curve }, nyquist / frequency.factor), 3));
+      return a === b ? a : `x ${a}, y ${b}`;
+    };
+    const contrast = nyquist > last ? "beyond the diffraction limit" : `MTF ${there(mtf.x, mtf.y)}, with pixel ${there(mtf.pixel_x, mtf.pixel_y)}`;
     page.plots.mtf.draw({
-      x: { unit: frequency.name, label: frequency.name, top: end(mtf, frequency.factor) },
+      x: { unit: frequency.name, label: frequency.name, top: last },
       y: { top: 1 },
       curves: curves(mtf, frequency.factor, MTF_CURVES, held?.mtf),
+      mark: { at: nyquist, name: "Nyquist", said: mtf.refused ?? `Nyquist ${short(nyquist, 3)} ${frequency.name}: ${contrast}` },
     });
-    page.plots.mtf.readout.textContent = mtf.refused ?? "";
   }
 
   drawNumbers() {

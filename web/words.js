@@ -22,7 +22,7 @@ const PICTURES_AND_CURVES = {
   energy: ["Encircled energy", "Share of the light within a circle around the axis, over its radius."],
   mtf: ["MTF", "Modulation transfer function: contrast of a sine pattern in the image, over its frequency, along x and along y."],
   picture: ["On the sensor", "A picture as the pixels of the sensor record it through this lens."],
-  wavefront: ["Wavefront", "Optical path difference over the pupil: P–V from lowest to highest, rms about the mean."],
+  wavefront: ["Wavefront", "Optical path difference over the pupil, red above and blue below zero: P–V from lowest to highest, rms about the mean."],
   fringes: ["Pupil, one fringe per wave", "Interferogram of the pupil: from one bright fringe to the next the wavefront changes by one wavelength."],
 };
 
@@ -68,7 +68,7 @@ export const meaning = (key) => ALL[key]?.[1] ?? "";
 export function help(level) {
   const entry = ([name, about]) => el("div", {}, el("dt", {}, name), el("dd", {}, about));
   const parts = Object.entries(sections()).map(([title, words]) =>
-    el("section", {}, el(`h${level + 1}`, {}, title), el("dl", {}, ...Object.values(words).map(entry))),
+    el("details", { open: title === "Numbers" }, el("summary", {}, el(`h${level + 1}`, {}, title)), el("dl", {}, ...Object.values(words).map(entry))),
   );
   return el("div", { class: "help", role: "region", "aria-label": "Help", hidden: true }, ...parts);
 }

@@ -296,13 +296,16 @@ def test_help_explains_every_control_and_number_by_keyboard(visit: Callable[...,
     page = visit("/mounted#side=64")
     page.get_by_role("button", name="Help").focus()
     page.keyboard.press("Enter")
-    names = set(page.locator(".help dt").all_inner_texts())
+    folded = page.locator(".help details:not([open]) summary")
+    assert folded.count() > 3
+    assert page.locator(".help").bounding_box()["height"] < 500
+    names = set(page.locator(".help dt").all_text_contents())
     sliders = page.locator("input[type=range]").evaluate_all(
         "all => all.map((node) => node.getAttribute('aria-label'))"
     )
     assert set(sliders) <= names
     assert set(page.locator(".numbers dt").all_inner_texts()) <= names
-    assert all(sentence.endswith(".") for sentence in page.locator(".help dd").all_inner_texts())
+    assert all(sentence.endswith(".") for sentence in page.locator(".help dd").all_text_contents())
     page.keyboard.press("Enter")
     assert page.locator(".help").is_hidden()
 
@@ -359,3 +362,77 @@ def test_paper_shows_all_of_it_in_light_colours(visit: Callable[..., Any]) -> No
     )
     assert page.locator(".code pre").evaluate("node => node.scrollWidth <= node.clientWidth")
     assert page.locator(".hands").is_hidden()
+
+
+def test_what_is_typed_replaces_the_value_of_a_box(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&coma=1.449687275")
+    slider(page, "coma").focus()
+    page.keyboard.press("Shift+Tab")
+    assert page.evaluate("document.activeElement.shadowRoot.activeElement.dataset.key") == "coma"
+    page.keyboard.type("3")
+    page.keyboard.press("Enter")
+    assert state(page)["coma"] == 3
+    box(page, "coma").blur()
+    box(page, "coma").click()
+    page.keyboard.type("0.25")
+    page.keyboard.press("Tab")
+    assert state(page)["coma"] == 0.25
+
+
+@pytest.mark.parametrize(
+    ("key", "text", "said"), [("f_number", "0.01", "0.7"), ("vanes", "64", "8"), ("coma", "1e400", "")]
+)
+def test_a_box_says_its_range_where_the_value_is_outside(
+    visit: Callable[..., Any], key: str, text: str, said: str
+) -> None:
+    page = visit("/mounted#side=64", viewport={"width": 1366, "height": 768})
+    tip = page.locator(".tip")
+    for end in ("Enter", "Tab"):
+        box(page, key).focus()
+        page.keyboard.type(text)
+        page.keyboard.press(end)
+        rest(page)
+        assert tip.is_visible(), end
+        assert " to " in tip.inner_text()
+        assert (f"set to {said}" if said else "unchanged") in tip.inner_text()
+        place = tip.bounding_box()
+        assert place["y"] >= 0
+        assert place["y"] + place["height"] <= 768
+        box(page, key).blur()
+
+
+def test_escape_stops_play_and_reduced_motion_offers_steps(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    play = page.locator('[data-action="play"]')
+    play.click()
+    page.wait_for_timeout(300)
+    assert play.get_attribute("aria-label") == "Pause Defocus"
+    page.keyboard.press("Escape")
+    assert play.get_attribute("aria-label") == "Play Defocus"
+    page = visit("/mounted#side=64", reduced_motion="reduce")
+    play = page.locator('[data-action="play"]')
+    assert "Step: Defocus" in play.inner_text()
+    assert "reduced motion" in play.get_attribute("title")
+    before = state(page)["defocus"]
+    play.click()
+    rest(page)
+    assert state(page)["defocus"] == pytest.approx(before + 0.5)
+
+
+def test_play_is_of_a_slider_that_is_shown(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?lesson=airy")
+    assert page.locator('[data-action="play"]').get_attribute("aria-label") == "Play f-number"
+
+
+def test_the_mtf_is_marked_at_the_nyquist_frequency_and_read_on_one_line(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&pixel=4", viewport={"width": 1366, "height": 768})
+    plot = page.locator("figure.curve", has_text="MTF")
+    assert plot.locator(".mark text").text_content() == "Nyquist"
+    text = plot.locator(".readout").inner_text()
+    assert text.startswith("Nyquist 125 cycles/mm: MTF 0.")
+    assert "with pixel 0." in text
+    place = plot.locator("svg").bounding_box()
+    page.mouse.move(place["x"] + 0.6 * place["width"], place["y"] + 60)
+    said = plot.locator(".readout").inner_text()
+    for part in ("x, y ", "; limit 0.", "; x, y with pixel "):
+        assert part in said

@@ -1,0 +1,93 @@
+"""Nothing moves by what is shown, and everything is in reach: header, scrolling, enlarged screens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from live_page import box, rest, slider
+
+SCREEN = {"viewport": {"width": 1366, "height": 768}}
+PANELS = "document.querySelector('.lommel-live-host').shadowRoot.querySelector('.panels')"
+TOP = f"() => {PANELS}.getBoundingClientRect().top"
+
+
+@pytest.mark.parametrize("width", [700, 768, 1024, 1200, 1366, 1920])
+def test_the_header_is_as_high_with_a_changed_lens_and_with_a_held(visit: Callable[..., Any], width: int) -> None:
+    page = visit("/live#side=64", viewport={"width": width, "height": 768})
+    high = page.evaluate(TOP)
+    page.get_by_role("button", name="Hold as A").click()
+    box(page, "coma").fill("0.4")
+    page.keyboard.press("Enter")
+    rest(page)
+    assert page.locator("h1.name").inner_text() == "A lens, changed"
+    assert page.evaluate(TOP) == high
+    for mode in ("flicker", "difference"):
+        page.get_by_label("How to compare").select_option(mode)
+        assert page.evaluate(TOP) == high
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1024, 768)])
+def test_controls_out_of_sight_have_a_cue_that_goes_at_the_end(
+    visit: Callable[..., Any], size: tuple[int, int]
+) -> None:
+    page = visit("/mounted#side=64&noise=on&vanes=4", viewport={"width": size[0], "height": size[1]})
+    side = page.locator(".side")
+    shown = "node => getComputedStyle(node, '::after').content.includes('more below')"
+    assert side.evaluate(shown)
+    side.evaluate("node => node.scrollTo(0, node.scrollHeight)")
+    page.wait_for_timeout(100)
+    assert not side.evaluate(shown)
+
+
+@pytest.mark.parametrize("lesson", ["airy", "quarter", "axis", "contrast", "hubble"])
+@pytest.mark.parametrize("size", [(1366, 768), (1024, 768)])
+def test_an_unfolded_answer_leaves_sliders_and_undo_on_the_screen(
+    visit: Callable[..., Any], lesson: str, size: tuple[int, int]
+) -> None:
+    page = visit(f"/mounted?lesson={lesson}", viewport={"width": size[0], "height": size[1]})
+    page.locator(".lesson summary").click()
+    page.wait_for_timeout(100)
+    for part in (".hands", ".controls"):
+        area = page.locator(part).bounding_box()
+        assert area["y"] >= 0, part
+        assert area["y"] + area["height"] <= size[1], part
+    text = page.locator(".lesson .body")
+    assert text.evaluate("node => node.classList.contains('more') === node.scrollHeight - node.clientHeight > 12")
+
+
+def test_a_projector_shows_psf_sliders_numbers_and_the_question(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?lesson=quarter&large", viewport={"width": 1024, "height": 768})
+    for part in (".now canvas", ".numbers", ".controls", ".question"):
+        area = page.locator(part).bounding_box()
+        assert area["y"] + area["height"] <= 768, part
+    assert page.locator(".now canvas").bounding_box()["height"] > 400
+
+
+def test_an_enlarged_page_scrolls_and_keeps_the_psf_large(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", viewport={"width": 683, "height": 384})
+    assert page.locator(".now canvas").bounding_box()["height"] > 250
+    assert slider(page, "defocus").bounding_box()["y"] < 360
+    page = visit("/mounted?lesson=quarter", viewport={"width": 683, "height": 384})
+    assert slider(page, "defocus").bounding_box()["y"] < 360
+
+
+def test_a_phone_shows_the_bar_and_the_numbers_before_the_sliders(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    bar, numbers, side = (page.locator(part).bounding_box() for part in (".scale", ".numbers", ".side"))
+    assert bar["height"] > 15
+    assert bar["y"] < numbers["y"] < side["y"]
+    assert numbers["y"] + numbers["height"] < 844
+
+
+def test_two_pictures_take_the_width_of_the_screen(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", **SCREEN)
+    page.get_by_role("button", name="Hold as A").click()
+    rest(page)
+    assert page.locator(".now canvas").bounding_box()["width"] > 370
+    assert page.locator(".numbers").bounding_box()["y"] < 600
+    ends = page.locator(".plots").bounding_box()
+    assert ends["x"] + ends["width"] == pytest.approx(1344, abs=2)

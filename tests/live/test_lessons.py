@@ -174,6 +174,18 @@ def test_a_link_opens_a_lesson_whose_steps_can_be_done_in_turn(visit: Callable[.
     assert state(page) == begun
 
 
+def test_steps_are_ticked_in_any_order(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?lesson=hubble")
+    for wanted, changes in ((["1", "3"], [{"spherical": 0, "defocus": 0}]), (["1", "2", "3"], DONE["hubble"][1])):
+        for change in changes:
+            page.evaluate("change => live.set(change)", change)
+            rest(page)
+        done = page.locator(".lesson li").evaluate_all(
+            "all => all.flatMap((node, k) => (node.className === 'done' ? [String(k + 1)] : []))"
+        )
+        assert done == wanted
+
+
 def test_a_lesson_shows_the_controls_that_matter_and_all_on_demand(visit: Callable[..., Any]) -> None:
     page = visit("/mounted?lesson=axis")
     rows = page.locator("[data-row]:visible")

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from live_page import rest
 
 
 def saved(page: Any, name: str) -> bytes:
@@ -54,6 +55,21 @@ def test_the_csv_holds_the_curves_and_the_state(visit: Callable[..., Any]) -> No
     heads = ("radius (um)", "profile", "encircled energy", "frequency (cycles/mm)", "MTF diffraction limit")
     for head, wanted in zip(heads, measures, strict=True):
         assert [float(row[head]) for row in rows if row[head]] == pytest.approx(wanted, abs=1e-9)
+
+
+def test_the_csv_of_a_comparison_has_the_settings_as_they_look(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&vanes=4&pixel=4&stretch=sqrt")
+    page.get_by_role("button", name="Hold as A").click()
+    page.get_by_label("Stretch").select_option("log")
+    rest(page)
+    lines = saved(page, "csv").decode().splitlines()
+    assert "# stretch=log *" in lines
+    assert "# vanes=4 *" in lines
+    rows = list(csv.DictReader(io.StringIO("\n".join(line for line in lines if not line.startswith("#")))))
+    for axis in "xy":
+        wanted = page.evaluate(f"Array.from(live.result().measures.mtf.pixel_{axis})")
+        column = [float(row[f"MTF {axis} with pixel"]) for row in rows if row[f"MTF {axis} with pixel"]]
+        assert column == pytest.approx(wanted, abs=1e-9)
 
 
 def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:

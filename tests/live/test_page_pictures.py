@@ -346,3 +346,30 @@ def test_differences_below_the_assumed_error_are_none_where_none_is_proven(visit
     assert page.locator('[data-number="strehl"] small').inner_text() == "as A"
     move(page, defocus=0.6002)
     assert page.locator('[data-number="strehl"] small').inner_text().endswith("from A")
+
+
+def test_fringes_that_the_picture_does_not_resolve_are_grey(visit: Callable[..., Any]) -> None:
+    said = {}
+    for waves in (5, 172):
+        page = visit(f"/mounted#side=64&defocus={waves}")
+        said[waves] = page.locator(".pupils .note").last.inner_text()
+    assert said[5] == "no central obscuration"
+    assert said[172] == "grey: too many fringes to draw"
+    edge = page.locator('canvas[aria-label^="Pupil"]').evaluate(
+        "node => Array.from(node.getContext('2d').getImageData(node.width - 8, node.width / 2 - 8, 4, 16).data)"
+    )
+    assert max(edge[::4]) - min(edge[::4]) < 3
+    assert 100 < edge[0] < 160
+
+
+def test_frequencies_of_the_star_are_marked_at_their_radius(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&pixel=2")
+    marks = page.locator(".rings text").evaluate_all(
+        "all => all.map((node) => [node.textContent, node.getAttribute('x')])"
+    )
+    assert marks.pop()[0] == "cycles/mm"
+    assert [name for name, _ in marks] == ["50", "100"]
+    for name, place in marks:  # 36 cycles around, so many micrometres from the middle
+        assert float(place) - 192 == pytest.approx(36 / (2 * 3.14159265) / (float(name) * 1e-3) / 2, rel=1e-6)
+    page.get_by_label("Picture", exact=True).select_option("text")
+    assert page.locator(".rings").is_hidden()

@@ -33,7 +33,7 @@ CONTRAST = """() => {
   const least = {};
   for (const node of root.querySelectorAll("*")) {
     const own = [...node.childNodes].some((child) => child.nodeType === 3 && child.textContent.trim());
-    if (!own || node.closest("option, style, .ruler, .tag, .unseen, [hidden]")) continue;
+    if (!own || node.closest("option, style, .ruler, .rings, .tag, .unseen, [hidden]")) continue;
     const style = getComputedStyle(node);
     const [a, b] = [light(numbers(node instanceof SVGElement ? style.fill : style.color)), light(behind(node))];
     least[node.tagName + "." + node.getAttribute("class")] = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);

@@ -77,6 +77,7 @@ COPIES = {
     "phone.toml": "lens.toml",
     "nifty-fifty.toml": "lens.toml",
     "hubble-1990.toml": "hubble.toml",
+    "newtonian-off-axis.toml": "newtonian.toml",
     "camera-field.toml": "camera.toml",
     "zeiss-63x-1.4-oil.toml": "objective.toml",
 }
@@ -91,7 +92,8 @@ def folder(tmp_path, monkeypatch) -> Path:
     for path in (ROOT / "examples" / "lenses").glob("*.toml"):
         small = re.sub(r"^shape = \d+$", "shape = 17", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
         (tmp_path / "examples" / "lenses" / path.name).write_text(small, encoding="utf-8")
-    for name, lens in (("lens", "phone"), ("hubble", "hubble-1990"), ("camera", "camera-field")):
+    lenses = {"lens": "phone", "hubble": "hubble-1990", "camera": "camera-field", "newtonian": "newtonian-off-axis"}
+    for name, lens in lenses.items():
         (tmp_path / f"{name}.toml").symlink_to(tmp_path / "examples" / "lenses" / f"{lens}.toml")
     objective = (ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml").read_text(encoding="utf-8")
     (tmp_path / "objective.toml").write_text(objective.replace("shape = 128", "shape = 17"), encoding="utf-8")

@@ -11,7 +11,7 @@ const QUALITY = {
   drag: { tol: 1e-4, side: 256, error: 1e-6, radii: 97, nodes: 2, grids: [[32, 1, 100], [32, 1, 30]], price: 1e6 },
   settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, nodes: 10, grids: [[64, 0.5, 600], [48, 0.5, 150]], price: 4e7 },
 };
-const DEAREST = 1e8; // nodes of all transfer functions of a state: about a second
+const DEAREST = 1.3e8; // nodes of all transfer functions of a state: about a second
 
 const RINGS = 10; // of rays
 
@@ -286,9 +286,9 @@ export class Engine {
     for (const grid of grids) {
       samples = frequencies(end, wide, ...grid);
       at = core.put("points", samples);
-      if (state.vanes || core.call("contrast_price", at, samples.length) < price) break;
+      if (core.call("contrast_price", at, samples.length) < price) break;
     }
-    if (!state.vanes && core.call("contrast_price", at, samples.length) > DEAREST) {
+    if (core.call("contrast_price", at, samples.length) > DEAREST) {
       const none = Float64Array.of(NaN, NaN);
       const refused = "No MTF: aberrations this large would take too long. Stop down, or reduce them.";
       return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };

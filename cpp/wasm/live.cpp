@@ -165,8 +165,11 @@ EXPORT(radius_of) double radius_of(double share, double reach) {
     return 0.5 * (low + high);
 }
 
-// About how many nodes contrast() takes of a pupil without vanes.
+// About how many nodes contrast() takes.
 EXPORT(contrast_price) double contrast_price(const double* f, std::size_t count) {
+    if (!light.vanes.empty()) {
+        return live::cut_contrast_price(light, count);
+    }
     double nodes = 0.0;
     for (const live::Line& line : light.lines) {
         lommel::Overlap overlap(light.terms, light.stretched(line.stretch).data(), light.obscuration);

@@ -104,6 +104,19 @@ class CutPupil {
         return sum / (pi * area_);
     }
 
+    // About how many nodes contrast() takes; a row costs as much as a hundred.
+    double contrast_price(double f) {
+        overlap_.set_shift(f, 0);
+        double nodes = 0.0;
+        for (const Row& row : rows(f, overlap_.run(), 8.0, 0.25)) {
+            nodes += 100.0;
+            for (const Interval& part : row.parts) {
+                nodes += 20.0 + 0.2 * overlap_.run() * (part.high - part.low);
+            }
+        }
+        return nodes;
+    }
+
    private:
     static constexpr double pi = 3.14159265358979323846;
     static constexpr double dense = 0.28;  // nodes a radian
@@ -117,9 +130,22 @@ class CutPupil {
     struct Interval {
         double low, high;
     };
+    // Of a row there are at most ten: with eight vanes and a hole nine gaps; of two rows twice as many.
+    class Intervals {
+       public:
+        void push_back(Interval interval) { at_[count_++] = interval; }
+        const Interval* begin() const { return at_.data(); }
+        const Interval* end() const { return at_.data() + count_; }
+        std::size_t size() const { return count_; }
+        const Interval& operator[](std::size_t i) const { return at_[i]; }
+
+       private:
+        std::array<Interval, 24> at_;
+        std::size_t count_ = 0;
+    };
     struct Row {
         double y, weight;
-        std::vector<Interval> parts;
+        Intervals parts;
     };
     using Line = lommel::Overlap::Line;
 
@@ -220,11 +246,12 @@ class CutPupil {
     }
 
     // What is clear of a row at this height, moved by `by`.
-    std::vector<Interval> row(double y, double by) const {
+    Intervals row(double y, double by) const {
         const double rim = std::sqrt(std::max(0.0, (1.0 - y) * (1.0 + y)));
-        std::vector<Interval> clear{{-rim + by, rim + by}};
+        Intervals clear;
+        clear.push_back({-rim + by, rim + by});
         const auto block = [&](double low, double high) {
-            std::vector<Interval> left;
+            Intervals left;
             for (const Interval& part : clear) {
                 if (low + by > part.low) {
                     left.push_back({part.low, std::min(part.high, low + by)});
@@ -233,7 +260,7 @@ class CutPupil {
                     left.push_back({std::max(part.low, high + by), part.high});
                 }
             }
-            clear.swap(left);
+            clear = left;
         };
         if (std::abs(y) < eps_) {
             const double hole = std::sqrt((eps_ - y) * (eps_ + y));
@@ -258,8 +285,8 @@ class CutPupil {
         }
         return clear;
     }
-    std::vector<Interval> shared(double y, double f) const {
-        std::vector<Interval> both, left = row(y, -f);
+    Intervals shared(double y, double f) const {
+        Intervals both, left = row(y, -f);
         if (f == 0.0) {
             return left;
         }
@@ -280,7 +307,7 @@ class CutPupil {
         for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
             const double middle = 0.5 * (edges[k] + edges[k + 1]), half = 0.5 * (edges[k + 1] - edges[k]);
             // How far the ends of intervals move.
-            const std::vector<Interval> first = shared(middle - 0.999999 * half, f), last = shared(middle + 0.999999 * half, f);
+            const Intervals first = shared(middle - 0.999999 * half, f), last = shared(middle + 0.999999 * half, f);
             double move = first.size() == last.size() ? 0.0 : 2.0;
             for (std::size_t i = 0; i < std::min(first.size(), last.size()); ++i) {
                 move = std::max({move, std::abs(first[i].low - last[i].low), std::abs(first[i].high - last[i].high)});
@@ -589,6 +616,19 @@ inline void cut_contrast(const Light& light, const double* f, std::size_t count,
         }
     }
     std::transform(flat.begin(), flat.end(), limit, [](std::complex<double> sum) { return std::abs(sum); });
+}
+
+// About how many nodes cut_contrast() takes, by those at three frequencies in the line where they are most.
+inline double cut_contrast_price(const Light& light, std::size_t count) {
+    double widest = 0.0, nodes = 0.0;
+    for (const Line& line : light.lines) {
+        widest = std::max(widest, line.stretch);
+    }
+    CutPupil pupil(light, widest, 0.0, true);
+    for (const double f : {0.1, 0.35, 0.7}) {
+        nodes += pupil.contrast_price(f) / 3.0;
+    }
+    return 2.0 * static_cast<double>(light.lines.size() * count) * nodes;
 }
 
 }  // namespace live

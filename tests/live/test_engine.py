@@ -620,6 +620,14 @@ def test_measures_with_vanes_are_those_of_the_package(engine, state):
     assert found["inside"] == pytest.approx(values.sum(), abs=1e-4)
 
 
+def test_no_mtf_of_vanes_is_given_that_would_take_long(engine):
+    state = {"defocus": 40, "coma": 5, "astigmatism": 9, "vanes": 6, "vane_width": 0.2, "obscuration": 0.3}
+    found = engine.measures(state)
+    assert found["mtf"]["refused"].startswith("No MTF: aberrations this large")
+    assert 0.79 < np.interp(found["d80"] / 2, found["energy"]["r"], found["energy"]["share"]) < 0.81
+    assert "refused" not in engine.measures({**state, "defocus": 2, "coma": 0.5, "astigmatism": 0.5})["mtf"]
+
+
 def test_a_thin_vane_hardly_changes_large_aberrations(engine):
     state = {"defocus": 20, "spherical": 3, "coma": 1}
     clear, cut = engine.measures(state), engine.measures({**state, "vanes": 1, "vane_width": 0.001})

@@ -52,7 +52,7 @@ class CutPupil {
     std::vector<float> field(std::size_t side, double step, const lommel::GriddingKernel* kernel = nullptr) const {
         const double far = static_cast<double>(side / 2) * step, slope = overlap_.slope() + far;
         const std::vector<Row> all = rows_to(far);
-        if (!(seconds(all, side, far) < 2.0)) {
+        if (!(seconds(all, side, far) < 1.6)) {
             throw std::domain_error("these aberrations would take the page too long: smaller ones, or a larger f-number");
         }
         const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
@@ -556,7 +556,7 @@ inline double cut_reach(const Light& light, double reach) {
         const double far = reach * widest;
         const std::size_t side = CutField::side(far);
         const double rings = 2.0 * lines * 100e-9 * far * far;
-        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 1.6 || far < 50.0) {
+        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 1.1 || far < 50.0) {
             return reach;
         }
     }

@@ -372,4 +372,4 @@ def test_frequencies_of_the_star_are_marked_at_their_radius(visit: Callable[...,
     for name, place in marks:  # 36 cycles around, so many micrometres from the middle
         assert float(place) - 192 == pytest.approx(36 / (2 * 3.14159265) / (float(name) * 1e-3) / 2, rel=1e-6)
     page.get_by_label("Picture", exact=True).select_option("text")
-    assert page.locator(".rings").is_hidden()
+    page.locator(".rings").wait_for(state="hidden")

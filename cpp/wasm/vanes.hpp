@@ -15,7 +15,7 @@
 #include "lommel/pixels/taps.hpp"
 
 #include "light.hpp"
-#include "wave_sums.hpp"
+#include "lommel/special/wave_sums.hpp"
 
 namespace live {
 
@@ -56,7 +56,8 @@ class CutPupil {
             throw std::domain_error("these aberrations would take the page too long: smaller ones, or a larger f-number");
         }
         const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
-        WaveSums waves(side);
+        const lommel::WaveKernel kernel_of(side);
+        lommel::WaveSums waves(kernel_of);
         // Of each row along the columns: [eight columns][row][real parts, imaginary parts].
         std::vector<float> sums(2 * wide * count * blocks), out(2 * side * side);
         const Taper taper(kernel, step);
@@ -67,7 +68,7 @@ class CutPupil {
                 for (std::size_t r = 0; r < here; ++r) {
                     add_row(isa, all[first + r], taper, slope, step, r, waves);
                 }
-                waves.finish(isa, side, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
                     float* const to = &sums[2 * wide * (k / wide * count + first) + k % wide];
                     for (std::size_t r = 0; r < here; ++r) {
                         to[2 * wide * r] = static_cast<float>(gain * sum[r]);
@@ -80,7 +81,7 @@ class CutPupil {
                 for (std::size_t r = 0; r < count; ++r) {
                     waves.add(isa, &sums[2 * wide * (b * count + r)], step * all[r].y);
                 }
-                waves.finish(isa, side, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
                     float* const to = &out[2 * (k * side + b * wide)];
                     for (std::size_t i = 0; i < std::min(wide, side - b * wide); ++i) {
                         to[2 * i] = static_cast<float>(gain * sum[i]);
@@ -216,7 +217,7 @@ class CutPupil {
     // The waves of a row at its nodes, as those of sum `r`.
     template <class I>
     LOMMEL_INLINE void add_row(I isa, const Row& row, const Taper& taper, double slope, double step, std::size_t r,
-                               WaveSums& waves) const {
+                               lommel::WaveSums& waves) const {
         using namespace lommel;
         using V = typename I::pack;
         Line c;

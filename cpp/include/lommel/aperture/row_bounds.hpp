@@ -1,0 +1,325 @@
+// How many nodes Gauss-Legendre rules take over the rows of an aperture, with a proven error for polynomials.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "lommel/aperture/shapes.hpp"
+
+namespace lommel {
+
+// The modulus, of numbers far from overflow.
+inline double modulus(std::complex<double> z) { return std::sqrt(z.real() * z.real() + z.imag() * z.imag()); }
+
+// A disc of the complex plane that holds a number.
+struct ComplexDisc {
+    std::complex<double> centre;
+    double radius = 0.0;
+
+    double largest() const { return modulus(centre) + radius; }
+    friend ComplexDisc operator+(ComplexDisc a, ComplexDisc b) { return {a.centre + b.centre, a.radius + b.radius}; }
+    friend ComplexDisc operator-(ComplexDisc a, ComplexDisc b) { return {a.centre - b.centre, a.radius + b.radius}; }
+    friend ComplexDisc operator*(ComplexDisc a, ComplexDisc b) {
+        const double first = modulus(a.centre), second = modulus(b.centre);
+        return {a.centre * b.centre, first * b.radius + second * a.radius + a.radius * b.radius};
+    }
+    friend ComplexDisc operator*(std::complex<double> a, ComplexDisc b) { return {a * b.centre, modulus(a) * b.radius}; }
+    friend ComplexDisc operator*(double a, ComplexDisc b) { return {a * b.centre, std::abs(a) * b.radius}; }
+    // The principal root, for discs without 0.
+    ComplexDisc root() const {
+        const double size = modulus(centre), re = std::sqrt(0.5 * std::max(0.0, size + centre.real()));
+        const double im = std::sqrt(0.5 * std::max(0.0, size - centre.real()));
+        return {{re, centre.imag() < 0.0 ? -im : im}, std::sqrt(size) - std::sqrt(std::max(0.0, size - radius))};
+    }
+};
+
+// The rate at which polynomials that are at most 1 on the unit disc of the plane grow off it: at complex (x, y) those of degree n
+// are at most e^{n b}, cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (the extremal function of Siciak, found by Lundin). Points with b
+// below a limit are a convex set.
+inline double polynomial_growth(double squares, double rest) { return 0.5 * std::acosh(std::max(1.0, squares + rest)); }
+inline double polynomial_growth(ComplexDisc x, ComplexDisc y) {
+    const double across = x.largest(), down = y.largest();
+    const ComplexDisc rest = x * x + y * y - ComplexDisc{1.0, 0.0};
+    return polynomial_growth(across * across + down * down, rest.largest());
+}
+
+// The corners, of the upper half, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
+template <class At>
+void each_corner(double eta, const At& at) {
+    constexpr std::size_t corners = 40;
+    constexpr double pi = 3.14159265358979323846;
+    const double scale = 1.0 / std::cos(pi / corners), a = scale * std::cosh(eta), b = scale * std::sinh(eta);
+    for (std::size_t i = 0; i <= corners / 2; ++i) {
+        const double t = 2.0 * pi * static_cast<double>(i) / corners;
+        at(std::complex<double>(a * std::cos(t), b * std::sin(t)));
+    }
+}
+
+// The fewest nodes of a rule on [-1, 1] for an error, and whether singularities stood in the way of fewer. largest(eta, limit) bounds
+// the logarithm of a function on the ellipse around it with semi-axes cosh eta and sinh eta: from 1e300 on where there is no bound,
+// and where it is certainly above the limit (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3). What is
+// needed has one minimum over ln eta but for the slack of the bounds; it is sought downhill.
+struct GaussNodes {
+    double count;
+    bool blocked = false;
+
+    template <class Largest>
+    GaussNodes(double error, const Largest& largest) : count(none) {
+        constexpr int etas = 16, patience = 2;
+        const auto needed = [&](int k) {
+            const double eta = 0.02 * std::pow(1.5, k), known = std::log(64.0 / 15.0 / -std::expm1(-2.0 * eta) / error);
+            const double most = largest(eta, 2.0 * eta * count - known);
+            return most < 1e300 ? std::max(1.0, std::ceil((known + most) / (2.0 * eta))) : none;
+        };
+        int start = 8;
+        count = needed(start);
+        while (count >= none && start > 0) {
+            start -= 2;
+            blocked = true;
+            count = needed(start);
+        }
+        for (const int step : {1, -1}) {
+            int missed = 0;
+            for (int k = start + step; k >= 0 && k < etas && missed < patience; k += step) {
+                const double next = needed(k);
+                missed = next < count ? 0 : missed + 1;
+                count = std::min(count, next);
+            }
+        }
+    }
+    static constexpr double none = 1e9;
+};
+
+// A bound on a function over the upper half of an ellipse around [-1, 1]: at(disc) bounds it over a disc, which holds a part of
+// the curve. The part of the largest bound is halved until that is close to what the function is there, or that above the limit.
+template <class At>
+double largest_on_ellipse(double eta, double limit, const At& at) {
+    constexpr double pi = 3.14159265358979323846;
+    constexpr std::size_t first = 8, most = 96;
+    const double a = std::cosh(eta), b = std::sinh(eta);
+    struct Arc {
+        double from, to, bound;
+        bool operator<(const Arc& other) const { return bound < other.bound; }
+    };
+    const auto disc = [&](double from, double to) {
+        const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+        // The speed along the curve is largest nearest to its flat sides.
+        const double sine = std::min(1.0, std::abs(std::sin(middle)) + half);
+        return ComplexDisc{{a * std::cos(middle), b * std::sin(middle)}, half * std::sqrt(b * b + sine * sine)};
+    };
+    std::array<Arc, most> arcs;
+    std::size_t count = 0;
+    const auto add = [&](double from, double to) {
+        arcs[count++] = {from, to, at(disc(from, to))};
+        std::push_heap(arcs.begin(), arcs.begin() + count);
+    };
+    for (std::size_t i = 0; i < first; ++i) {
+        add(pi * static_cast<double>(i) / first, pi * static_cast<double>(i + 1) / first);
+    }
+    while (count < most) {
+        const Arc worst = arcs[0];
+        const double seen = at({disc(worst.from, worst.to).centre, 0.0});
+        if (worst.bound < seen + 1.5 || seen > limit) {
+            return seen > limit ? 1e301 : worst.bound;
+        }
+        std::pop_heap(arcs.begin(), arcs.begin() + count--);
+        const double middle = 0.5 * (worst.from + worst.to);
+        add(worst.from, middle);
+        add(middle, worst.to);
+    }
+    return arcs[0].bound;
+}
+
+// y over a panel of rows, s from -1 to 1: middle + half s, or, where an arc begins at one end, that end and the square of the
+// distance from it, by which the root there goes away.
+class PanelMap {
+   public:
+    PanelMap(double low, double high, int root)
+        : root_(root), length_(high - low), anchor_(root < 0 ? low : root > 0 ? high : 0.5 * (low + high)),
+          sign_(root > 0 ? -1.0 : 1.0) {}
+
+    template <class Number>
+    Number y(Number s) const {
+        return anchor_ + sign_ * distance(s);
+    }
+    double slope(double s) const { return root_ == 0 ? 0.5 * length_ : 0.5 * length_ * (1.0 + s); }
+
+    ComplexDisc y(ComplexDisc s) const {
+        ComplexDisc t = distance(s);
+        return ComplexDisc{anchor_, 0.0} + sign_ * t;
+    }
+    double largest_slope(ComplexDisc s) const {
+        return 0.5 * length_ * (root_ == 0 ? 1.0 : (ComplexDisc{1.0, 0.0} + s).largest());
+    }
+
+    // sqrt((y - low) (high - y)) as a product of roots of linear functions of s, none of which is 0 on the ellipse or within; false
+    // where there is one.
+    bool arc(const Side& side, double eta, ComplexDisc s, ComplexDisc& value) const {
+        const double near = sign_ > 0.0 ? anchor_ - side.low : side.high - anchor_;
+        const double far = sign_ > 0.0 ? side.high - anchor_ : anchor_ - side.low;
+        // (near + t) (far - t), t the distance from the anchor.
+        if (root_ == 0) {
+            const double half = 0.5 * length_;
+            return linear(-near / half, eta, s, std::sqrt(std::max(near, 0.0)), value = {1.0, 0.0}) &&
+                   linear(far / half, eta, s, std::sqrt(std::max(far, 0.0)), value);
+        }
+        const ComplexDisc u = 0.5 * (ComplexDisc{1.0, 0.0} + s);
+        if (near < 1e-13) {
+            value = std::sqrt(length_) * u;
+        } else {
+            const std::complex<double> at(-1.0, 2.0 * std::sqrt(near / length_));
+            value = {1.0, 0.0};
+            if (!linear(at, eta, s, std::sqrt(length_) * 0.5 * std::abs(at), value) ||
+                !linear(std::conj(at), eta, s, 1.0, value)) {
+                return false;
+            }
+        }
+        // far - t = (far - length u^2), whose roots are +-sqrt(far / length).
+        const double end = 2.0 * std::sqrt(std::max(far, 0.0) / length_);
+        return linear(end - 1.0, eta, s, std::sqrt(0.25 * length_ * (end - 1.0) * (end + 1.0)), value) &&
+               linear(-end - 1.0, eta, s, 1.0, value);
+    }
+
+   private:
+    template <class Number>
+    Number distance(Number s) const {
+        if (root_ == 0) {
+            return 0.5 * length_ * s;
+        }
+        const Number u = 0.5 * (1.0 + s);
+        return length_ * u * u;
+    }
+    ComplexDisc distance(ComplexDisc s) const {
+        if (root_ == 0) {
+            return 0.5 * length_ * s;
+        }
+        const ComplexDisc u = 0.5 * (ComplexDisc{1.0, 0.0} + s);
+        return length_ * (u * u);
+    }
+    // Multiplies by scale sqrt(1 - s / at), analytic on the ellipse if `at` lies outside: what is inside is convex, so 1 - s / at
+    // stays in a half plane without 0, and off the negative axis.
+    static bool linear(std::complex<double> at, double eta, ComplexDisc s, double scale, ComplexDisc& value) {
+        if (!(std::abs(at - 1.0) + std::abs(at + 1.0) > 2.0 * std::cosh(eta) * (1.0 + 1e-9))) {
+            return false;
+        }
+        value = value * (scale * (ComplexDisc{1.0, 0.0} - (1.0 / at) * s).root());
+        return true;
+    }
+
+    int root_;
+    double length_, anchor_, sign_;
+};
+
+// What is clear of the rows of a panel: the same sides bound the same number of intervals throughout.
+struct Panel {
+    double low, high;
+    int root;  // whether an arc begins at the low end, -1, or at the high one, 1
+    std::vector<std::array<Side, 2>> spans;
+
+    // A bound on the logarithm of what is integrated over s, on an ellipse: of a polynomial of that degree, at most 1 on the disc.
+    double largest(double eta, double degree, double limit) const {
+        const PanelMap map(low, high, root);
+        if (straight()) {
+            return largest_straight(eta, degree, map);
+        }
+        return largest_on_ellipse(eta, limit, [&](ComplexDisc s) {
+            const ComplexDisc y = map.y(s);
+            double total = 0.0, most = -1e300;
+            for (const auto& span : spans) {
+                ComplexDisc x[2];
+                double growth = 0.0;
+                for (std::size_t i = 0; i < 2; ++i) {
+                    const Side& side = span[i];
+                    x[i] = ComplexDisc{side.p - side.q * side.origin, 0.0} + side.q * y;
+                    if (side.k != 0.0) {
+                        ComplexDisc arc;
+                        if (!map.arc(side, eta, s, arc)) {
+                            return 1e301;
+                        }
+                        x[i] = x[i] + side.k * arc;
+                    }
+                    growth = std::max(growth, degree * polynomial_growth(x[i], y));
+                }
+                // Between the sides a polynomial is at most as large as at the worse of them: where b is below a limit is convex.
+                const double size = growth + std::log((x[1] - x[0]).largest() + 1e-300);
+                total = size > most ? 1.0 + total * std::exp(most - size) : total + std::exp(size - most);
+                most = std::max(most, size);
+            }
+            return most + std::log(total) + std::log(map.largest_slope(s) + 1e-300) + 1e-9;
+        });
+    }
+
+   private:
+    bool straight() const {
+        return root == 0 && std::all_of(spans.begin(), spans.end(), [](const std::array<Side, 2>& span) {
+                   return span[0].k == 0.0 && span[1].k == 0.0;
+               });
+    }
+    // Sides are linear functions of s, so that their growth and their distance are largest at a corner.
+    double largest_straight(double eta, double degree, const PanelMap& map) const {
+        double total = 0.0, most = -1e300;
+        for (const auto& span : spans) {
+            double growth = 0.0, width = 0.0;
+            each_corner(eta, [&](std::complex<double> s) {
+                const std::complex<double> y = map.y(s);
+                std::complex<double> x[2];
+                for (std::size_t i = 0; i < 2; ++i) {
+                    x[i] = span[i].p + span[i].q * (y - span[i].origin);
+                    growth = std::max(growth, std::norm(x[i]) + std::norm(y) + modulus(x[i] * x[i] + y * y - 1.0));
+                }
+                width = std::max(width, modulus(x[1] - x[0]));
+            });
+            const double size = degree * polynomial_growth(growth, 0.0) + std::log(width + 1e-300);
+            total = size > most ? 1.0 + total * std::exp(most - size) : total + std::exp(size - most);
+            most = std::max(most, size);
+        }
+        return most + std::log(total) + std::log(map.largest_slope({0.0, 0.0})) + 1e-9;
+    }
+};
+
+// The number of nodes on a span of a row, from what part of the row's chord of the disc it is.
+class SpanNodes {
+   public:
+    SpanNodes(std::size_t degree, double error) : degree_(static_cast<double>(degree)), error_(error), known_(cells * cells, 0) {}
+
+    // So many that a polynomial's mean over the span is off by at most the error. [low, high] within [-half, half].
+    std::size_t operator()(double low, double high, double half) {
+        // The ellipses of longer spans hold those of shorter ones.
+        const std::size_t i = cell(low / half, false), j = cell(high / half, true);
+        std::size_t& known = known_[i * cells + j];
+        if (known == 0) {
+            const double from = place(i), to = place(j), middle = 0.5 * (from + to), reach = 0.5 * (to - from);
+            // |x - 1| + |x + 1| = 2 cosh b, b the growth off the chord, is convex: it is largest at a corner.
+            const GaussNodes most(error_, [&](double eta, double) {
+                double sum = 2.0;
+                each_corner(eta, [&](std::complex<double> s) {
+                    const std::complex<double> x = middle + reach * s;
+                    sum = std::max(sum, modulus(x - 1.0) + modulus(x + 1.0));
+                });
+                return degree_ * std::acosh(0.5 * sum) + 1e-9;
+            });
+            known = std::min(static_cast<std::size_t>(most.count), static_cast<std::size_t>(0.5 * degree_) + 1);  // exact from there on
+        }
+        return known;
+    }
+
+   private:
+    static constexpr std::size_t cells = 65;
+    static double place(std::size_t i) {
+        return -std::cos(3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(cells - 1));
+    }
+    static std::size_t cell(double x, bool up) {
+        const double at = std::acos(std::min(1.0, std::max(-1.0, -x))) / 3.14159265358979323846 * (cells - 1);
+        return static_cast<std::size_t>(std::min<double>(cells - 1, up ? std::ceil(at - 1e-9) : std::floor(at + 1e-9)));
+    }
+
+    double degree_, error_;
+    std::vector<std::size_t> known_;
+};
+
+}  // namespace lommel

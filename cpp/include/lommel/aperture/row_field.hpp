@@ -1,0 +1,205 @@
+// Fields of an aperture from the nodes along its rows: two stages of non-uniform FFTs.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "lommel/aperture/row_rule.hpp"
+#include "lommel/base/parallel.hpp"
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/limits.hpp"
+#include "lommel/special/radial_polynomials.hpp"
+#include "lommel/special/sincos.hpp"
+#include "lommel/special/wave_sums.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+namespace lommel {
+
+// Sums of Zernike terms at points of a row, by Jacobi's recurrence over the degrees of each azimuthal order.
+class ZernikeSum {
+   public:
+    ZernikeSum(const std::vector<ZernikeTerm>& terms, const double* edge) {
+        std::int32_t highest = 0;
+        for (const ZernikeTerm& term : terms) {
+            highest = std::max(highest, std::abs(term.m));
+        }
+        orders_.resize(static_cast<std::size_t>(highest) + 1);
+        for (std::size_t j = 0; j < terms.size(); ++j) {
+            if (edge[j] == 0.0) {
+                continue;
+            }
+            Order& order = orders_[static_cast<std::size_t>(std::abs(terms[j].m))];
+            const std::size_t k = static_cast<std::size_t>((terms[j].n - std::abs(terms[j].m)) / 2);
+            order.terms.resize(std::max(order.terms.size(), k + 1));
+            (terms[j].m < 0 ? order.terms[k].sine : order.terms[k].cosine) += edge[j];
+            size_ += std::abs(edge[j]);
+            ++count_;
+        }
+        for (std::size_t m = 0; m < orders_.size(); ++m) {
+            for (std::size_t k = 0; k < orders_[m].terms.size(); ++k) {
+                const RadialStep<double> step(k, static_cast<double>(m));
+                Term& term = orders_[m].terms[k];
+                term.slope = step.slope;
+                term.shift = step.shift;
+                term.back = step.back;
+            }
+        }
+        while (orders_.size() > 1 && orders_.back().terms.empty()) {
+            orders_.pop_back();
+        }
+    }
+
+    double size() const { return size_; }                             // of the sum, at most
+    double terms() const { return static_cast<double>(count_ + 2 * orders_.size()); }
+
+    template <class V>
+    LOMMEL_INLINE V at(V x, V y) const {
+        const V t = x * x + y * y, z = t + t - splat<V>(1.0);
+        V re = splat<V>(1.0), im = splat<V>(0.0), total = splat<V>(0.0);
+        for (std::size_t m = 0; m < orders_.size(); ++m) {
+            if (m > 0) {
+                const V next = re * x - im * y;
+                im = re * y + im * x;
+                re = next;
+            }
+            V before = splat<V>(0.0), here = splat<V>(1.0), cosine = before, sine = before;
+            for (const Term& term : orders_[m].terms) {
+                cosine = cosine + splat<V>(term.cosine) * here;
+                sine = sine + splat<V>(term.sine) * here;
+                const V next = (splat<V>(term.slope) * z + splat<V>(term.shift)) * here - splat<V>(term.back) * before;
+                before = here;
+                here = next;
+            }
+            total = total + cosine * re + sine * im;
+        }
+        return total;
+    }
+
+   private:
+    struct Term {
+        double cosine = 0.0, sine = 0.0, slope = 0.0, shift = 0.0, back = 0.0;
+    };
+    struct Order {
+        std::vector<Term> terms;
+    };
+    std::vector<Order> orders_;
+    double size_ = 0.0;
+    std::size_t count_ = 0;
+};
+
+// The field of one or several regions, each with a phase of its own, on the pixels of a window.
+class RowField {
+   public:
+    // Errors of what is summed, over the sum of the weights, will be about `precision`.
+    RowField(const DiskWindow& window, double precision) : window_(window) {
+        const std::size_t longest = std::max(window.height, window.width);
+        std::size_t taps = 4;
+        do {
+            taps += 2;
+            across_ = std::make_unique<WaveKernel>(window.width, taps);
+        } while (taps < WaveKernel::most_taps && WaveKernel(longest, taps).error(0.0) > precision);
+        down_ = std::make_unique<WaveKernel>(window.height, taps);
+    }
+
+    // Adds the field of a region with phases `tilt` more than those of the terms: constant, along x, along y. Multiplied by a term
+    // if there is one. Returns a bound on what summing loses.
+    double add(const RowRule& rule, const ZernikeSum& phase, const Amplitude& light, const double (&tilt)[3], const ZernikeSum* factor,
+               int threads, Doubles& out) const {
+        const std::vector<RowRule::Row>& rows = rule.rows();
+        const std::size_t count = rows.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
+        // Of each row along the columns: [eight columns][row][eight real parts, eight imaginary parts].
+        Doubles sums(2 * wide * count * blocks);
+        const double step = window_.step, half_y = static_cast<double>(window_.height / 2) - window_.row,
+                     half_x = static_cast<double>(window_.width / 2) - window_.column;
+        // Pixel k has v = step (k - side / 2 + half).
+        const double tilts[3] = {tilt[0], tilt[1] - step * half_x, tilt[2] - step * half_y};
+        std::size_t longest = 0;
+        for (const RowRule::Row& row : rows) {
+            longest = std::max(longest, row.count);
+        }
+        parallel_for(strips, threads, [&](std::size_t, std::size_t strip) {
+            WaveSums waves(*across_);
+            Doubles re(longest + 16), im(longest + 16);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                const std::size_t first = strip * wide, here = std::min(wide, count - first);
+                waves.start();
+                for (std::size_t r = 0; r < here; ++r) {
+                    const RowRule::Row& row = rows[first + r];
+                    strengths(isa, rule, row, phase, light, tilts, factor, re.data(), im.data());
+                    for (std::size_t k = 0; k < row.count; ++k) {
+                        waves.add(isa, r, re[k], im[k], step * rule.x()[row.first + k]);
+                    }
+                }
+                waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                    double* const to = &sums[2 * wide * (k / wide * count + first) + k % wide];
+                    for (std::size_t r = 0; r < here; ++r) {
+                        to[2 * wide * r] = gain * sum[r];
+                        to[2 * wide * r + wide] = gain * sum[wide + r];
+                    }
+                });
+            });
+        });
+        const std::size_t width = window_.width;
+        parallel_for(blocks, threads, [&](std::size_t, std::size_t b) {
+            WaveSums waves(*down_);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                waves.start();
+                for (std::size_t r = 0; r < count; ++r) {
+                    waves.add(isa, &sums[2 * wide * (b * count + r)], step * rows[r].y);
+                }
+                waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
+                    double* const to = &out[2 * (k * width + b * wide)];
+                    for (std::size_t i = 0; i < std::min(wide, width - b * wide); ++i) {
+                        to[2 * i] += gain * sum[i];
+                        to[2 * i + 1] += gain * sum[wide + i];
+                    }
+                });
+            });
+        });
+        const double first = across_->error(static_cast<double>(longest)), second = down_->error(static_cast<double>(count));
+        // Phases are sums of terms and of tilts, products of these and of what they are added to; places are off by two roundings,
+        // which turn the waves at the corners; a weight by eight, light by its exponent's.
+        const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y),
+                                               static_cast<double>(window_.width) + std::abs(half_x));
+        const double turned = (phase.terms() + 8.0) * phase.size() + 8.0 * (std::abs(tilts[0]) + std::abs(tilts[1]) + std::abs(tilts[2])) +
+                              4.0 * reach + light.sensitivity() + 16.0;
+        return rule.weight() * (first + second + first * second + unit_roundoff * turned);
+    }
+
+   private:
+    static constexpr std::size_t wide = fft_rows;
+
+    template <class I>
+    LOMMEL_INLINE void strengths(I isa, const RowRule& rule, const RowRule::Row& row, const ZernikeSum& phase, const Amplitude& light,
+                                 const double (&tilt)[3], const ZernikeSum* factor, double* re, double* im) const {
+        using V = typename I::pack;
+        const V y = splat<V>(row.y), still = splat<V>(tilt[0] + tilt[2] * row.y);
+        for (std::size_t k = 0; k < row.count; k += I::lanes) {
+            // Nodes beyond the end belong to the next row, or are 0.
+            const V x = load<V>(&rule.x()[row.first + k]);
+            V w = load<V>(&rule.weights()[row.first + k]), sine, cosine;
+            sincos(isa, phase.at(x, y) + splat<V>(tilt[1]) * x + still, sine, cosine);
+            if (factor != nullptr) {
+                w = w * factor->at(x, y);
+            }
+            store(re + k, w * cosine);
+            store(im + k, w * sine);
+        }
+        if (!light.uniform()) {
+            for (std::size_t k = 0; k < row.count; ++k) {
+                const double x = rule.x()[row.first + k], a = light.at(x * x + row.y * row.y);
+                re[k] *= a;
+                im[k] *= a;
+            }
+        }
+    }
+
+    DiskWindow window_;
+    std::unique_ptr<WaveKernel> across_, down_;
+};
+
+}  // namespace lommel

@@ -1,0 +1,210 @@
+// Quadrature along the rows of an aperture: nodes and weights with a proven error for polynomials.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "lommel/aperture/row_bounds.hpp"
+#include "lommel/aperture/shapes.hpp"
+#include "lommel/base/aligned.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/base/watch.hpp"
+#include "lommel/special/legendre.hpp"
+
+namespace lommel {
+
+// Rows of nodes: (1/pi) int P dx dy over a region is the sum of w P(x, y), with an error of at most `error` for polynomials of the
+// degree that are at most 1 on the unit disc, which holds the region. Weights are positive.
+class RowRule {
+   public:
+    struct Row {
+        double y;
+        std::size_t first, count;
+    };
+
+    RowRule(const Region& region, std::size_t degree, double error);
+
+    const std::vector<Row>& rows() const { return rows_; }
+    const Doubles& x() const { return x_; }
+    const Doubles& weights() const { return weights_; }
+    double weight() const { return weight_; }  // their sum
+    std::size_t panels() const { return panels_; }
+    std::size_t bytes() const { return sizeof(Row) * rows_.capacity() + 8 * (x_.capacity() + weights_.capacity()); }
+
+   private:
+    static constexpr std::size_t most_nodes = std::size_t{1} << 26;
+    struct Gauss {
+        std::vector<double> x, w;
+    };
+    const Gauss& gauss(std::size_t n) {
+        Gauss& rule = gauss_[n];
+        if (rule.x.empty()) {
+            rule.x.resize(n);
+            rule.w.resize(n);
+            gauss_legendre<double, double>(n, rule.x.data(), rule.w.data());
+        }
+        return rule;
+    }
+    static constexpr double few = 24.0;  // nodes of a panel that is not to be halved
+    // Nodes of a panel, by the best change of variable.
+    GaussNodes needed(Panel& panel, double degree, double error);
+    void split(Panel panel, double degree, double error, int depth);
+    void fill(const Panel& panel, std::size_t rows);
+
+    std::vector<Row> rows_;
+    Doubles x_, weights_;
+    double weight_ = 0.0;
+    std::size_t panels_ = 0;
+    std::map<std::size_t, Gauss> gauss_;
+    SpanNodes spans_;
+};
+
+// What is clear of the row at y, from the sides of the parts there.
+std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y);
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
+    struct End {
+        double x;
+        std::size_t part;
+        bool right;
+        Side side;
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < region.parts().size(); ++i) {
+        const Part& part = region.parts()[i];
+        if (part.low() < y && y < part.high()) {
+            const auto sides = part.sides(y);
+            for (std::size_t k = 0; k < 2; ++k) {
+                ends.push_back({sides[k].at(y), i, k == 1, sides[k]});
+            }
+        }
+    }
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.x < b.x; });
+    std::vector<std::array<Side, 2>> spans;
+    std::vector<char> inside(region.parts().size(), 0);
+    Side start;
+    bool before = false;
+    for (const End& end : ends) {
+        inside[end.part] = end.right ? 0 : 1;
+        const bool now = region.clear(inside);
+        if (now && !before) {
+            start = end.side;
+        } else if (before && !now) {
+            spans.push_back({start, end.side});
+        }
+        before = now;
+    }
+    return spans;
+}
+
+LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
+    const std::vector<double> heights = region.heights();
+    for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
+        look();
+        const double low = heights[k], high = heights[k + 1];
+        if (!(high - low > 1e-14)) {
+            continue;
+        }
+        Panel panel{low, high, 0, clear_spans(region, 0.5 * (low + high))};
+        if (panel.spans.empty()) {
+            continue;
+        }
+        bool roots[2] = {false, false};
+        for (const auto& span : panel.spans) {
+            for (const Side& side : span) {
+                roots[0] = roots[0] || (side.k != 0.0 && std::abs(side.low - low) < 1e-13);
+                roots[1] = roots[1] || (side.k != 0.0 && std::abs(side.high - high) < 1e-13);
+            }
+        }
+        const double share = 0.25 * error / static_cast<double>(heights.size());
+        if (roots[0] && roots[1]) {
+            const double middle = 0.5 * (low + high);
+            split({low, middle, -1, panel.spans}, static_cast<double>(degree), share, 0);
+            split({middle, high, 1, panel.spans}, static_cast<double>(degree), share, 0);
+        } else {
+            panel.root = roots[0] ? -1 : roots[1] ? 1 : 0;
+            split(panel, static_cast<double>(degree), share, 0);
+        }
+    }
+    for (const double w : weights_) {
+        weight_ += w;
+    }
+    gauss_.clear();
+    x_.resize(x_.size() + row_lanes, 0.0);  // vectors may begin at the last node
+    weights_.resize(x_.size(), 0.0);
+}
+
+LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error) {
+    const auto nodes = [&](int root) {
+        Panel one = panel;
+        one.root = root;
+        return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
+    };
+    GaussNodes best = nodes(panel.root);
+    // Where an arc begins near an end, not at it, the same change of variable takes the root further away.
+    if (panel.root == 0 && best.blocked) {
+        for (const int root : {-1, 1}) {
+            const GaussNodes other = nodes(root);
+            if (other.count < best.count) {
+                panel.root = root;
+                best = other;
+            }
+        }
+    }
+    return best;
+}
+
+LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int depth) {
+    const int root = panel.root;
+    const GaussNodes whole = needed(panel, degree, error);
+    if (whole.blocked && whole.count > few && depth < 40) {
+        const double middle = 0.5 * (panel.low + panel.high);
+        const Panel first{panel.low, middle, std::min(root, 0), panel.spans},
+            second{middle, panel.high, std::max(root, 0), panel.spans};
+        Panel tried[2] = {first, second};
+        if (needed(tried[0], degree, 0.5 * error).count + needed(tried[1], degree, 0.5 * error).count < 0.9 * whole.count) {
+            split(first, degree, 0.5 * error, depth + 1);
+            split(second, degree, 0.5 * error, depth + 1);
+            return;
+        }
+    }
+    if (whole.count > 1e6) {
+        throw LimitExceeded("the edges of the aperture cannot be resolved");
+    }
+    fill(panel, static_cast<std::size_t>(whole.count));
+}
+
+LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
+    constexpr double pi = 3.14159265358979323846;
+    const PanelMap map(panel.low, panel.high, panel.root);
+    const Gauss outer = gauss(rows);
+    ++panels_;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double y = map.y(outer.x[i]), weight = map.slope(outer.x[i]) * outer.w[i] / pi;
+        const double half = std::sqrt(std::max(0.0, (1.0 - y) * (1.0 + y)));
+        const std::size_t first = x_.size();
+        for (const auto& span : panel.spans) {
+            const double low = span[0].at(y), high = span[1].at(y), middle = 0.5 * (low + high), reach = 0.5 * (high - low);
+            if (!(reach > 0.0)) {
+                continue;  // by rounding, at an end of the panel
+            }
+            const Gauss& inner = gauss(spans_(low, high, half));
+            for (std::size_t k = 0; k < inner.x.size(); ++k) {
+                x_.push_back(middle + reach * inner.x[k]);
+                weights_.push_back(weight * reach * inner.w[k]);
+            }
+        }
+        if (x_.size() > most_nodes) {
+            throw LimitExceeded("the aperture takes more than " + std::to_string(most_nodes) + " nodes");
+        }
+        rows_.push_back({y, first, x_.size() - first});
+    }
+}
+#endif
+
+}  // namespace lommel

@@ -1,0 +1,115 @@
+// Sums of waves at whole numbers, by a non-uniform fast Fourier transform.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/limits.hpp"
+#include "lommel/special/fft.hpp"
+#include "lommel/special/gridding.hpp"
+
+namespace lommel {
+
+// What all sums of waves up to one length have in common: a kernel of so many taps, by whose transform sums are divided.
+struct WaveKernel {
+    static constexpr std::size_t most_taps = 14;
+
+    WaveKernel(std::size_t length, std::size_t kernel_taps = 12)
+        : side(length), taps(kernel_taps), fft(RowFft<double>::length(std::max<std::size_t>(2 * side, 64))),
+          kernel(GriddingKernel::of(taps, 2.0)), polynomials(kernel), gain(side / 2 + 1) {
+        for (std::size_t k = 0; k < gain.size(); ++k) {
+            gain[k] = 1.0 / kernel.transform(omega(k));
+        }
+    }
+
+    // Bound on the error of any sum over the sum of |a|, if each point of the grid is reached by that many waves at most: aliases
+    // (Poisson's formula); taps, and the roundings of sums of waves and of the transform; and places, turns off by three roundings.
+    double error(double waves) const {
+        const double weight = kernel.weight(), rounded = fft.rounding() + waves + 4.0;
+        const double places = 3.2 * 6.3 * static_cast<double>(side / 2 + 1);
+        return kernel.aliases(omega(side / 2)) + gain.back() * (polynomials.error + unit_roundoff * rounded * weight) +
+               unit_roundoff * places;
+    }
+
+    std::size_t side, taps;
+    RowFft<double> fft;
+    GriddingKernel kernel;
+    DoubleTaps polynomials;
+    std::vector<double> gain;
+
+   private:
+    double omega(std::size_t k) const { return 6.283185307179586 * static_cast<double>(k) / static_cast<double>(fft.n); }
+};
+
+// Eight sums of a exp(-i k s) over waves of any amplitudes a and steps s (radians), at the whole numbers k from -side / 2 on.
+class WaveSums {
+   public:
+    explicit WaveSums(const WaveKernel& kernel)
+        : kernel_(kernel), grid_((kernel.fft.n + WaveKernel::most_taps) * element), other_(kernel.fft.n * element) {}
+
+    void start() { std::fill(grid_.begin(), grid_.end(), 0.0); }
+
+    // A wave of sum `r`.
+    template <class I>
+    LOMMEL_INLINE void add(I isa, std::size_t r, double re, double im, double s) {
+        double weights[DoubleTaps::taps];
+        double* to = taps_at(isa, s, weights) + r;
+        for (std::size_t i = 0; i < kernel_.taps; ++i, to += element) {
+            to[0] += weights[i] * re;
+            to[wide] += weights[i] * im;
+        }
+    }
+    // Of all eight, one wave of the same step: amplitudes as eight real parts, eight imaginary ones.
+    template <class I, class T>
+    LOMMEL_INLINE void add(I isa, const T* amplitudes, double s) {
+        double weights[DoubleTaps::taps];
+        double* to = taps_at(isa, s, weights);
+        for (std::size_t i = 0; i < kernel_.taps; ++i, to += element) {
+            for (std::size_t j = 0; j < element; ++j) {
+                to[j] += weights[i] * static_cast<double>(amplitudes[j]);
+            }
+        }
+    }
+
+    // Call at(j, sum) for j = k + side / 2: eight real parts, eight imaginary ones, which are to be multiplied by `gain`.
+    template <class I, class F>
+    LOMMEL_INLINE void finish(I isa, const F& at) {
+        const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;
+        for (std::size_t i = 0; i < kernel_.taps * element; ++i) {
+            grid_[i] += grid_[n * element + i];
+        }
+        const double* const sums = kernel_.fft.whole(isa, grid_.data(), other_.data());
+        for (std::size_t j = 0; j < kernel_.side; ++j) {
+            at(j, sums + (j < half ? n + j - half : j - half) * element, kernel_.gain[j < half ? half - j : j - half]);
+        }
+    }
+
+   private:
+    static constexpr std::size_t wide = fft_rows, element = fft_element;
+
+    // The first element of the grid that a wave is put on, and how much of it on each.
+    template <class I>
+    LOMMEL_INLINE double* taps_at(I, double s, double* weights) {
+        using V = typename I::pack;
+        const double n = static_cast<double>(kernel_.fft.n), turns = -s / 6.283185307179586;
+        const double place = (turns - std::floor(turns)) * n, whole = std::floor(place);
+        const V x = splat<V>(2.0 * (place - whole) - 1.0);
+        for (std::size_t i = 0; i < kernel_.taps; i += I::lanes) {
+            V sum = load<V>(kernel_.polynomials.at[0] + i);
+            for (std::size_t p = 1; p < DoubleTaps::terms; ++p) {
+                sum = sum * x + load<V>(kernel_.polynomials.at[p] + i);
+            }
+            store(weights + i, sum);
+        }
+        const std::size_t first = static_cast<std::size_t>(whole) + kernel_.fft.n - kernel_.taps / 2 + 1;
+        return &grid_[first % kernel_.fft.n * element];
+    }
+
+    const WaveKernel& kernel_;
+    Doubles grid_, other_;
+};
+
+}  // namespace lommel

@@ -86,6 +86,7 @@ NB_MODULE(_core, m) {
     define_pixels(m);
     define_radial(m);
     define_zernike(m);
+    define_aperture(m);
     define_chordal(m);
     define_paper(m);
     define_imaging(m);

@@ -66,7 +66,16 @@ from lommel.methods.nonuniform_fft import NonuniformFFT as NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic as Polychromatic
 from lommel.methods.layers.stratified import Stratified as Stratified
 from lommel.methods.paper.closed_form import TunedClosedForm as TunedClosedForm
-from lommel.optics.aperture.obstructions import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
+from lommel.optics.aperture.mask import Mask as Mask
+from lommel.optics.aperture.shapes import (
+    CatEye as CatEye,
+    Disc as Disc,
+    Ellipse as Ellipse,
+    Polygon as Polygon,
+    Segments as Segments,
+    Shape as Shape,
+    Spider as Spider,
+)
 from lommel.optics.aperture.apodization import Apodization as Apodization
 from lommel.optics.colour.spectrum import Channels as Channels
 from lommel.optics.colour.dispersion import Colour as Colour

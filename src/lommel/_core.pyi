@@ -2,6 +2,7 @@
 Compiled core of lommel: the spectral engine, Bessel sequences, rendering, Huygens' sum.
 """
 
+from collections.abc import Sequence
 from typing import Annotated, overload
 
 import numpy
@@ -136,6 +137,32 @@ def series_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None)
 def interpolation_worth(share: float) -> None:
     """
     Interpolate between circles where that is predicted to take at most this share of the series' time: 1, or 0 for never.
+    """
+
+class RowRule:
+    """
+    Quadrature over a region of ellipses and convex polygons within the unit disc.
+    """
+
+    @property
+    def nodes(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]:
+        """x, y and weight of each node, shape (3, nodes)."""
+
+    @property
+    def weight(self) -> float:
+        """The sum of the weights: the area over pi."""
+
+def row_rule(ellipses: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], corners: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], counts: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], steps: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], degree: int, error: float) -> RowRule:
+    """
+    Return a rule that is off by at most an error for polynomials that are at most 1 on the unit disc.
+    """
+
+def row_samples(y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], counts: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], x: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], phase: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> RowRule:
+    """Return samples as such a rule."""
+
+def row_images(rules: Sequence[RowRule], phases: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, step: float, precision: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], factors: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], slopes: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None, None), order='C', device='cpu')], losses: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> None:
+    """
+    Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.
     """
 
 @overload

@@ -191,7 +191,7 @@ APERTURES = {
 @pytest.mark.parametrize("name", APERTURES)
 def test_what_narrows_an_aperture_counts_in_every_average(name):
     pupil = lm.Pupil(lm.Wavefront(0.4, nonradial={(3, 1): 0.9, (1, -1): 0.5}), **APERTURES[name])
-    at = lm.optics.aperture.obstructions.cell_centers(1000)
+    at = lm.optics.aperture.mask.cell_centers(1000)
     field = pupil.values(at[None, :], at[:, None])[0]
     amplitude = np.abs(field)
     total = amplitude.sum()

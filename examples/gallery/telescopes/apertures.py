@@ -40,7 +40,7 @@ pupils = {
 # %%
 # The method is chosen by the pupil: the series for discs and annuli, a non-uniform FFT from Gauss nodes for these.
 
-at = lm.optics.aperture.obstructions.cell_centers(400)
+at = lm.optics.aperture.mask.cell_centers(400)
 figure, rows = plt.subplots(2, len(pupils), figsize=(10.5, 5.0), layout="constrained")
 for column, (name, pupil) in zip(rows.T, pupils.items(), strict=True):
     answer = lm.psf(pupil, shape=201, pixel=0.25, normalize="peak")

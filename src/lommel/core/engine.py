@@ -6,7 +6,7 @@ largest value" or "met", and a negative bound for "not met"; here these are None
 
 # Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -350,3 +350,60 @@ def pixel_values(
         np.ascontiguousarray(profiles), row, column, window.step, integrate, level, threads, values
     )
     return values, penalties
+
+
+RowRule = _core.RowRule
+"""Quadrature over a region of ellipses and polygons: `nodes`, shape (3, n), x, y and weight; `weight`, their sum."""
+
+
+def row_rule(
+    ellipses: Sequence[tuple[float, ...]],
+    polygons: Sequence[Sequence[tuple[float, float]]],
+    steps: Sequence[int],
+    degree: int,
+    error: float,
+) -> RowRule:
+    """Return a rule off by at most `error` for polynomials of a `degree` that are at most 1 on the unit disc.
+
+    Parameters
+    ----------
+    ellipses : sequence of (x, y, a, b, angle)
+    polygons : sequence of sequences of (x, y)
+        Of each part its corners, none of an ellipse.
+    steps : sequence of int
+        The region in postfix order: numbers of parts, -1 for both of two, -2 for either, -3 for the first without the
+        second.
+    degree : int
+    error : float
+    """
+    corners = [corner for corners in polygons for corner in corners]
+    return _core.row_rule(
+        np.array(ellipses, dtype=np.float64).reshape(-1, 5),
+        np.array(corners, dtype=np.float64).reshape(-1, 2),
+        np.array([len(corners) for corners in polygons], dtype=np.int32),
+        np.array(steps, dtype=np.int32),
+        degree,
+        error,
+    )
+
+
+def row_samples(x: Array, y: Array, weight: Array, phase: Array | None = None) -> RowRule:
+    """Return samples, those of each row one after the other, as such a rule; each may have a phase."""
+    starts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
+    counts = np.diff(starts, append=len(y)).astype(np.int64)
+    return _core.row_samples(y[starts], counts, x, weight, np.zeros(0) if phase is None else phase)
+
+
+def row_images(
+    rules: Sequence[RowRule], phases: Array, stack: DiskStack, window: Window, precision: float, wanted: Wanted
+) -> tuple[Array, Array, Array]:
+    """Return intensities (n, h, w), derivatives by the terms of `wanted` (k, n, h, w), and what sums lose of U (n,).
+
+    Of pupils on regions with `phases` (regions, 3), constant and by x and y; sums lose about `precision` of the weight.
+    """
+    count, factors = len(stack.edge), np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
+    values, slopes, lost = (np.empty(s) for s in ((count, *window.shape), (len(factors), count, *window.shape), (count,)))
+    (row, column), options = window.center, (window.step, precision, wanted.threads)
+    place = stack.terms, stack.edge, stack.amplitude, row, column, *options
+    _core.row_images(list(rules), phases, *place, values, factors, slopes, lost)
+    return values, slopes, lost

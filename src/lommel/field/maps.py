@@ -17,7 +17,7 @@ from lommel.base.options import shares
 from lommel.channel_psf import colour_psf
 from lommel.field.psf_grid import PSFGrid, sides
 from lommel.methods import Method
-from lommel.optics.aperture.obstructions import CatEye
+from lommel.optics.aperture.shapes import CatEye
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import FieldPupil, Pupil

@@ -39,7 +39,8 @@ from lommel.lensfiles.toml_files import (
     read_beside,
 )
 from lommel.optics.aperture.apodization import Apodization
-from lommel.optics.aperture.obstructions import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
+from lommel.optics.aperture.mask import MAX_SIDE, Mask
+from lommel.optics.aperture.shapes import MAX_VANES, CatEye, Ellipse, Spider
 from lommel.optics.colour.dispersion import Colour
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, aperture

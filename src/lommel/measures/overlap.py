@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.core.answers import ToleranceError
-from lommel.optics.aperture.obstructions import CatEye, Ellipse
+from lommel.optics.aperture.shapes import CatEye, Ellipse
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre

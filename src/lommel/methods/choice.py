@@ -25,7 +25,6 @@ class Rule(NamedTuple):
     applies: Callable[[BasePupil, Grid], bool]
     imported: Callable[[], tuple[Callable[[float], Method], ...]]
     costs: str
-    requires: str = ""  # the library that they need, if any
 
     @property
     def methods(self) -> tuple[Callable[[float], Method], ...]:
@@ -103,7 +102,10 @@ RULES = (
         "a sum over azimuthal orders for an eighth of the pixels",
     ),
     Rule(
-        "any other aperture", lambda *_: True, _nonuniform, "one non-uniform FFT; no proven bound", requires="finufft"
+        "any other aperture",
+        lambda *_: True,
+        _nonuniform,
+        "non-uniform FFTs along the rows of the aperture and across them",
     ),
 )
 """The first that applies."""
@@ -120,18 +122,7 @@ def candidates(pupil: BasePupil, grid: Grid, tol: float = Method.tol) -> tuple[M
     """Return the methods for a pupil and a window, in the order in which they are tried, by :data:`RULES`."""
     imaged(pupil)
     rule = next(rule for rule in RULES if rule.applies(pupil, grid))
-    if rule.requires and _missing(rule.requires):
-        raise ValueError(
-            f"method must be named for a pupil with a spider, vignetting or a mask where {rule.requires} is missing: "
-            f"pip install {rule.requires}, or pass method=MatrixFourier(...)"
-        )
     return _made(rule, tol)
-
-
-def _missing(library: str) -> bool:
-    from importlib.util import find_spec  # few pupils are neither radial nor round
-
-    return find_spec(library) is None
 
 
 @lru_cache(maxsize=64)

@@ -14,7 +14,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Intensities
 from lommel.core.engine import gauss_error
 from lommel.methods.method import Method
-from lommel.optics.aperture.obstructions import cell_centers
+from lommel.optics.aperture.mask import cell_centers
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre

@@ -1,40 +1,39 @@
-"""Spectral quadrature over any aperture, summed by a non-uniform FFT: every pupil, to a tolerance."""
+"""Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound."""
 
 from __future__ import annotations
 
 import math
-import os
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from lommel.base import optional
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, Intensities, ToleranceError
+from lommel.core.answers import Declined, Images, Intensities, Slopes, Wanted, not_met
+from lommel.core.engine import row_images
 from lommel.methods.matrix_fourier import samples_needed
-from lommel.methods.method import Method
-from lommel.methods.pixels.averaging import filtered, filtered_by, least_average
+from lommel.methods.method import Method, once_stored, painted, relative_error, storing
+from lommel.methods.nijboer_zernike import disk_stack, window_of
+from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_LEAST_EPS = 1e-14  # what FINUFFT reaches in double precision
-_BLOCK_DEGREE = 16  # degrees are rounded up to these, so that neighbours share their nodes
+_LEAST = 4e-15  # error of U that is asked for, over its largest value
+_SUMS = 0.25  # of the error of U, what sums may lose
 
 
 @dataclass(frozen=True)
 class NonuniformFFT(Method[Pupil]):
-    r"""Gauss quadrature over the clear aperture, transformed onto the pixels by FINUFFT (type 1, two dimensions).
+    r"""Gauss quadrature along the rows of the clear aperture, transformed onto the pixels by two non-uniform FFTs.
 
-    Supports every pupil: any wavefront, spiders, vignetting, masks, apodization. Needs the optional library finufft,
-    ``pip install finufft``.
+    Supports every pupil of a lens: any wavefront, spiders, vignetting, stops of any shape, segments, masks, apodization.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Target for the error of the intensity relative to the peak of the PSF, 1e-11 to below 0.1. It is tested, not
-        proven: see the notes. `PSF.error_bound` is None.
+        Bound on ``max|I - I_exact| / max I``, 1e-11 to below 0.1; max I is the largest value in the window, or what is
+        found on a coarse lattice over the whole blur. It is a contract: :class:`ToleranceError` is raised if the bound
+        cannot be brought below it. A mask is the sum of its samples.
 
     Raises
     ------
@@ -43,19 +42,20 @@ class NonuniformFFT(Method[Pupil]):
 
     Notes
     -----
-    The nodes (:meth:`lommel.optics.aperture.opening.Opening.rule`) are exact to a total degree for which the error of
-    U is proven to be below a quarter of the tolerance (:func:`lommel.optics.aperture.opening.degree_needed`), on
-    discs, annuli and full ellipses. On other apertures the degree is the same, and the rule converged to about 1e-13.
-    The precision asked of FINUFFT is another quarter; it is a requested relative accuracy of its kernel, measured by
-    its authors, not proven. A mask is not integrated: its samples are the pupil, and are summed.
-
-    Both parts are relative to the computed peak, in the window or on a coarse lattice over the whole blur; if that is
-    lower than estimated, the sum is repeated. `integrate` filters finer samples, as derived in docs/certificate.md.
+    Lines of constant y cut the aperture in intervals. Gauss-Legendre rules along these, and across them between the
+    places where edges meet, are off by a proven amount for every polynomial of a degree that is at most 1 on the unit
+    disc; and a polynomial of that degree is proven to be close to the integrand there
+    (:func:`lommel.optics.aperture.opening.degree_needed`). Waves of the nodes of a row are added to a fine grid by the
+    taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of the kernel
+    and all roundings are bounded too. Derived in docs/certificate.md. Averages over pixels filter finer samples.
 
     References
     ----------
-    A. H. Barnett, J. F. Magland and L. af Klinteberg, "A parallel non-uniform fast Fourier transform library based
-    on an 'exponential of semicircle' kernel", SIAM J. Sci. Comput. 41, C479 (2019), doi:10.1137/18M120885X.
+    L. N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: the bound on Gauss's rule.
+    M. Lundin, "The extremal PSH for the complement of convex, symmetric subsets of R^N", Michigan Math. J. 32, 197
+    (1985), doi:10.1307/mmj/1029003186: how fast polynomials grow off the disc.
+    A. Dutt and V. Rokhlin, "Fast Fourier transforms for nonequispaced data", SIAM J. Sci. Comput. 14, 1368 (1993),
+    doi:10.1137/0914081.
     """
 
     apodized = nonradial = any_aperture = True
@@ -63,84 +63,87 @@ class NonuniformFFT(Method[Pupil]):
     tol: float = 1e-6
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
+        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
-        Raises
-        ------
-        ImportError
-            If finufft is not installed.
-        ValueError
-            If the samples of a mask are too coarse for the wavefront and the window.
-        ToleranceError
-            If double precision does not hold the tolerance, relative to the peak of the PSF.
-        """
-        library()
-        if pupil.mask is not None:
-            needed, why = samples_needed(pupil, grid)
-            if needed > pupil.mask.side:
-                raise Declined(
-                    f"the mask of side {pupil.mask.side} is too coarse: {why} need a side of at least {needed:.5g}"
-                )
-        pupils = [pupil] if pupil.shape == () else [pupil[index] for index in np.ndindex(pupil.shape)]
-        return Intensities(np.stack([self._image(one, grid, threads) for one in pupils]), None)
-
-    def _image(self, pupil: Pupil, grid: Grid, threads: int) -> Array:
-        amplitude, step = pupil.amplitude, grid.step(pupil)
-        lowest = least_average(step) if grid.integrate else 1.0
-        # Light spread evenly over the blur has this field; where it gathers the peak is brighter.
-        blur = float(pupil.v(pupil.geometric_radius()))
-        bright, seen = amplitude / (1.0 + blur), 0.0
-
-        def samples(at: Grid, budget: float) -> Array:
-            nonlocal seen
-            found = self._sum(pupil, at, budget, threads)
-            seen = max(seen, math.sqrt(float(found.max())))
-            return found
-
-        for _ in range(6):
-            # I errs by 2 |U| times the error of U.
-            budget = 0.125 * self.tol * lowest * bright
-            if budget / amplitude < _LEAST_EPS:
-                break
-            image: Array
-            if grid.integrate:
-                taps = filtered_by(step, 0.05 * self.tol * lowest * (bright / amplitude) ** 2)
-                image = np.empty(grid.shape)
-                filtered(lambda fine: [samples(fine, budget)[None]], image[None, None], grid, taps, threads)  # noqa: B023
-            else:
-                image = samples(grid, budget)
-            if seen < bright:
-                # The peak, to which errors relate, may lie outside of the window.
-                samples(Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale), 1e-3 * bright)
-            if seen >= bright:
-                return image
-            bright = 0.9 * seen
-        raise ToleranceError(
-            f"tol={self.tol:g} cannot be met in double precision: the peak of the PSF is "
-            f"{(bright / amplitude) ** 2:.2g} of the unaberrated one; ask for a larger tol"
-        )
-
-    def _sum(self, pupil: Pupil, grid: Grid, budget: float, threads: int) -> Array:
-        """Return the samples of a single pupil, with errors of U below `budget`."""
-        step = grid.step(pupil)
-        reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
-        terms = pupil.wavefront.amplitudes().items()
-        degree = degree_needed([(n, w) for (n, _), w in terms], reach, pupil.illumination, budget)
-        x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
-        phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()
-        # An axis off the default place is a tilt of the pupil.
-        down, across = step * (np.array([grid.height // 2, grid.width // 2]) - grid.axis)
-        strengths = w * pupil.illumination.at(x * x + y * y) * np.exp(1j * (phase - down * y - across * x))
-        eps = budget / pupil.amplitude
-        # Modes run from -(n // 2), and the first axis of the answer belongs to the first coordinate.
-        # Threads cost more than they save where there is little to do.
-        most = min(threads or os.cpu_count() or 1, 1 + (x.size + grid.height * grid.width) // 2**19)
-        plan = library().Plan(1, grid.shape, eps=eps, isign=-1, nthreads=most)
-        plan.setpts(step * y, step * x)
-        field = plan.execute(strengths)
-        return np.asarray(field.real**2 + field.imag**2)
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        if wanted.powers:
+            raise ValueError("derivatives by powers of rho are not available from NonuniformFFT; use Zernike terms")
+        if wanted.terms and wanted.scale is None:
+            raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
+        grid.require_one_axis()
+        return averaged_images(_sampled, pupil, grid, self.tol, wanted)
 
 
-def library() -> Any:
-    """Return finufft, or say how to get it."""
-    return optional.library("finufft", "NonuniformFFT needs", "nufft")
+def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    """Return samples of the flattened stack, with bounds over the peak below `tol` once they are stored."""
+    if pupil.mask is not None:
+        needed, why = samples_needed(pupil, grid)
+        if needed > pupil.mask.side:
+            raise Declined(
+                f"the mask of side {pupil.mask.side} is too coarse: {why} need a side of at least {needed:.5g}"
+            )
+    room = tol - (1.0 + tol) * storing(wanted.dtype)
+    if wanted.scale is None:
+        room *= 0.49  # values divided by their own largest one are off by twice as much
+    # Light spread evenly over a blur has about this field; where it gathers the peak is brighter.
+    bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items()))
+    elsewhere = np.zeros(math.prod(pupil.shape))
+    for _ in range(8):
+        asked = max(0.45 * room * bright / pupil.amplitude, _LEAST)
+        values, slopes, off, off_slopes = _sums(pupil, grid, asked, wanted)
+        tops = values.max(axis=(1, 2))
+        # The peak, to which errors relate, may lie outside of the window.
+        dim = np.sqrt(np.maximum(tops, elsewhere)) - off < bright
+        if np.any(dim) and not elsewhere.any():
+            blur = float(pupil.v(pupil.geometric_radius()).max())
+            far = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
+            there, _, wrong, _ = _sums(pupil, far, max(asked, 1e-4 * bright / pupil.amplitude), Wanted(threads=wanted.threads))
+            elsewhere = np.maximum(np.sqrt(there.max(axis=(1, 2))) - wrong, 0.0) ** 2
+        peak = np.maximum(tops, elsewhere)
+        if wanted.scale is None:
+            peak = tops
+        relative = relative_error(np.stack([peak, peak], axis=1), off)
+        made = Intensities(values, relative, peak)
+        finished = once_stored(made, wanted)
+        assert finished is not None
+        if finished.max() <= tol or asked <= _LEAST:
+            break
+        # Budgets follow the peak that was found.
+        likely = math.sqrt(max(float(peak.min()), 1e-300))
+        bright = min(0.9 * likely, bright) if likely < bright else 0.5 * bright
+    if not finished.max() <= tol:
+        raise not_met(tol, float(finished.max()), "the peak")
+    answer = painted(made, grid, wanted)
+    if not wanted.terms:
+        return answer
+    # I' = 2 Re(conj(U) U'), and |U'| is at most what light there is.
+    rise = 2.0 * (np.sqrt(peak) * off_slopes + (pupil.amplitude + off_slopes) * off) / peak
+    scaled = (slopes * answer.scale[:, None, None]).astype(wanted.dtype)
+    error = rise + (np.abs(slopes).max(axis=(2, 3)) / peak + rise) * storing(wanted.dtype)
+    return answer._replace(slopes=Slopes(scaled, error))
+
+
+def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:
+    """Return I, its derivatives, and bounds on the errors of U and of its derivatives by any term of `wanted`.
+
+    `error` is that of U over its largest value, which the bounds will be close to.
+    """
+    step, amplitude = grid.step(pupil), pupil.amplitude
+    reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
+    factor = max((n for n, _ in wanted.terms), default=0)
+    if pupil.mask is None:
+        phases = pupil.opening.phases
+        terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
+        reach += float(np.hypot(phases[:, 1], phases[:, 2]).max())
+        # Polynomials close to the integrand are at most 1 + aim by size, and so twice as far off.
+        aim = 0.3 * error * amplitude
+        degree = degree_needed(terms, reach, pupil.illumination, aim) + factor
+        rules, missed = pupil.opening.rows(degree, aim), 1.1 * aim + (1.0 + aim) * aim
+    else:
+        phases, rules, missed = np.zeros((1, 3)), pupil.samples, 0.0
+    window = window_of(pupil, grid)
+    values, slopes, lost = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUMS * error, wanted)
+    off = missed + lost
+    return values, slopes, off, off

@@ -14,7 +14,8 @@ from lommel.base import display, validation
 from lommel.base.cached import cached_property, changed
 from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination
-from lommel.optics.aperture.obstructions import CatEye, Ellipse, Mask, Spider
+from lommel.optics.aperture.mask import Mask
+from lommel.optics.aperture.shapes import CatEye, Ellipse, Spider
 from lommel.optics.base_pupil import Geometry, object_distances
 from lommel.optics.colour.dispersion import Colour, PupilColour
 from lommel.optics.pupil import Pupil

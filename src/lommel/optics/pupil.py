@@ -20,8 +20,10 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
 if TYPE_CHECKING:  # most pupils are round, and need none of these
-    from lommel.optics.aperture.obstructions import CatEye, Ellipse, Mask, Spider
+    from lommel.core.engine import RowRule
+    from lommel.optics.aperture.mask import Mask
     from lommel.optics.aperture.opening import Opening, Rule
+    from lommel.optics.aperture.shapes import CatEye, Ellipse, Segments, Shape, Spider
     from lommel.optics.colour.dispersion import PupilColour
 
 
@@ -51,6 +53,9 @@ class Pupil(BasePupil):
         Vignetting by a second edge.
     mask : Mask, optional
         Amplitude transmission sampled over the aperture; the pupil function is then defined by the samples.
+    stop : Shape or Segments, optional
+        Where light passes, if that is not the disc: a shape, or segments with phases of their own. What is outside of
+        the disc is not used.
     colour : PupilColour, optional
         Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
 
@@ -81,6 +86,7 @@ class Pupil(BasePupil):
     spider: Spider | None = field(default=None, kw_only=True)
     vignetting: Ellipse | CatEye | None = field(default=None, kw_only=True)
     mask: Mask | None = field(default=None, kw_only=True)
+    stop: Shape | Segments | None = field(default=None, kw_only=True)
     colour: PupilColour | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
@@ -103,16 +109,16 @@ class Pupil(BasePupil):
         if self.wavelength is not None:
             wavelength = validation.wavelength(self.wavelength)
             vars(self).update(wavelength=wavelength, f_number=validation.real("f_number", self.f_number, above=0.0))
-        circular = all(part is None for part in (self.spider, self.vignetting, self.mask))
-        aperture = eps, light, self.spider, self.vignetting, self.mask
+        circular = all(part is None for part in (self.spider, self.vignetting, self.mask, self.stop))
+        aperture = eps, light, self.spider, self.vignetting, self.mask, self.stop
         vars(self).update(circular=circular, radial=circular and self.wavefront.radial, aperture=aperture)
         if circular:
             return
-        from lommel.optics.aperture.obstructions import Mask
+        from lommel.optics.aperture.mask import Mask
 
         validation.optional("mask", self.mask, Mask)  # Opening checks the others
         if self.area < 1e-12:
-            parts = {name: part for name in _PARTS[:3] if (part := getattr(self, name)) is not None}
+            parts = {name: part for name in _PARTS[:4] if (part := getattr(self, name)) is not None}
             listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
             raise ValueError(
                 f"{', '.join(parts)} must leave part of the aperture clear, got {listed} with "
@@ -147,11 +153,16 @@ class Pupil(BasePupil):
         return self.illumination.integral(self.obscuration, power)
 
     @property
+    def segmented(self) -> bool:
+        """Whether segments of the aperture have phases of their own."""
+        return self.stop is not None and bool(np.any(self.opening.phases))
+
+    @property
     def opening(self) -> Opening:
         """The clear region, without a mask."""
         from lommel.optics.aperture.opening import Opening
 
-        return Opening(self.obscuration, self.spider, self.vignetting)
+        return Opening(self.obscuration, self.spider, self.vignetting, self.stop)
 
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture, for polynomials of a `degree`.
@@ -159,6 +170,12 @@ class Pupil(BasePupil):
         As :meth:`lommel.optics.aperture.opening.Opening.rule`; with a mask its samples, weighted by their amplitude.
         """
         return self.opening.rule(degree) if self.mask is None else _samples(self.opening, self.mask)
+
+    @property
+    def samples(self) -> tuple[RowRule, ...]:
+        """The samples of the mask, as the compiled core takes them."""
+        assert self.mask is not None
+        return (_sampled_rows(self.opening, self.mask),)
 
     @property
     def likely_peak(self) -> float:
@@ -225,6 +242,8 @@ class Pupil(BasePupil):
         out = np.zeros((math.prod(self.shape), *rho.shape), dtype=np.complex128)
         inside = rho[clear]
         phase = self.wavefront.phase(inside, np.arctan2(down[clear], across[clear])).reshape(len(out), -1)
+        if self.segmented:
+            phase = phase + self.opening.phase(across[clear], down[clear])
         out[:, clear] = self.illumination.at(inside**2) * np.exp(1j * phase)
         if self.mask is not None:
             out *= self.mask.at(across, down)
@@ -293,11 +312,12 @@ class Pupil(BasePupil):
     @classmethod
     def from_dict(cls, description: Json) -> Pupil:
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
-        from lommel.optics.aperture.obstructions import Mask, Spider, vignetting_from_dict
+        from lommel.optics.aperture.mask import Mask
+        from lommel.optics.aperture.shapes import Spider, shape_from_dict
         from lommel.optics.colour.dispersion import PupilColour
 
         parts = dict(description)
-        builds = (Spider.from_dict, vignetting_from_dict, Mask.from_dict, PupilColour.from_dict)
+        builds = (Spider.from_dict, shape_from_dict, Mask.from_dict, shape_from_dict, PupilColour.from_dict)
         built: dict[str, Callable[[Json], object]] = dict(zip(_PARTS, builds, strict=True))
         built |= {"geometry": Geometry.from_dict, "apodization": Apodization.from_dict}
         for name, build in built.items():
@@ -306,13 +326,13 @@ class Pupil(BasePupil):
         return cls(Wavefront.from_dict(parts.pop("wavefront")), **parts)
 
 
-_PARTS = ("spider", "vignetting", "mask", "colour")
+_PARTS = ("spider", "vignetting", "mask", "stop", "colour")
 
 
 @lru_cache(maxsize=8)
 def _samples(opening: Opening, mask: Mask) -> Rule:
     """Return the cells of a mask that the aperture covers; weights are amplitude times covered area over pi."""
-    from lommel.optics.aperture.obstructions import cell_centers
+    from lommel.optics.aperture.mask import cell_centers
     from lommel.optics.aperture.opening import Rule
 
     at = cell_centers(mask.side)
@@ -320,6 +340,13 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
     weight = mask.values * np.where(part > 1e-9, part, 0.0)  # less is rounding
     rows, columns = np.nonzero(weight)
     return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
+
+
+@lru_cache(maxsize=8)
+def _sampled_rows(opening: Opening, mask: Mask) -> RowRule:
+    from lommel.core.engine import row_samples
+
+    return row_samples(*_samples(opening, mask))
 
 
 @lru_cache(maxsize=64)

@@ -14,7 +14,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.lensfiles.instrument import Instrument
 from lommel.methods.polychromatic import Polychromatic
-from lommel.optics.aperture.obstructions import Spider
+from lommel.optics.aperture.shapes import Spider
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront

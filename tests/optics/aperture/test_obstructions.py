@@ -87,7 +87,7 @@ def test_the_pupil_function_is_the_product_of_all_that_is_in_the_way(shape):
 def test_area_amplitude_and_transmission_are_integrals_of_the_pupil_function(shape, g):
     # The mask has 12 x 12 cells: the fine lattice has its cells in them.
     n = 600
-    at = lm.optics.aperture.obstructions.cell_centers(n)
+    at = lm.optics.aperture.mask.cell_centers(n)
     amplitude = np.abs(Pupil(Wavefront(2.0), apodization=g, **shape).values(at[None, :], at[:, None])[0])
     bare = np.abs(Pupil(**shape).values(at[None, :], at[:, None])[0])
     pupil = Pupil(Wavefront(2.0), apodization=g, **shape)

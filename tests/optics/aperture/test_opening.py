@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.special import j1, jv
 
 import lommel as lm
-from lommel.optics.aperture.obstructions import CatEye, Ellipse, Spider
+from lommel.optics.aperture.shapes import CatEye, Ellipse, Spider
 from lommel.optics.aperture.opening import MAX_DEGREE, Opening, degree_needed
 from lommel.special import zernike
 
@@ -121,7 +121,7 @@ def test_every_rule_is_positive_lies_where_light_passes_and_integrates_what_it_p
 
 @given(openings, st.integers(4, 24))
 def test_coverage_is_the_part_of_each_cell_that_is_clear(opening, side):
-    at = lm.optics.aperture.obstructions.cell_centers(side)
+    at = lm.optics.aperture.mask.cell_centers(side)
     part = opening.coverage(at[None, :], at[:, None], 1.0 / side)
     assert np.all((part >= -1e-10) & (part <= 1 + 1e-10))
     # Vanes and slivers may fall between the points, of which a cell has 16 x 16.
@@ -143,7 +143,7 @@ def test_coverage_is_the_part_of_each_cell_that_is_clear(opening, side):
 )
 def test_the_area_of_grey_cells_is_right_to_a_few_thousandths_of_a_cell_along_the_edges(opening):
     for side in (64, 150, 256):
-        at = lm.optics.aperture.obstructions.cell_centers(side)
+        at = lm.optics.aperture.mask.cell_centers(side)
         area = opening.coverage(at[None, :], at[:, None], 1.0 / side).sum() * 4 / side**2
         assert area == pytest.approx(math.pi * opening.rule(8).weight.sum(), abs=2.5e-2 / side)
 

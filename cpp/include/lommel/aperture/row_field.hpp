@@ -182,7 +182,11 @@ class RowField {
             // Nodes beyond the end belong to the next row, or are 0.
             const V x = load<V>(&rule.x()[row.first + k]);
             V w = load<V>(&rule.weights()[row.first + k]), sine, cosine;
-            sincos(isa, phase.at(x, y) + splat<V>(tilt[1]) * x + still, sine, cosine);
+            V angle = phase.at(x, y) + splat<V>(tilt[1]) * x + still;
+            if (!rule.phase().empty()) {
+                angle = angle + load<V>(&rule.phase()[row.first + k]);
+            }
+            sincos(isa, angle, sine, cosine);
             if (factor != nullptr) {
                 w = w * factor->at(x, y);
             }

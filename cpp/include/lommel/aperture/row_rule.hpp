@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -27,11 +28,23 @@ class RowRule {
     };
 
     RowRule(const Region& region, std::size_t degree, double error);
+    // Of samples: y of each row and how many it has, x, weight and, if any, phase of each sample.
+    RowRule(const double* y, const std::int64_t* counts, std::size_t rows, const double* x, const double* weights, const double* phase)
+        : spans_(0, 1.0) {
+        for (std::size_t i = 0; i < rows; ++i) {
+            rows_.push_back({y[i], x_.size(), static_cast<std::size_t>(counts[i])});
+            x_.insert(x_.end(), x + x_.size(), x + x_.size() + counts[i]);
+        }
+        weights_.assign(weights, weights + x_.size());
+        phase_.assign(phase, phase == nullptr ? phase : phase + x_.size());
+        finish();
+    }
 
     const std::vector<Row>& rows() const { return rows_; }
     const Doubles& x() const { return x_; }
     const Doubles& weights() const { return weights_; }
     double weight() const { return weight_; }  // their sum
+    const Doubles& phase() const { return phase_; }  // of samples, or nothing
     std::size_t panels() const { return panels_; }
     std::size_t bytes() const { return sizeof(Row) * rows_.capacity() + 8 * (x_.capacity() + weights_.capacity()); }
 
@@ -54,9 +67,18 @@ class RowRule {
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);
+    void finish() {
+        for (const double w : weights_) {
+            weight_ += w;
+        }
+        // Vectors may begin at the last node.
+        for (Doubles* numbers : {&x_, &weights_, &phase_}) {
+            numbers->resize(numbers->empty() ? 0 : numbers->size() + row_lanes, 0.0);
+        }
+    }
 
     std::vector<Row> rows_;
-    Doubles x_, weights_;
+    Doubles x_, weights_, phase_;
     double weight_ = 0.0;
     std::size_t panels_ = 0;
     std::map<std::size_t, Gauss> gauss_;
@@ -131,12 +153,8 @@ LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double er
             split(panel, static_cast<double>(degree), share, 0);
         }
     }
-    for (const double w : weights_) {
-        weight_ += w;
-    }
     gauss_.clear();
-    x_.resize(x_.size() + row_lanes, 0.0);  // vectors may begin at the last node
-    weights_.resize(x_.size(), 0.0);
+    finish();
 }
 
 LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error) {

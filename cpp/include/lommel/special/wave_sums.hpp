@@ -15,11 +15,18 @@ namespace lommel {
 
 // What all sums of waves up to one length have in common: a kernel of so many taps, by whose transform sums are divided.
 struct WaveKernel {
-    static constexpr std::size_t most_taps = 14;
+    static constexpr std::size_t most_taps = 16;
 
     WaveKernel(std::size_t length, std::size_t kernel_taps = 12)
-        : side(length), taps(kernel_taps), fft(RowFft<double>::length(std::max<std::size_t>(2 * side, 64))),
-          kernel(GriddingKernel::of(taps, 2.0)), polynomials(kernel), gain(side / 2 + 1) {
+        : side(length), taps(kernel_taps), terms(taps < 10 ? 9 : taps < 14 ? 11 : 14),
+          fft(RowFft<double>::length(std::max<std::size_t>(2 * side, 64))), kernel(GriddingKernel::of(taps, 2.0)), gain(side / 2 + 1) {
+        std::vector<double> made;
+        off_ = kernel.polynomials(terms, most_taps, made);
+        polynomials.assign(made.begin(), made.end());
+        for (std::size_t i = 0; i < polynomials.size(); ++i) {
+            const double k = static_cast<double>(terms - 1 - i / most_taps);
+            off_ += (3.0 * k + 3.0) * std::abs(polynomials[i]) * unit_roundoff;  // as TapPolynomials have it
+        }
         for (std::size_t k = 0; k < gain.size(); ++k) {
             gain[k] = 1.0 / kernel.transform(omega(k));
         }
@@ -30,17 +37,18 @@ struct WaveKernel {
     double error(double waves) const {
         const double weight = kernel.weight(), rounded = fft.rounding() + waves + 4.0;
         const double places = 3.2 * 6.3 * static_cast<double>(side / 2 + 1);
-        return kernel.aliases(omega(side / 2)) + gain.back() * (polynomials.error + unit_roundoff * rounded * weight) +
+        return kernel.aliases(omega(side / 2)) + gain.back() * (off_ + unit_roundoff * rounded * weight) +
                unit_roundoff * places;
     }
 
-    std::size_t side, taps;
+    std::size_t side, taps, terms;
     RowFft<double> fft;
     GriddingKernel kernel;
-    DoubleTaps polynomials;
+    Doubles polynomials;  // from the highest power down, of each so many taps as there may be
     std::vector<double> gain;
 
    private:
+    double off_;
     double omega(std::size_t k) const { return 6.283185307179586 * static_cast<double>(k) / static_cast<double>(fft.n); }
 };
 
@@ -55,7 +63,7 @@ class WaveSums {
     // A wave of sum `r`.
     template <class I>
     LOMMEL_INLINE void add(I isa, std::size_t r, double re, double im, double s) {
-        double weights[DoubleTaps::taps];
+        double weights[WaveKernel::most_taps];
         double* to = taps_at(isa, s, weights) + r;
         for (std::size_t i = 0; i < kernel_.taps; ++i, to += element) {
             to[0] += weights[i] * re;
@@ -65,7 +73,7 @@ class WaveSums {
     // Of all eight, one wave of the same step: amplitudes as eight real parts, eight imaginary ones.
     template <class I, class T>
     LOMMEL_INLINE void add(I isa, const T* amplitudes, double s) {
-        double weights[DoubleTaps::taps];
+        double weights[WaveKernel::most_taps];
         double* to = taps_at(isa, s, weights);
         for (std::size_t i = 0; i < kernel_.taps; ++i, to += element) {
             for (std::size_t j = 0; j < element; ++j) {
@@ -98,9 +106,9 @@ class WaveSums {
         const double place = (turns - std::floor(turns)) * n, whole = std::floor(place);
         const V x = splat<V>(2.0 * (place - whole) - 1.0);
         for (std::size_t i = 0; i < kernel_.taps; i += I::lanes) {
-            V sum = load<V>(kernel_.polynomials.at[0] + i);
-            for (std::size_t p = 1; p < DoubleTaps::terms; ++p) {
-                sum = sum * x + load<V>(kernel_.polynomials.at[p] + i);
+            V sum = load<V>(&kernel_.polynomials[i]);
+            for (std::size_t p = 1; p < kernel_.terms; ++p) {
+                sum = sum * x + load<V>(&kernel_.polynomials[p * WaveKernel::most_taps + i]);
             }
             store(weights + i, sum);
         }

@@ -1,0 +1,116 @@
+// Apertures of ellipses and polygons: quadrature along their rows, and images.
+#include <nanobind/stl/vector.h>
+
+#include <vector>
+
+#include "lommel/aperture/row_images.hpp"
+
+#include "pupils.hpp"
+
+using namespace bindings;
+
+namespace {
+
+lommel::Region region_of(const In<double, 2>& ellipses, const In<double, 2>& corners, const In<std::int32_t, 1>& counts,
+                         const In<std::int32_t, 1>& steps) {
+    std::vector<lommel::Part> parts;
+    std::size_t ellipse = 0, corner = 0;
+    require(ellipses.shape(1) == 5 && corners.shape(1) == 2, "ellipses are x, y, a, b, angle, corners x, y");
+    for (std::size_t i = 0; i < counts.shape(0); ++i) {
+        const std::size_t count = static_cast<std::size_t>(counts.data()[i]);
+        if (count == 0) {
+            require(ellipse < ellipses.shape(0), "one row for each ellipse");
+            const double* e = ellipses.data() + 5 * ellipse++;
+            require(e[2] > 0.0 && e[3] > 0.0, "semi-axes must be above 0");
+            parts.push_back(lommel::Part::ellipse({e[0], e[1]}, e[2], e[3], e[4]));
+            continue;
+        }
+        require(count >= 3 && corner + count <= corners.shape(0), "polygons must have three corners at least");
+        std::vector<lommel::Point> points;
+        for (std::size_t k = 0; k < count; ++k, ++corner) {
+            points.push_back({corners.data()[2 * corner], corners.data()[2 * corner + 1]});
+        }
+        parts.push_back(lommel::Part::polygon(points));
+    }
+    return {parts, {steps.data(), steps.data() + steps.shape(0)}};
+}
+
+lommel::RowRule row_rule(In<double, 2> ellipses, In<double, 2> corners, In<std::int32_t, 1> counts,
+                         In<std::int32_t, 1> steps, std::size_t degree, double error) {
+    require(degree <= 20000 && error > 0.0 && error < 1.0, "degree must be 20000 at most, error from above 0 to below 1");
+    const lommel::Region region = region_of(ellipses, corners, counts, steps);
+    return released([&] { return lommel::RowRule(region, degree, error); });
+}
+
+lommel::RowRule row_samples(In<double, 1> y, In<std::int64_t, 1> counts, In<double, 1> x, In<double, 1> weights,
+                            In<double, 1> phase) {
+    std::int64_t total = 0;
+    for (std::size_t i = 0; i < counts.shape(0); ++i) {
+        require(counts.data()[i] >= 0, "counts must be 0 at least");
+        total += counts.data()[i];
+    }
+    const std::size_t all = static_cast<std::size_t>(total);
+    require(y.shape(0) == counts.shape(0) && x.shape(0) == all && weights.shape(0) == all && (phase.shape(0) == all || phase.shape(0) == 0),
+            "one y a row, one x, weight and phase a sample");
+    return {y.data(), counts.data(), y.shape(0), x.data(), weights.data(), phase.shape(0) == 0 ? nullptr : phase.data()};
+}
+
+// x, y and weight of each node.
+Out<double, 2> nodes(const lommel::RowRule& rule) {
+    const std::size_t count = rule.rows().empty() ? 0 : rule.rows().back().first + rule.rows().back().count;
+    const Out<double, 2> found = new_array<double, 2>({3, count});
+    for (const lommel::RowRule::Row& row : rule.rows()) {
+        for (std::size_t k = row.first; k < row.first + row.count; ++k) {
+            found.data()[k] = rule.x()[k];
+            found.data()[count + k] = row.y;
+            found.data()[2 * count + k] = rule.weights()[k];
+        }
+    }
+    return found;
+}
+
+void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phases, In<std::int32_t, 2> terms, In<double, 2> edge,
+            In<double, 1> amplitude, double center_y, double center_x, double step, double precision, int threads,
+            Out<double, 3> out, In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 1> losses) {
+    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    require_terms(list);
+    const lommel::Amplitude light = amplitude_of(amplitude);
+    const std::size_t pupils = pupils_of(edge);
+    require_image(out.shape(1), out.shape(2));
+    require_center(center_y, center_x);
+    require_request(step, precision, threads);
+    require(out.shape(0) == pupils && losses.shape(0) == pupils, "one image and one bound a pupil");
+    require(phases.shape(0) == rules.size() && phases.shape(1) == 3, "one phase, tip and tilt a region");
+    std::vector<lommel::ZernikeTerm> by;
+    for (std::size_t j = 0; j < factors.shape(0); ++j) {
+        by.push_back({factors.data()[2 * j], factors.data()[2 * j + 1]});
+    }
+    require_terms(by);
+    require(slopes.shape(0) == by.size() && (by.empty() || (slopes.shape(1) == pupils && slopes.shape(2) == out.shape(1) &&
+                                                           slopes.shape(3) == out.shape(2))),
+            "derivatives must match the images");
+    std::vector<lommel::PhasedRule> regions;
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        const double* phase = phases.data() + 3 * i;
+        regions.push_back({rules[i], {phase[0], phase[1], phase[2]}});
+    }
+    const lommel::DiskWindow window{out.shape(1), out.shape(2), center_y, center_x, step};
+    released([&] {
+        lommel::row_images(regions, list, edge.data(), pupils, light, window, precision, threads, out.data(), by, slopes.data(),
+                           losses.data());
+    });
+}
+
+}  // namespace
+
+void bindings::define_aperture(nb::module_& m) {
+    nb::class_<lommel::RowRule>(m, "RowRule", "Quadrature over a region of ellipses and convex polygons within the unit disc.")
+        .def_prop_ro("nodes", &nodes, nb::rv_policy::move, "x, y and weight of each node, shape (3, nodes).")
+        .def_prop_ro("weight", &lommel::RowRule::weight, "The sum of the weights: the area over pi.");
+    m.def("row_rule", &row_rule, "ellipses"_a, "corners"_a, "counts"_a, "steps"_a, "degree"_a, "error"_a,
+          "Return a rule that is off by at most an error for polynomials that are at most 1 on the unit disc.");
+    m.def("row_samples", &row_samples, "y"_a, "counts"_a, "x"_a, "weights"_a, "phase"_a, "Return samples as such a rule.");
+    m.def("row_images", &images, "rules"_a, "phases"_a, "terms"_a, "edge"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "step"_a,
+          "precision"_a, "threads"_a, "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "losses"_a.noconvert(),
+          "Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.");
+}

@@ -1,0 +1,606 @@
+"""Shapes that apertures are made of: ellipses, convex polygons, and their unions, intersections and differences.
+
+Lengths are over the radius of the aperture; x rises with the columns of the image, y with the rows, angles are from x
+to y. `margin` of a shape is positive inside and changes by at most the distance between two points.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Json
+
+MAX_VANES = 64
+_FAR = 1000.0
+_MOST_CORNERS = 256
+_MOST_SEGMENTS = 4096
+_BOTH, _EITHER, _WITHOUT = -1, -2, -3  # as the compiled core has them
+_STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
+
+
+class Shape:
+    """A region of the pupil plane; ``a | b`` is the union of two, ``a & b`` what they share, ``a - b`` a without b."""
+
+    def __or__(self, other: Shape) -> Shape:
+        return Combined("|", self, shape("other", other))
+
+    def __and__(self, other: Shape) -> Shape:
+        return Combined("&", self, shape("other", other))
+
+    def __sub__(self, other: Shape) -> Shape:
+        return Combined("-", self, shape("other", other))
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return a lower bound on the distance of points (`x`, `y`) from the edge; negative outside."""
+        raise NotImplementedError
+
+    def outline(self, points: int) -> list[Array]:
+        """Return about so many `points` (x, y) along the edge of each part, shape (points, 2)."""
+        raise NotImplementedError
+
+    def to_dict(self) -> Json:
+        """Return the shape in plain types, with its name."""
+        raise NotImplementedError
+
+    def moved(self, x: float, y: float) -> Shape:
+        """Return the shape moved by (`x`, `y`)."""
+        raise NotImplementedError
+
+    def turned(self, angle: float) -> Shape:
+        """Return the shape turned about the axis by an `angle`, radians from x to y."""
+        raise NotImplementedError
+
+    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
+        """Append the ellipses and polygons it is made of, and how, in postfix order."""
+        steps.append(len(parts))
+        parts.append(self)
+
+
+def shape(name: str, value: object) -> Shape:
+    """Return `value` if it is a shape; TypeError that names it otherwise."""
+    if isinstance(value, Shape):
+        return value
+    raise TypeError(f"{name} must be a shape (Disc, Ellipse, Polygon, or some combined), got {validation.shown(value)}")
+
+
+def _point(name: str, value: Any) -> tuple[float, float]:
+    pair = isinstance(value, tuple | list | np.ndarray)
+    if not pair or validation.array(name, value).shape != (2,):
+        raise TypeError(f"{name} must be a pair (x, y), got {validation.shown(value)}")
+    x, y = (validation.real(f"{name}[{i}]", part, least=-_FAR, most=_FAR) for i, part in enumerate(value))
+    return x, y
+
+
+def _turned(point: tuple[float, float], angle: float) -> tuple[float, float]:
+    c, s = math.cos(angle), math.sin(angle)
+    return c * point[0] - s * point[1], s * point[0] + c * point[1]
+
+
+@dataclass(frozen=True)
+class Combined(Shape):
+    """The union (`kind` "|"), the intersection ("&") or the difference ("-") of two shapes."""
+
+    kind: str
+    first: Shape
+    second: Shape
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return a lower bound on the distance of points (`x`, `y`) from the edge; negative outside."""
+        a, b = self.first.margin(x, y), self.second.margin(x, y)
+        return np.asarray(np.maximum(a, b) if self.kind == "|" else np.minimum(a, b if self.kind == "&" else -b))
+
+    def outline(self, points: int) -> list[Array]:
+        """Return points along the edges of both."""
+        return self.first.outline(points) + self.second.outline(points)
+
+    def moved(self, x: float, y: float) -> Shape:
+        """Return both moved."""
+        return Combined(self.kind, self.first.moved(x, y), self.second.moved(x, y))
+
+    def turned(self, angle: float) -> Shape:
+        """Return both turned."""
+        return Combined(self.kind, self.first.turned(angle), self.second.turned(angle))
+
+    def to_dict(self) -> Json:
+        """Return both in plain types."""
+        return {"name": self.kind, "first": self.first.to_dict(), "second": self.second.to_dict()}
+
+    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
+        self.first._listed(parts, steps)
+        self.second._listed(parts, steps)
+        steps.append(_STEPS[self.kind])
+
+
+@dataclass(frozen=True)
+class Ellipse(Shape):
+    """Ellipse: as `vignetting` of a pupil a simple model of vignetting towards the edge of the field.
+
+    Parameters
+    ----------
+    a, b : float
+        Semi-axes over the radius of the aperture, above 0, at most 1.
+    angle : float, default 0
+        Direction of the semi-axis a, radians from x to y.
+    center : (float, float), default (0, 0)
+        Centre (x, y) over the radius of the aperture.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not a finite number in range.
+    """
+
+    a: float
+    b: float
+    angle: float = 0.0
+    center: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for name in ("a", "b"):
+            size = validation.real(name, getattr(self, name), above=0.0, most=1.0, unit="radii of the aperture")
+            object.__setattr__(self, name, size)
+        angle, center = validation.real("angle", self.angle), _point("center", self.center)
+        vars(self).update(angle=angle, center=center)
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return a lower bound on the distance of points (`x`, `y`) from the edge; negative outside the ellipse."""
+        c, s, x, y = math.cos(self.angle), math.sin(self.angle), x - self.center[0], y - self.center[1]
+        scaled = np.hypot((x * c + y * s) / self.a, (y * c - x * s) / self.b)
+        return np.asarray(min(self.a, self.b) * (1.0 - scaled))
+
+    def outline(self, points: int) -> list[Array]:
+        """Return points along the edge."""
+        t = np.arange(points) * (2.0 * math.pi / points)
+        u, v, c, s = self.a * np.cos(t), self.b * np.sin(t), math.cos(self.angle), math.sin(self.angle)
+        return [np.stack([self.center[0] + c * u - s * v, self.center[1] + s * u + c * v], axis=-1)]
+
+    def moved(self, x: float, y: float) -> Shape:
+        """Return the ellipse moved by (`x`, `y`)."""
+        return Ellipse(self.a, self.b, self.angle, (self.center[0] + x, self.center[1] + y))
+
+    def turned(self, angle: float) -> Shape:
+        """Return the ellipse turned about the axis."""
+        return Ellipse(self.a, self.b, self.angle + angle, _turned(self.center, angle))
+
+    def to_dict(self) -> Json:
+        """Return the ellipse in plain types, with its name."""
+        place = {} if self.center == (0.0, 0.0) else {"center": list(self.center)}
+        return {"name": "Ellipse", "a": self.a, "b": self.b, "angle": self.angle, **place}
+
+
+@dataclass(frozen=True)
+class Disc(Shape):
+    """Disc.
+
+    Parameters
+    ----------
+    radius : float, default 1
+        Over the radius of the aperture; above 0, at most 1000.
+    center : (float, float), default (0, 0)
+        Centre (x, y) over the radius of the aperture.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not a finite number in range.
+    """
+
+    radius: float = 1.0
+    center: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        radius = validation.real("radius", self.radius, above=0.0, most=_FAR)
+        vars(self).update(radius=radius, center=_point("center", self.center))
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return the distance of points (`x`, `y`) from the edge; negative outside."""
+        return np.asarray(self.radius - np.hypot(x - self.center[0], y - self.center[1]))
+
+    def outline(self, points: int) -> list[Array]:
+        """Return points along the edge."""
+        t = np.arange(points) * (2.0 * math.pi / points)
+        return [np.array(self.center) + self.radius * np.stack([np.cos(t), np.sin(t)], axis=-1)]
+
+    def moved(self, x: float, y: float) -> Shape:
+        """Return the disc moved by (`x`, `y`)."""
+        return Disc(self.radius, (self.center[0] + x, self.center[1] + y))
+
+    def turned(self, angle: float) -> Shape:
+        """Return the disc turned about the axis."""
+        return Disc(self.radius, _turned(self.center, angle))
+
+    def to_dict(self) -> Json:
+        """Return the disc in plain types, with its name."""
+        return {"name": "Disc", "radius": self.radius, "center": list(self.center)}
+
+
+@dataclass(frozen=True)
+class Polygon(Shape):
+    """Convex polygon; others are unions or differences of convex ones.
+
+    Parameters
+    ----------
+    corners : sequence of (float, float)
+        Corners (x, y) over the radius of the aperture, in either sense of rotation; 3 to 256 of them.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If they are no such numbers, lie on a line or are not convex.
+
+    Examples
+    --------
+    >>> Polygon.regular(6, radius=0.5).corners[0]
+    (0.5, 0.0)
+    """
+
+    corners: tuple[tuple[float, float], ...]
+
+    def __post_init__(self) -> None:
+        given = validation.real_array("corners", self.corners)
+        if given.ndim != 2 or given.shape[1] != 2 or not 3 <= len(given) <= _MOST_CORNERS:
+            raise ValueError(
+                f"corners must be 3 to {_MOST_CORNERS} pairs (x, y), got {validation.shown(self.corners)} "
+                f"of shape {given.shape}"
+            )
+        if np.abs(given).max() > _FAR:
+            raise ValueError(f"corners must be within {_FAR:g} radii of the axis, got {np.abs(given).max():g}")
+        edge = np.roll(given, -1, axis=0) - given
+        after = np.roll(edge, -1, axis=0)
+        turn = edge[:, 0] * after[:, 1] - edge[:, 1] * after[:, 0]
+        length = np.hypot(*edge.T)
+        flat = 1e-12 * length * np.roll(length, -1)
+        way = math.copysign(1.0, turn.sum())
+        # A convex polygon turns one way, and once.
+        around = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
+        if length.min() < 1e-12 or np.any(way * turn < -flat) or abs(abs(around) - 2.0 * math.pi) > 1e-6:
+            raise ValueError(
+                "corners must be those of a convex polygon, in order and each once; join convex ones by |, "
+                f"got {validation.shown(self.corners)}"
+            )
+        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(way)]))
+
+    @classmethod
+    def regular(
+        cls, sides: int, radius: float, center: tuple[float, float] = (0.0, 0.0), angle: float = 0.0
+    ) -> Polygon:
+        """Return a regular polygon of `sides` corners, the first at an `angle`, `radius` from its `center`."""
+        count = validation.integer("sides", sides, least=3, most=_MOST_CORNERS)
+        size, first = validation.real("radius", radius, above=0.0, most=_FAR), validation.real("angle", angle)
+        x, y = _point("center", center)
+        t = [first + 2.0 * math.pi * k / count for k in range(count)]
+        return cls(tuple((x + size * math.cos(a), y + size * math.sin(a)) for a in t))
+
+    @classmethod
+    def strip(cls, start: tuple[float, float], end: tuple[float, float], width: float) -> Polygon:
+        """Return the rectangle of a `width` around the line from `start` to `end`, as of a vane."""
+        (x, y), (u, v) = _point("start", start), _point("end", end)
+        length, size = math.hypot(u - x, v - y), validation.real("width", width, above=0.0, most=_FAR)
+        if length < 1e-9:
+            raise ValueError(f"end must be apart from start, got {start} and {end}")
+        p, q = 0.5 * size * (y - v) / length, 0.5 * size * (u - x) / length
+        return cls(((x + p, y + q), (x - p, y - q), (u - p, v - q), (u + p, v + q)))
+
+    @classmethod
+    def half_plane(cls, angle: float, offset: float = 0.0) -> Polygon:
+        """Return, of the aperture, the points whose distance from the axis towards `angle` is at most `offset`."""
+        turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
+        corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
+        return cls(tuple(_turned(corner, turn) for corner in corners))
+
+    @property
+    def center(self) -> tuple[float, float]:
+        """The mean of the corners."""
+        x, y = np.mean(self.corners, axis=0)
+        return float(x), float(y)
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return a lower bound on the distance of points (`x`, `y`) from the edge; negative outside."""
+        least = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), np.inf)
+        for (px, py), (qx, qy) in zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True):
+            length = math.hypot(qx - px, qy - py)
+            np.minimum(least, ((qx - px) / length) * (y - py) - ((qy - py) / length) * (x - px), out=least)
+        return least
+
+    def outline(self, points: int) -> list[Array]:
+        """Return points along the edge, the corners among them."""
+        at = np.array(self.corners)
+        t = np.linspace(0.0, 1.0, max(2, points // len(at)), endpoint=False)[:, None, None]
+        return [(at + t * (np.roll(at, -1, axis=0) - at)).reshape(-1, 2)]
+
+    def moved(self, x: float, y: float) -> Shape:
+        """Return the polygon moved by (`x`, `y`)."""
+        return Polygon(tuple((u + x, v + y) for u, v in self.corners))
+
+    def turned(self, angle: float) -> Shape:
+        """Return the polygon turned about the axis."""
+        return Polygon(tuple(_turned(corner, angle) for corner in self.corners))
+
+    def to_dict(self) -> Json:
+        """Return the polygon in plain types, with its name."""
+        return {"name": "Polygon", "corners": [list(corner) for corner in self.corners]}
+
+
+@dataclass(frozen=True)
+class Spider(Shape):
+    """Straight vanes from the axis to the edge of the aperture, as of the spider of a secondary mirror.
+
+    A vane blocks the half strip ``abs(across) < width / 2, along > 0`` of its direction; two opposite ones make a
+    bar across the aperture. Where vanes overlap, near the axis, light is blocked once.
+
+    Parameters
+    ----------
+    width : float
+        Width of each vane divided by the radius of the aperture, above 0 and below 2.
+    angles : sequence of float
+        Direction of each vane, radians from x (columns) to y (rows); 1 to 64 of them.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the width or an angle is not a finite number in range.
+
+    Examples
+    --------
+    >>> Spider.equal(4, width=0.02).angles[:2]
+    (0.0, 1.5707963267948966)
+    """
+
+    width: float
+    angles: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        width = validation.real("width", self.width, above=0.0, below=2.0)
+        angles = validation.real_array("angles", self.angles)
+        if angles.ndim != 1 or not 1 <= angles.size <= MAX_VANES:
+            raise ValueError(
+                f"angles must be a sequence of 1 to {MAX_VANES} numbers, "
+                f"got {validation.shown(self.angles)} of shape {angles.shape}"
+            )
+        vars(self).update(width=width, angles=tuple(angles.tolist()))
+
+    @classmethod
+    def equal(cls, count: int, width: float, first: float = 0.0) -> Spider:
+        """Return `count` vanes of a `width` at equal angles from `first`, radians; TypeError or ValueError."""
+        number = validation.integer("count", count, least=1, most=MAX_VANES)
+        start = validation.real("first", first)
+        return cls(width, tuple(start + 2.0 * math.pi * k / number for k in range(number)))
+
+    def vanes(self) -> tuple[Shape, ...]:
+        """Return each vane, from the axis to beyond the rim."""
+        ends = ((3.0 * math.cos(angle), 3.0 * math.sin(angle)) for angle in self.angles)
+        return tuple(Polygon.strip((0.0, 0.0), end, self.width) for end in ends)
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return a lower bound on the distance of points (`x`, `y`) from the edges; negative outside of the vanes."""
+        most = np.full(np.broadcast_shapes(x.shape, y.shape), -np.inf)
+        for angle in self.angles:
+            c, s = math.cos(angle), math.sin(angle)
+            np.maximum(most, np.minimum(0.5 * self.width - np.abs(y * c - x * s), x * c + y * s), out=most)
+        return most
+
+    def outline(self, points: int) -> list[Array]:
+        """Return points along the edges."""
+        return [line for vane in self.vanes() for line in vane.outline(points)]
+
+    def turned(self, angle: float) -> Shape:
+        """Return the vanes turned about the axis."""
+        return Spider(self.width, tuple(each + angle for each in self.angles))
+
+    def to_dict(self) -> Json:
+        """Return the vanes in plain types."""
+        return {"width": self.width, "angles": list(self.angles)}
+
+    @classmethod
+    def from_dict(cls, description: Mapping[str, Any]) -> Spider:
+        """Rebuild a spider from a `description` by :meth:`to_dict`."""
+        return cls(**description)
+
+    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
+        for i, vane in enumerate(self.vanes()):
+            vane._listed(parts, steps)
+            steps += [_EITHER] if i else []
+
+
+@dataclass(frozen=True)
+class CatEye(Shape):
+    """Cat's-eye vignetting: the overlap of the aperture with a second circle, as at the edge of the field.
+
+    Parameters
+    ----------
+    shift : (float, float)
+        Centre (x, y) of the second circle, over the radius of the aperture.
+    radius : float, default 1
+        Radius of the second circle relative to that of the aperture; above 0, at most 1000.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not a finite number in range, or if the two circles do not overlap.
+    """
+
+    shift: tuple[float, float]
+    radius: float = 1.0
+
+    def __post_init__(self) -> None:
+        pair = isinstance(self.shift, tuple | list | np.ndarray)
+        if not pair or validation.array("shift", self.shift).shape[:1] != (2,):
+            raise TypeError(f"shift must be a pair (x, y), got {validation.shown(self.shift)}")
+        x, y = (validation.real(f"shift[{i}]", part) for i, part in enumerate(self.shift))
+        radius = validation.real("radius", self.radius, above=0.0, below=1000.0 + 1e-9)
+        if math.hypot(x, y) >= 1.0 + radius:
+            raise ValueError(
+                f"shift must be shorter than 1 + radius = {1.0 + radius:g}, or the circles do not overlap, "
+                f"got {validation.shown(self.shift)}"
+            )
+        vars(self).update(shift=(x, y), radius=radius)
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return the distance of points (`x`, `y`) from the edge of the second circle; negative outside of it."""
+        return np.asarray(self.radius - np.hypot(x - self.shift[0], y - self.shift[1]))
+
+    @property
+    def disc(self) -> Disc:
+        """The second circle."""
+        return Disc(self.radius, self.shift)
+
+    def outline(self, points: int) -> list[Array]:
+        """Return points along the edge of the second circle."""
+        return self.disc.outline(points)
+
+    def turned(self, angle: float) -> Shape:
+        """Return the circle turned about the axis."""
+        return CatEye(_turned(self.shift, angle), self.radius)
+
+    def _listed(self, parts: list[Shape], steps: list[int]) -> None:
+        self.disc._listed(parts, steps)
+
+    def to_dict(self) -> Json:
+        """Return the circle in plain types, with its name."""
+        return {"name": "CatEye", "shift": list(self.shift), "radius": self.radius}
+
+
+@dataclass(frozen=True)
+class Segments:
+    """Segments of a mirror, each a shape with a phase of its own.
+
+    Parameters
+    ----------
+    shapes : sequence of Shape
+        The segments, which must not overlap; 1 to 4096 of them.
+    piston, tip, tilt : sequence of float, optional
+        Phase of each segment, radians: constant, and its change along x and along y, a radius of the aperture further
+        (2 pi are a wavelength of path); the slopes about the segment's centre. 0 by default.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If they are not such shapes and finite numbers, or overlap.
+
+    Examples
+    --------
+    >>> len(Segments.hexagonal(rings=2, gap=0.01).shapes)
+    18
+    """
+
+    shapes: tuple[Shape, ...]
+    piston: tuple[float, ...] = ()
+    tip: tuple[float, ...] = ()
+    tilt: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.shapes, Sequence) or not 1 <= len(self.shapes) <= _MOST_SEGMENTS:
+            raise ValueError(f"shapes must be 1 to {_MOST_SEGMENTS} shapes, got {validation.shown(self.shapes)}")
+        shapes = tuple(shape(f"shapes[{i}]", part) for i, part in enumerate(self.shapes))
+        vars(self).update(shapes=shapes)
+        for name in ("piston", "tip", "tilt"):
+            given = validation.real_array(name, getattr(self, name))
+            if given.size and given.shape != (len(shapes),):
+                raise ValueError(f"{name} must be one number a segment, {len(shapes)}, got shape {given.shape}")
+            vars(self)[name] = tuple(given.tolist()) if given.size else (0.0,) * len(shapes)
+
+    @classmethod
+    def hexagonal(cls, rings: int, gap: float = 0.0, *, middle: bool = False, angle: float = 0.0) -> Segments:
+        """Return equal hexagons in `rings` around the axis, the farthest corners on the rim of the aperture.
+
+        Parameters
+        ----------
+        rings : int
+            1 to 32: 6 hexagons, 18, 36, ...; of JWST 2, of Keck 3.
+        gap : float, default 0
+            Between neighbours, over the radius of the aperture.
+        middle : bool, default False
+            Whether there is one on the axis.
+        angle : float, default 0
+            By which all are turned, radians from x to y. At 0 sides are parallel to x.
+
+        Returns
+        -------
+        Segments
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, or the gap leaves no segment.
+        """
+        count, between = validation.integer("rings", rings, least=1, most=32), validation.real("gap", gap, least=0.0)
+        inner, turn = validation.truth("middle", middle), validation.real("angle", angle)
+        # In units of the distance of neighbours: hexagons of an inner radius (1 - gap) / 2, centres at a e_1 + b e_2.
+        places = [
+            (a * math.sqrt(0.75), b + 0.5 * a)
+            for a in range(-count, count + 1)
+            for b in range(-count, count + 1)
+            if abs(a + b) <= count and (inner or a or b)
+        ]
+
+        def scaled(pitch: float) -> list[Polygon]:
+            size = (pitch - between) / math.sqrt(3.0)
+            return [Polygon.regular(6, size, (pitch * x, pitch * y)) for x, y in places]
+
+        # The farthest corner: of a hexagon at a corner of the last ring, whose pitch makes it 1.
+        far = max(places, key=lambda place: math.hypot(*place))
+        low, high = between, 2.0
+        if between >= 0.5:
+            raise ValueError(f"gap must leave something of the segments, got {between:g}")
+        for _ in range(80):
+            pitch = 0.5 * (low + high)
+            size = (pitch - between) / math.sqrt(3.0)
+            corners = (
+                math.hypot(pitch * far[0] + size * math.cos(k * math.pi / 3), pitch * far[1] + size * math.sin(k * math.pi / 3))
+                for k in range(6)
+            )
+            low, high = (pitch, high) if max(corners) < 1.0 else (low, pitch)
+        return cls(tuple(part.turned(turn) for part in scaled(low)))
+
+    @property
+    def centers(self) -> Array:
+        """The centre of each segment, which slopes are about, shape (n, 2): the mean of the points of its edge."""
+        return np.array([np.concatenate(part.outline(48)).mean(axis=0) for part in self.shapes])
+
+    @property
+    def phases(self) -> Array:
+        """The phase of each on the axis, and its change along x and y, radians, shape (n, 3)."""
+        tip, tilt, at = np.array(self.tip), np.array(self.tilt), self.centers
+        return np.stack([np.array(self.piston) - tip * at[:, 0] - tilt * at[:, 1], tip, tilt], axis=-1)
+
+    def phased(self, piston: ArrayLike = 0.0, tip: ArrayLike = 0.0, tilt: ArrayLike = 0.0) -> Segments:
+        """Return the same segments with other phases, numbers or one a segment; TypeError or ValueError."""
+        given = (np.broadcast_to(validation.real_array(n, v), len(self.shapes)) for n, v in (("piston", piston), ("tip", tip), ("tilt", tilt)))
+        return Segments(self.shapes, *(tuple(part.tolist()) for part in given))
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return a lower bound on the distance of points (`x`, `y`) from the edges; negative outside."""
+        most = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), -np.inf)
+        for part in self.shapes:
+            np.maximum(most, part.margin(x, y), out=most)
+        return most
+
+    def to_dict(self) -> Json:
+        """Return the segments in plain types, with the name."""
+        numbers = {name: list(getattr(self, name)) for name in ("piston", "tip", "tilt") if any(getattr(self, name))}
+        return {"name": "Segments", "shapes": [part.to_dict() for part in self.shapes], **numbers}
+
+
+_KINDS: dict[str, Callable[..., Shape]] = {"Disc": Disc, "Ellipse": Ellipse, "Polygon": Polygon, "CatEye": CatEye, "Spider": Spider}
+
+
+def shape_from_dict(description: Mapping[str, Any], depth: int = 0) -> Shape | Segments:
+    """Rebuild what `to_dict` of a shape or of segments describes; KeyError, TypeError or ValueError if it is neither."""
+    parts = dict(description)
+    name = validation.choice("name", parts.pop("name", None), (*_KINDS, *_STEPS, "Segments"))
+    if depth > 64:
+        raise ValueError("shapes must be combined at most 64 deep")
+    if name == "Segments":
+        listed = [shape("shapes", shape_from_dict(part, depth + 1)) for part in parts.pop("shapes")]
+        return Segments(tuple(listed), **parts)
+    if name in _STEPS:
+        first, second = (shape(key, shape_from_dict(parts[key], depth + 1)) for key in ("first", "second"))
+        return Combined(name, first, second)
+    return _KINDS[name](**parts)

@@ -402,7 +402,9 @@ def row_images(
     Of pupils on regions with `phases` (regions, 3), constant and by x and y; sums lose about `precision` of the weight.
     """
     count, factors = len(stack.edge), np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
-    values, slopes, lost = (np.empty(s) for s in ((count, *window.shape), (len(factors), count, *window.shape), (count,)))
+    values, slopes, lost = (
+        np.empty(s) for s in ((count, *window.shape), (len(factors), count, *window.shape), (count,))
+    )
     (row, column), options = window.center, (window.step, precision, wanted.threads)
     place = stack.terms, stack.edge, stack.amplitude, row, column, *options
     _core.row_images(list(rules), phases, *place, values, factors, slopes, lost)

@@ -31,7 +31,7 @@ class NonuniformFFT(Method[Pupil]):
     Parameters
     ----------
     tol : float, default 1e-6
-        Bound on ``max|I - I_exact| / max I``, 1e-11 to below 0.1; max I is the largest value in the window, or what is
+        Bound on ``max|I - I_exact| / max I``, 1e-12 to below 0.1; max I is the largest value in the window, or what is
         found on a coarse lattice over the whole blur. It is a contract: :class:`ToleranceError` is raised if the bound
         cannot be brought below it. A mask is the sum of its samples.
 
@@ -59,7 +59,6 @@ class NonuniformFFT(Method[Pupil]):
     """
 
     apodized = nonradial = any_aperture = True
-    least_tol = 1e-11
     tol: float = 1e-6
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -99,7 +98,9 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         if np.any(dim) and not elsewhere.any():
             blur = float(pupil.v(pupil.geometric_radius()).max())
             far = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
-            there, _, wrong, _ = _sums(pupil, far, max(asked, 1e-4 * bright / pupil.amplitude), Wanted(threads=wanted.threads))
+            there, _, wrong, _ = _sums(
+                pupil, far, max(asked, 1e-4 * bright / pupil.amplitude), Wanted(threads=wanted.threads)
+            )
             elsewhere = np.maximum(np.sqrt(there.max(axis=(1, 2))) - wrong, 0.0) ** 2
         peak = np.maximum(tops, elsewhere)
         if wanted.scale is None:

@@ -249,7 +249,9 @@ def _rows(opening: Opening, degree: int, power: int) -> tuple[engine.RowRule, ..
         steps: list[int] = []
         region._listed(parts, steps)
         ellipses = [
-            (*part.center, part.radius, part.radius, 0.0) if isinstance(part, Disc) else (*part.center, part.a, part.b, part.angle)
+            (*part.center, part.radius, part.radius, 0.0)
+            if isinstance(part, Disc)
+            else (*part.center, part.a, part.b, part.angle)
             for part in parts
             if isinstance(part, Disc | Ellipse)
         ]

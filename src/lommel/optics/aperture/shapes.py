@@ -67,7 +67,9 @@ def shape(name: str, value: object) -> Shape:
     """Return `value` if it is a shape; TypeError that names it otherwise."""
     if isinstance(value, Shape):
         return value
-    raise TypeError(f"{name} must be a shape (Disc, Ellipse, Polygon, or some combined), got {validation.shown(value)}")
+    raise TypeError(
+        f"{name} must be a shape (Disc, Ellipse, Polygon, or some combined), got {validation.shown(value)}"
+    )
 
 
 def _point(name: str, value: Any) -> tuple[float, float]:
@@ -553,7 +555,10 @@ class Segments:
             pitch = 0.5 * (low + high)
             size = (pitch - between) / math.sqrt(3.0)
             corners = (
-                math.hypot(pitch * far[0] + size * math.cos(k * math.pi / 3), pitch * far[1] + size * math.sin(k * math.pi / 3))
+                math.hypot(
+                    pitch * far[0] + size * math.cos(k * math.pi / 3),
+                    pitch * far[1] + size * math.sin(k * math.pi / 3),
+                )
                 for k in range(6)
             )
             low, high = (pitch, high) if max(corners) < 1.0 else (low, pitch)
@@ -572,7 +577,10 @@ class Segments:
 
     def phased(self, piston: ArrayLike = 0.0, tip: ArrayLike = 0.0, tilt: ArrayLike = 0.0) -> Segments:
         """Return the same segments with other phases, numbers or one a segment; TypeError or ValueError."""
-        given = (np.broadcast_to(validation.real_array(n, v), len(self.shapes)) for n, v in (("piston", piston), ("tip", tip), ("tilt", tilt)))
+        given = (
+            np.broadcast_to(validation.real_array(n, v), len(self.shapes))
+            for n, v in (("piston", piston), ("tip", tip), ("tilt", tilt))
+        )
         return Segments(self.shapes, *(tuple(part.tolist()) for part in given))
 
     def margin(self, x: Array, y: Array) -> Array:
@@ -588,7 +596,13 @@ class Segments:
         return {"name": "Segments", "shapes": [part.to_dict() for part in self.shapes], **numbers}
 
 
-_KINDS: dict[str, Callable[..., Shape]] = {"Disc": Disc, "Ellipse": Ellipse, "Polygon": Polygon, "CatEye": CatEye, "Spider": Spider}
+_KINDS: dict[str, Callable[..., Shape]] = {
+    "Disc": Disc,
+    "Ellipse": Ellipse,
+    "Polygon": Polygon,
+    "CatEye": CatEye,
+    "Spider": Spider,
+}
 
 
 def shape_from_dict(description: Mapping[str, Any], depth: int = 0) -> Shape | Segments:

@@ -198,7 +198,7 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> tuple[Array, Array, 
     """Return the same over what vanes, vignetting and a mask leave clear, exact to a degree in x and y."""
     x, y, weight = pupil.rule(degree)
     # The rule carries the amplitude of the mask once.
-    carried = 1.0 if pupil.mask is None else pupil.mask.at(x, y) ** (power - 1.0)
+    carried = 1.0 if pupil.mask is None else np.abs(pupil.mask.at(x, y)) ** (power - 1.0)
     # At the middle of a mask rho is 0, where slopes over rho have a limit only.
     rho = np.maximum(np.hypot(x, y), 1e-12)
     weight = weight * carried * pupil.illumination.at(rho**2, power)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.core.answers import Declined, Intensities
 from lommel.core.engine import gauss_error
 from lommel.methods.method import Method
@@ -123,14 +123,14 @@ def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
     amplitude = transmission(pupil, x, half, edge)
     if not pupil.illumination.uniform:
-        square, clear = x * x, amplitude > 0.0
+        square, clear = x * x, np.abs(amplitude) > 0.0
         amplitude[clear] *= pupil.illumination.at((square[:, None] + square)[clear])
     wavefronts = pupil.wavefront.flattened()
     for i in range(wavefronts.shape[0]):
         yield amplitude * np.exp(1j * wavefronts[i].phase(rho, theta))
 
 
-def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Array:
+def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Values:
     """Return the amplitude, without apodization, of square cells of side ``2 half`` centred at ``(x, x)``.
 
     "binary": that at the centre of the cell. "grey": times the part of the cell that the aperture leaves clear; see

@@ -77,7 +77,7 @@ class NonuniformFFT(Method[Pupil]):
 
 def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     """Return samples of the flattened stack, with bounds over the peak below `tol` once they are stored."""
-    if pupil.mask is not None:
+    if pupil.mask is not None and not pupil.mask.squares:
         needed, why = samples_needed(pupil, grid)
         if needed > pupil.mask.side:
             raise Declined(
@@ -146,5 +146,9 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
         phases, rules, missed = np.zeros((1, 3)), pupil.samples, 0.0
     window = window_of(pupil, grid)
     values, slopes, lost = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUMS * error, wanted)
+    if pupil.mask is not None and pupil.mask.squares:
+        down, across = (np.sinc(step / grid.side / (math.pi * pupil.mask.side) * at) ** 2 for at in (grid.y, grid.x))
+        cells = down[:, None] * across
+        values, slopes = values * cells, slopes * cells
     off = missed + lost
     return values, slopes, off, off

@@ -52,7 +52,7 @@ class Pupil(BasePupil):
     vignetting : Ellipse or CatEye, optional
         Vignetting by a second edge.
     mask : Mask, optional
-        Amplitude transmission sampled over the aperture; the pupil function is then defined by the samples.
+        Transmission of amplitude and phase sampled over the aperture; the pupil function is then that of its samples.
     stop : Shape or Segments, optional
         Where light passes, if that is not the disc: a shape, or segments with phases of their own. What is outside of
         the disc is not used.
@@ -266,7 +266,7 @@ class Pupil(BasePupil):
         """Return points that fill the clear aperture."""
         x, y = self.opening.raster()
         if self.mask is not None:
-            clear = self.mask.at(x, y) > 0.0
+            clear = np.abs(self.mask.at(x, y)) > 0.0
             # Light may pass between all points of the raster.
             x, y = (x[clear], y[clear]) if clear.any() else self.rule(0)[:2]
         return x, y
@@ -337,7 +337,7 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
 
     at = cell_centers(mask.side)
     part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
-    weight = mask.values * np.where(part > 1e-9, part, 0.0)  # less is rounding
+    weight = np.abs(mask.values) * np.where(part > 1e-9, part, 0.0)  # less is rounding
     rows, columns = np.nonzero(weight)
     return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
 
@@ -346,7 +346,9 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
 def _sampled_rows(opening: Opening, mask: Mask) -> RowRule:
     from lommel.core.engine import row_samples
 
-    return row_samples(*_samples(opening, mask))
+    x, y, weight = _samples(opening, mask)
+    phase = opening.phase(x, y) + np.angle(mask.at(x, y))
+    return row_samples(x, y, weight, phase if np.any(phase) else None)
 
 
 @lru_cache(maxsize=64)
@@ -358,7 +360,7 @@ def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: floa
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
-        weight = weight * mask.at(x, y) ** (max(power, 1.0) - 1.0)
+        weight = weight * np.abs(mask.at(x, y)) ** (max(power, 1.0) - 1.0)
     return float(weight @ light.at(x * x + y * y, power))
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Json
+from lommel.base.arrays import Array, Json, Values
 from lommel.base.cached import EqualByContent
 
 MAX_SIDE = 8192
@@ -22,21 +22,27 @@ MAX_SIDE = 8192
 
 @dataclass(frozen=True, eq=False)
 class Mask(EqualByContent):
-    """Amplitude transmission sampled over the square around the aperture: apodizers, segmented mirrors.
+    """Transmission sampled over the square around the aperture: apodizers, phase plates, phase screens, modulators.
 
-    Images are sums over the samples, each weighted by the part of its cell inside the aperture. They repeat at
-    ``pi * side`` in v, and a window that a repetition would reach is refused.
+    As samples of a function (the default) images are sums over the samples, each weighted by the part of its cell
+    inside the aperture. They repeat at ``pi * side`` in v, and a window that a repetition would reach is refused. As
+    `squares` the pupil function is constant on each cell, with the phase that the wavefront has in its middle: the
+    same sums times ``sinc(v_x / side) sinc(v_y / side)``, for every window. Either is exact, and has an error bound.
 
     Parameters
     ----------
     values : array_like, shape (side, side)
-        Amplitudes from 0 to 1 at the centres ``(2 i + 1 - side) / side`` of the cells of the square [-1, 1] x
-        [-1, 1]; rows rise with y, columns with x. side is 2 to 8192.
+        Transmission of the amplitude at the centres ``(2 i + 1 - side) / side`` of the cells of the square [-1, 1] x
+        [-1, 1]: real, 0 to 1, or complex, of modulus at most 1; a phase map is ``exp(1j * phase)``. Rows rise with y,
+        columns with x. side is 2 to 8192.
+    squares : bool, default False
+        Whether values are those of square cells, as of a spatial light modulator, rather than samples.
 
     Raises
     ------
     TypeError, ValueError
-        If the array is not square, holds anything but numbers from 0 to 1, or holds zeros only.
+        If the array is not square, holds anything but numbers of modulus at most 1, or zeros only; negative ones must
+        be given as complex.
 
     Examples
     --------
@@ -44,7 +50,8 @@ class Mask(EqualByContent):
     array([0., 0., 1., 1.])
     """
 
-    values: Array
+    values: Values
+    squares: bool = False
     _digest: bytes = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -53,38 +60,46 @@ class Mask(EqualByContent):
             given = given.astype(np.float64)
         if given.ndim != 2 or given.shape[0] != given.shape[1] or not 2 <= given.shape[0] <= MAX_SIDE:
             raise ValueError(f"values must be a square array with a side of 2 to {MAX_SIDE}, got shape {given.shape}")
-        self._keep(np.ascontiguousarray(validation.real_array("values", given, least=0.0)) + 0.0)
+        validation.truth("squares", self.squares)
+        if given.dtype.kind == "c":
+            if not np.isfinite(given).all():
+                raise ValueError("values must be finite, got NaN or infinity")
+            self._keep(np.ascontiguousarray(given, dtype=np.complex128))
+        else:
+            self._keep(np.ascontiguousarray(validation.real_array("values", given, least=0.0)) + 0.0)
 
-    def _keep(self, values: Array) -> None:
-        """Keep values of the right shape, >= 0 and finite, without a copy."""
-        if values.max() > 1.0:
-            raise ValueError(f"values must be from 0 to 1, got {values.max():g}")
-        if values.max() == 0.0:
+    def _keep(self, values: Values) -> None:
+        """Keep values of the right shape, finite and not negative, without a copy."""
+        most = float(np.abs(values).max())
+        if most > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # of cos and sin, rounded
+            raise ValueError(f"values must have a modulus from 0 to 1, got {most:.15g}")
+        if most == 0.0:
             raise ValueError("values must not be 0 throughout: no light would pass")
         values.flags.writeable = False
-        digest = hashlib.sha256(repr(values.shape).encode())
+        digest = hashlib.sha256(repr((values.shape, values.dtype.kind, self.squares)).encode())
         digest.update(values.data)
         vars(self).update(values=values, _digest=digest.digest())
 
     @classmethod
-    def sample(cls, function: Callable[[Array, Array], ArrayLike], side: int) -> Mask:
+    def sample(cls, function: Callable[[Array, Array], ArrayLike], side: int, *, squares: bool = False) -> Mask:
         """Return the mask of ``function(x, y)`` at the centres of `side` x `side` cells, `side` from 2 to 8192.
 
-        `function` takes arrays of shapes (1, side) and (side, 1) and returns amplitudes or booleans. TypeError or
+        `function` takes arrays of shapes (1, side) and (side, 1) and returns transmissions or booleans. TypeError or
         ValueError if it does not, or `side` is out of range.
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
         validation.function("function", function)
         at = cell_centers(n)
-        return cls(np.broadcast_to(validation.array("function", function(at[None, :], at[:, None])), (n, n)))
+        found = validation.array("function", function(at[None, :], at[:, None]))
+        return cls(np.broadcast_to(found, (n, n)), squares)
 
     @property
     def side(self) -> int:
         """Samples along each side."""
         return len(self.values)
 
-    def at(self, x: Array, y: Array) -> Array:
-        """Return the amplitude of the cell that each point (`x`, `y`) lies in, 0 outside of the square.
+    def at(self, x: Array, y: Array) -> Values:
+        """Return the transmission of the cell that each point (`x`, `y`) lies in, 0 outside of the square.
 
         TypeError or ValueError if these are not real and finite.
         """
@@ -101,12 +116,15 @@ class Mask(EqualByContent):
         return self._digest
 
     def __repr__(self) -> str:
-        return f"Mask(<{self.side} x {self.side} amplitudes, mean {self.values.mean():.4g}>)"
+        kind = "squares" if self.squares else "samples"
+        return f"Mask(<{self.side} x {self.side} {kind}, mean {self.values.mean():.4g}>)"
 
     def to_dict(self) -> Json:
-        """Return the values in plain types: little-endian float64, deflated, as base64."""
-        data = zlib.compress(self.values.astype("<f8").tobytes(), 6)
-        return {"side": self.side, "values": base64.b64encode(data).decode("ascii")}
+        """Return the values in plain types: little-endian float64, complex ones as pairs, deflated, as base64."""
+        given = {"complex": True} if self.values.dtype.kind == "c" else {}
+        data = zlib.compress(self.values.astype("<c16" if given else "<f8").tobytes(), 6)
+        kept = {"side": self.side, "values": base64.b64encode(data).decode("ascii"), **given}
+        return {**kept, "squares": True} if self.squares else kept
 
     @classmethod
     def from_dict(cls, description: Mapping[str, Any]) -> Mask:
@@ -114,7 +132,8 @@ class Mask(EqualByContent):
         side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
         packed = base64.b64decode(description["values"], validate=True)
         # Unpacked in place: with a copy beside it a small file would take a gigabyte.
-        values, unpack, at = np.empty((side, side)), zlib.decompressobj(), 0
+        kind = np.complex128 if validation.truth("complex", description.get("complex", False)) else np.float64
+        values, unpack, at = np.empty((side, side), kind), zlib.decompressobj(), 0
         place = values.data.cast("B")
         while part := unpack.decompress(packed, 2**20):
             if at + len(part) > len(place):
@@ -125,9 +144,10 @@ class Mask(EqualByContent):
             raise ValueError(f"values must be {side} x {side}, got {at} bytes")
         if sys.byteorder == "big":
             values = values.byteswap()
-        if not values.min() >= 0.0:
-            raise ValueError(f"values must be >= 0, got {values.min():g}")
+        if not np.isfinite(values).all() or (kind is np.float64 and not values.min() >= 0.0):
+            raise ValueError("values must be finite, and >= 0 unless they are complex")
         made = object.__new__(cls)
+        vars(made)["squares"] = validation.truth("squares", description.get("squares", False))
         values += 0.0  # no -0
         made._keep(values)
         return made

@@ -35,8 +35,8 @@ lommel::Region region_of(const In<double, 2>& ellipses, const In<double, 2>& cor
     return {parts, {steps.data(), steps.data() + steps.shape(0)}};
 }
 
-lommel::RowRule row_rule(In<double, 2> ellipses, In<double, 2> corners, In<std::int32_t, 1> counts,
-                         In<std::int32_t, 1> steps, std::size_t degree, double error) {
+lommel::RowRule row_rule(In<double, 2> ellipses, In<double, 2> corners, In<std::int32_t, 1> counts, In<std::int32_t, 1> steps,
+                         std::size_t degree, double error) {
     require(degree <= 20000 && error > 0.0 && error < 1.0, "degree must be 20000 at most, error from above 0 to below 1");
     const lommel::Region region = region_of(ellipses, corners, counts, steps);
     return released([&] { return lommel::RowRule(region, degree, error); });
@@ -50,7 +50,8 @@ lommel::RowRule row_samples(In<double, 1> y, In<std::int64_t, 1> counts, In<doub
         total += counts.data()[i];
     }
     const std::size_t all = static_cast<std::size_t>(total);
-    require(y.shape(0) == counts.shape(0) && x.shape(0) == all && weights.shape(0) == all && (phase.shape(0) == all || phase.shape(0) == 0),
+    require(y.shape(0) == counts.shape(0) && x.shape(0) == all && weights.shape(0) == all &&
+                (phase.shape(0) == all || phase.shape(0) == 0),
             "one y a row, one x, weight and phase a sample");
     return {y.data(), counts.data(), y.shape(0), x.data(), weights.data(), phase.shape(0) == 0 ? nullptr : phase.data()};
 }
@@ -69,9 +70,9 @@ Out<double, 2> nodes(const lommel::RowRule& rule) {
     return found;
 }
 
-void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phases, In<std::int32_t, 2> terms, In<double, 2> edge,
-            In<double, 1> amplitude, double center_y, double center_x, double step, double precision, int threads,
-            Out<double, 3> out, In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 1> losses) {
+void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phases, In<std::int32_t, 2> terms,
+            In<double, 2> edge, In<double, 1> amplitude, double center_y, double center_x, double step, double precision,
+            int threads, Out<double, 3> out, In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 1> losses) {
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);
@@ -87,7 +88,7 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
     }
     require_terms(by);
     require(slopes.shape(0) == by.size() && (by.empty() || (slopes.shape(1) == pupils && slopes.shape(2) == out.shape(1) &&
-                                                           slopes.shape(3) == out.shape(2))),
+                                                            slopes.shape(3) == out.shape(2))),
             "derivatives must match the images");
     std::vector<lommel::PhasedRule> regions;
     for (std::size_t i = 0; i < rules.size(); ++i) {
@@ -110,7 +111,8 @@ void bindings::define_aperture(nb::module_& m) {
     m.def("row_rule", &row_rule, "ellipses"_a, "corners"_a, "counts"_a, "steps"_a, "degree"_a, "error"_a,
           "Return a rule that is off by at most an error for polynomials that are at most 1 on the unit disc.");
     m.def("row_samples", &row_samples, "y"_a, "counts"_a, "x"_a, "weights"_a, "phase"_a, "Return samples as such a rule.");
-    m.def("row_images", &images, "rules"_a, "phases"_a, "terms"_a, "edge"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "step"_a,
-          "precision"_a, "threads"_a, "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "losses"_a.noconvert(),
+    m.def("row_images", &images, "rules"_a, "phases"_a, "terms"_a, "edge"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
+          "step"_a, "precision"_a, "threads"_a, "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(),
+          "losses"_a.noconvert(),
           "Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.");
 }

@@ -40,12 +40,11 @@ struct ComplexDisc {
 
 // The rate at which polynomials that are at most 1 on the unit disc of the plane grow off it: at complex (x, y) those of degree n
 // are at most e^{n b}, cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (the extremal function of Siciak, found by Lundin). Points with b
-// below a limit are a convex set.
-inline double polynomial_growth(double squares, double rest) { return 0.5 * std::acosh(std::max(1.0, squares + rest)); }
-inline double polynomial_growth(ComplexDisc x, ComplexDisc y) {
+// below a limit are a convex set. This bounds cosh 2b on discs.
+inline double growth_argument(ComplexDisc x, ComplexDisc y) {
     const double across = x.largest(), down = y.largest();
     const ComplexDisc rest = x * x + y * y - ComplexDisc{1.0, 0.0};
-    return polynomial_growth(across * across + down * down, rest.largest());
+    return across * across + down * down + rest.largest();
 }
 
 // The corners, of the upper half, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
@@ -140,7 +139,9 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
 class PanelMap {
    public:
     PanelMap(double low, double high, int root)
-        : root_(root), length_(high - low), anchor_(root < 0 ? low : root > 0 ? high : 0.5 * (low + high)),
+        : root_(root), length_(high - low), anchor_(root < 0   ? low
+                                                    : root > 0 ? high
+                                                               : 0.5 * (low + high)),
           sign_(root > 0 ? -1.0 : 1.0) {}
 
     template <class Number>
@@ -229,10 +230,9 @@ struct Panel {
         }
         return largest_on_ellipse(eta, limit, [&](ComplexDisc s) {
             const ComplexDisc y = map.y(s);
-            double total = 0.0, most = -1e300;
+            double growth = 1.0, width = 1e-300;
             for (const auto& span : spans) {
                 ComplexDisc x[2];
-                double growth = 0.0;
                 for (std::size_t i = 0; i < 2; ++i) {
                     const Side& side = span[i];
                     x[i] = ComplexDisc{side.p - side.q * side.origin, 0.0} + side.q * y;
@@ -243,28 +243,25 @@ struct Panel {
                         }
                         x[i] = x[i] + side.k * arc;
                     }
-                    growth = std::max(growth, degree * polynomial_growth(x[i], y));
+                    growth = std::max(growth, growth_argument(x[i], y));
                 }
-                // Between the sides a polynomial is at most as large as at the worse of them: where b is below a limit is convex.
-                const double size = growth + std::log((x[1] - x[0]).largest() + 1e-300);
-                total = size > most ? 1.0 + total * std::exp(most - size) : total + std::exp(size - most);
-                most = std::max(most, size);
+                width += (x[1] - x[0]).largest();
             }
-            return most + std::log(total) + std::log(map.largest_slope(s) + 1e-300) + 1e-9;
+            // Between the sides a polynomial is at most as large as at the worse of them: where b is below a limit is convex.
+            return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }
 
    private:
     bool straight() const {
-        return root == 0 && std::all_of(spans.begin(), spans.end(), [](const std::array<Side, 2>& span) {
-                   return span[0].k == 0.0 && span[1].k == 0.0;
-               });
+        return root == 0 && std::all_of(spans.begin(), spans.end(),
+                                        [](const std::array<Side, 2>& span) { return span[0].k == 0.0 && span[1].k == 0.0; });
     }
     // Sides are linear functions of s, so that their growth and their distance are largest at a corner.
     double largest_straight(double eta, double degree, const PanelMap& map) const {
-        double total = 0.0, most = -1e300;
+        double growth = 1.0, width = 1e-300;
         for (const auto& span : spans) {
-            double growth = 0.0, width = 0.0;
+            double here = 0.0;
             each_corner(eta, [&](std::complex<double> s) {
                 const std::complex<double> y = map.y(s);
                 std::complex<double> x[2];
@@ -272,20 +269,19 @@ struct Panel {
                     x[i] = span[i].p + span[i].q * (y - span[i].origin);
                     growth = std::max(growth, std::norm(x[i]) + std::norm(y) + modulus(x[i] * x[i] + y * y - 1.0));
                 }
-                width = std::max(width, modulus(x[1] - x[0]));
+                here = std::max(here, modulus(x[1] - x[0]));
             });
-            const double size = degree * polynomial_growth(growth, 0.0) + std::log(width + 1e-300);
-            total = size > most ? 1.0 + total * std::exp(most - size) : total + std::exp(size - most);
-            most = std::max(most, size);
+            width += here;
         }
-        return most + std::log(total) + std::log(map.largest_slope({0.0, 0.0})) + 1e-9;
+        return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope({0.0, 0.0})) + 1e-9;
     }
 };
 
 // The number of nodes on a span of a row, from what part of the row's chord of the disc it is.
 class SpanNodes {
    public:
-    SpanNodes(std::size_t degree, double error) : degree_(static_cast<double>(degree)), error_(error), known_(cells * cells, 0) {}
+    SpanNodes(std::size_t degree, double error)
+        : degree_(static_cast<double>(degree)), error_(error), known_(cells * cells, 0) {}
 
     // So many that a polynomial's mean over the span is off by at most the error. [low, high] within [-half, half].
     std::size_t operator()(double low, double high, double half) {
@@ -303,7 +299,8 @@ class SpanNodes {
                 });
                 return degree_ * std::acosh(0.5 * sum) + 1e-9;
             });
-            known = std::min(static_cast<std::size_t>(most.count), static_cast<std::size_t>(0.5 * degree_) + 1);  // exact from there on
+            known = std::min(static_cast<std::size_t>(most.count),
+                             static_cast<std::size_t>(0.5 * degree_) + 1);  // exact from there on
         }
         return known;
     }

@@ -107,8 +107,8 @@ class RowField {
 
     // Adds the field of a region with phases `tilt` more than those of the terms: constant, along x, along y. Multiplied by a term
     // if there is one. Returns a bound on what summing loses.
-    double add(const RowRule& rule, const ZernikeSum& phase, const Amplitude& light, const double (&tilt)[3], const ZernikeSum* factor,
-               int threads, Doubles& out) const {
+    double add(const RowRule& rule, const ZernikeSum& phase, const Amplitude& light, const double (&tilt)[3],
+               const ZernikeSum* factor, int threads, Doubles& out) const {
         const std::vector<RowRule::Row>& rows = rule.rows();
         const std::size_t count = rows.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
         // Of each row along the columns: [eight columns][row][eight real parts, eight imaginary parts].
@@ -165,8 +165,9 @@ class RowField {
         // which turn the waves at the corners; a weight by eight, light by its exponent's.
         const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y),
                                                static_cast<double>(window_.width) + std::abs(half_x));
-        const double turned = (phase.terms() + 8.0) * phase.size() + 8.0 * (std::abs(tilts[0]) + std::abs(tilts[1]) + std::abs(tilts[2])) +
-                              4.0 * reach + light.sensitivity() + 16.0;
+        const double turned = (phase.terms() + 8.0) * phase.size() +
+                              8.0 * (std::abs(tilts[0]) + std::abs(tilts[1]) + std::abs(tilts[2])) + 4.0 * reach +
+                              light.sensitivity() + 16.0;
         return rule.weight() * (first + second + first * second + unit_roundoff * turned);
     }
 
@@ -174,8 +175,9 @@ class RowField {
     static constexpr std::size_t wide = fft_rows;
 
     template <class I>
-    LOMMEL_INLINE void strengths(I isa, const RowRule& rule, const RowRule::Row& row, const ZernikeSum& phase, const Amplitude& light,
-                                 const double (&tilt)[3], const ZernikeSum* factor, double* re, double* im) const {
+    LOMMEL_INLINE void strengths(I isa, const RowRule& rule, const RowRule::Row& row, const ZernikeSum& phase,
+                                 const Amplitude& light, const double (&tilt)[3], const ZernikeSum* factor, double* re,
+                                 double* im) const {
         using V = typename I::pack;
         const V y = splat<V>(row.y), still = splat<V>(tilt[0] + tilt[2] * row.y);
         for (std::size_t k = 0; k < row.count; k += I::lanes) {

@@ -29,7 +29,8 @@ class RowRule {
 
     RowRule(const Region& region, std::size_t degree, double error);
     // Of samples: y of each row and how many it has, x, weight and, if any, phase of each sample.
-    RowRule(const double* y, const std::int64_t* counts, std::size_t rows, const double* x, const double* weights, const double* phase)
+    RowRule(const double* y, const std::int64_t* counts, std::size_t rows, const double* x, const double* weights,
+            const double* phase)
         : spans_(0, 1.0) {
         for (std::size_t i = 0; i < rows; ++i) {
             rows_.push_back({y[i], x_.size(), static_cast<std::size_t>(counts[i])});

@@ -18,8 +18,11 @@ struct WaveKernel {
     static constexpr std::size_t most_taps = 16;
 
     WaveKernel(std::size_t length, std::size_t kernel_taps = 12)
-        : side(length), taps(kernel_taps), terms(taps < 10 ? 9 : taps < 14 ? 11 : 14),
-          fft(RowFft<double>::length(std::max<std::size_t>(2 * side, 64))), kernel(GriddingKernel::of(taps, 2.0)), gain(side / 2 + 1) {
+        : side(length), taps(kernel_taps), terms(taps < 10   ? 9
+                                                 : taps < 14 ? 11
+                                                             : 14),
+          fft(RowFft<double>::length(std::max<std::size_t>(2 * side, 64))), kernel(GriddingKernel::of(taps, 2.0)),
+          gain(side / 2 + 1) {
         std::vector<double> made;
         off_ = kernel.polynomials(terms, most_taps, made);
         polynomials.assign(made.begin(), made.end());

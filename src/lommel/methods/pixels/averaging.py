@@ -60,7 +60,8 @@ def shared(step: float, error: float, across: int, sides: tuple[int, ...]) -> in
     def samples(s: int) -> float:
         return math.prod(0.5 * s * side + 2.0 * _half(step, error, s) for side in sides)
 
-    fewest = min(range(math.ceil(2.0 * step / _FARTHEST), 2 * across + 1), key=samples)
+    # One sample for two pixels is interpolated half way, by weights of either sign that magnify its error.
+    fewest = min(range(max(2, math.ceil(2.0 * step / _FARTHEST)), 2 * across + 1), key=samples)
     return fewest if samples(fewest) < _WORTH * samples(2 * across) else 2 * across
 
 

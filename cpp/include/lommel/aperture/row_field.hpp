@@ -91,11 +91,17 @@ class ZernikeSum {
     std::size_t count_ = 0;
 };
 
+// A region with the phase that it adds: constant, and by x and y.
+struct PhasedRule {
+    const RowRule* rule;
+    double phase[3];
+};
+
 // The field of one or several regions, each with a phase of its own, on the pixels of a window.
 class RowField {
    public:
     // Errors of what is summed, over the sum of the weights, will be about `precision`.
-    RowField(const DiskWindow& window, double precision) : window_(window) {
+    RowField(const std::vector<PhasedRule>& regions, const DiskWindow& window, double precision) : window_(window) {
         const std::size_t longest = std::max(window.height, window.width);
         std::size_t taps = 4;
         do {
@@ -103,35 +109,41 @@ class RowField {
             across_ = std::make_unique<WaveKernel>(window.width, taps);
         } while (taps < WaveKernel::most_taps && WaveKernel(longest, taps).error(0.0) > precision);
         down_ = std::make_unique<WaveKernel>(window.height, taps);
+        // Pixel k has v = step (k - side / 2 + half).
+        half_y_ = static_cast<double>(window.height / 2) - window.row;
+        half_x_ = static_cast<double>(window.width / 2) - window.column;
+        for (const PhasedRule& region : regions) {
+            Turn turn{region.rule,
+                      {region.phase[0], region.phase[1] - window.step * half_x_, region.phase[2] - window.step * half_y_}};
+            turned_ = std::max(turned_, std::abs(turn.phase[0]) + std::abs(turn.phase[1]) + std::abs(turn.phase[2]));
+            weight_ += region.rule->weight();
+            for (const RowRule::Row& row : region.rule->rows()) {
+                rows_.push_back({&row, turns_.size()});
+                longest_ = std::max(longest_, row.count);
+            }
+            turns_.push_back(turn);
+        }
     }
 
-    // Adds the field of a region with phases `tilt` more than those of the terms: constant, along x, along y. Multiplied by a term
-    // if there is one. Returns a bound on what summing loses.
-    double add(const RowRule& rule, const ZernikeSum& phase, const Amplitude& light, const double (&tilt)[3],
-               const ZernikeSum* factor, int threads, Doubles& out) const {
-        const std::vector<RowRule::Row>& rows = rule.rows();
-        const std::size_t count = rows.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
+    // Writes the field of pupils with a phase and a light, multiplied by a term if there is one. Returns a bound on what summing
+    // loses.
+    double sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads, Doubles& out) const {
+        const std::size_t count = rows_.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
         // Of each row along the columns: [eight columns][row][eight real parts, eight imaginary parts].
         Doubles sums(2 * wide * count * blocks);
-        const double step = window_.step, half_y = static_cast<double>(window_.height / 2) - window_.row,
-                     half_x = static_cast<double>(window_.width / 2) - window_.column;
-        // Pixel k has v = step (k - side / 2 + half).
-        const double tilts[3] = {tilt[0], tilt[1] - step * half_x, tilt[2] - step * half_y};
-        std::size_t longest = 0;
-        for (const RowRule::Row& row : rows) {
-            longest = std::max(longest, row.count);
-        }
+        const double step = window_.step;
         parallel_for(strips, threads, [&](std::size_t, std::size_t strip) {
             WaveSums waves(*across_);
-            Doubles re(longest + 16), im(longest + 16);
+            Doubles re(longest_ + row_lanes), im(longest_ + row_lanes);
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 const std::size_t first = strip * wide, here = std::min(wide, count - first);
                 waves.start();
                 for (std::size_t r = 0; r < here; ++r) {
-                    const RowRule::Row& row = rows[first + r];
-                    strengths(isa, rule, row, phase, light, tilts, factor, re.data(), im.data());
+                    const Turn& turn = turns_[rows_[first + r].turn];
+                    const RowRule::Row& row = *rows_[first + r].row;
+                    strengths(isa, turn, row, phase, light, factor, re.data(), im.data());
                     for (std::size_t k = 0; k < row.count; ++k) {
-                        waves.add(isa, r, re[k], im[k], step * rule.x()[row.first + k]);
+                        waves.add(isa, r, re[k], im[k], step * turn.rule->x()[row.first + k]);
                     }
                 }
                 waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
@@ -149,42 +161,50 @@ class RowField {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 waves.start();
                 for (std::size_t r = 0; r < count; ++r) {
-                    waves.add(isa, &sums[2 * wide * (b * count + r)], step * rows[r].y);
+                    waves.add(isa, &sums[2 * wide * (b * count + r)], step * rows_[r].row->y);
                 }
                 waves.finish(isa, [&](std::size_t k, const double* sum, double gain) LOMMEL_INLINE_LAMBDA {
                     double* const to = &out[2 * (k * width + b * wide)];
                     for (std::size_t i = 0; i < std::min(wide, width - b * wide); ++i) {
-                        to[2 * i] += gain * sum[i];
-                        to[2 * i + 1] += gain * sum[wide + i];
+                        to[2 * i] = gain * sum[i];
+                        to[2 * i + 1] = gain * sum[wide + i];
                     }
                 });
             });
         });
-        const double first = across_->error(static_cast<double>(longest)), second = down_->error(static_cast<double>(count));
+        const double first = across_->error(static_cast<double>(longest_)), second = down_->error(static_cast<double>(count));
         // Phases are sums of terms and of tilts, products of these and of what they are added to; places are off by two roundings,
         // which turn the waves at the corners; a weight by eight, light by its exponent's.
-        const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y),
-                                               static_cast<double>(window_.width) + std::abs(half_x));
-        const double turned = (phase.terms() + 8.0) * phase.size() +
-                              8.0 * (std::abs(tilts[0]) + std::abs(tilts[1]) + std::abs(tilts[2])) + 4.0 * reach +
-                              light.sensitivity() + 16.0;
-        return rule.weight() * (first + second + first * second + unit_roundoff * turned);
+        const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
+                                               static_cast<double>(window_.width) + std::abs(half_x_));
+        const double turned = (phase.terms() + 8.0) * phase.size() + 8.0 * turned_ + 4.0 * reach + light.sensitivity() + 16.0;
+        return weight_ * (first + second + first * second + unit_roundoff * turned);
     }
 
    private:
     static constexpr std::size_t wide = fft_rows;
 
+    // A rule, and the phase added to that of its pupils: constant, by x, by y.
+    struct Turn {
+        const RowRule* rule;
+        double phase[3];
+    };
+    struct Row {
+        const RowRule::Row* row;
+        std::size_t turn;
+    };
+
     template <class I>
-    LOMMEL_INLINE void strengths(I isa, const RowRule& rule, const RowRule::Row& row, const ZernikeSum& phase,
-                                 const Amplitude& light, const double (&tilt)[3], const ZernikeSum* factor, double* re,
-                                 double* im) const {
+    LOMMEL_INLINE void strengths(I isa, const Turn& turn, const RowRule::Row& row, const ZernikeSum& phase,
+                                 const Amplitude& light, const ZernikeSum* factor, double* re, double* im) const {
         using V = typename I::pack;
-        const V y = splat<V>(row.y), still = splat<V>(tilt[0] + tilt[2] * row.y);
+        const RowRule& rule = *turn.rule;
+        const V y = splat<V>(row.y), still = splat<V>(turn.phase[0] + turn.phase[2] * row.y);
         for (std::size_t k = 0; k < row.count; k += I::lanes) {
             // Nodes beyond the end belong to the next row, or are 0.
             const V x = load<V>(&rule.x()[row.first + k]);
             V w = load<V>(&rule.weights()[row.first + k]), sine, cosine;
-            V angle = phase.at(x, y) + splat<V>(tilt[1]) * x + still;
+            V angle = phase.at(x, y) + splat<V>(turn.phase[1]) * x + still;
             if (!rule.phase().empty()) {
                 angle = angle + load<V>(&rule.phase()[row.first + k]);
             }
@@ -206,6 +226,10 @@ class RowField {
 
     DiskWindow window_;
     std::unique_ptr<WaveKernel> across_, down_;
+    std::vector<Turn> turns_;
+    std::vector<Row> rows_;
+    std::size_t longest_ = 0;
+    double half_y_ = 0.0, half_x_ = 0.0, turned_ = 0.0, weight_ = 0.0;
 };
 
 }  // namespace lommel

@@ -10,31 +10,17 @@
 
 namespace lommel {
 
-// A region with the phase that it adds: constant, and by x and y.
-struct PhasedRule {
-    const RowRule* rule;
-    double phase[3];
-};
-
 // Adds up what U of each pupil, edge[pupil][term], is on the pixels: |U|^2 to images[pupil], derivatives by the coefficients of the
 // factors to slopes[factor][pupil], bounds on what sums lose of U, and of its derivatives by any factor, to losses[pupil].
 inline void row_images(const std::vector<PhasedRule>& regions, const std::vector<ZernikeTerm>& terms, const double* edge,
                        std::size_t pupils, const Amplitude& light, const DiskWindow& window, double precision, int threads,
                        double* images, const std::vector<ZernikeTerm>& factors, double* slopes, double* losses) {
-    const RowField field(window, precision);
+    const RowField field(regions, window, precision);
     const std::size_t pixels = window.height * window.width;
     Doubles u(2 * pixels), g(factors.empty() ? 0 : 2 * pixels);
     for (std::size_t p = 0; p < pupils; ++p) {
         const ZernikeSum phase(terms, edge + p * terms.size());
-        const auto summed = [&](const ZernikeSum* factor, Doubles& out) {
-            double lost = 0.0;
-            std::fill(out.begin(), out.end(), 0.0);
-            for (const PhasedRule& region : regions) {
-                lost += field.add(*region.rule, phase, light, region.phase, factor, threads, out);
-            }
-            return lost;
-        };
-        losses[p] = summed(nullptr, u);
+        losses[p] = field.sum(phase, light, nullptr, threads, u);
         double* const image = images + p * pixels;
         for (std::size_t i = 0; i < pixels; ++i) {
             image[i] = u[2 * i] * u[2 * i] + u[2 * i + 1] * u[2 * i + 1];
@@ -42,7 +28,8 @@ inline void row_images(const std::vector<PhasedRule>& regions, const std::vector
         for (std::size_t j = 0; j < factors.size(); ++j) {
             const double one = 1.0;
             const ZernikeSum factor({factors[j]}, &one);
-            losses[p] = std::max(losses[p], summed(&factor, g) + 8.0 * unit_roundoff * (factors[j].n + 4.0));
+            losses[p] =
+                std::max(losses[p], field.sum(phase, light, &factor, threads, g) + 8.0 * unit_roundoff * (factors[j].n + 4.0));
             // U' = i G, and I' = 2 Re(conj(U) U').
             double* const slope = slopes + (j * pupils + p) * pixels;
             for (std::size_t i = 0; i < pixels; ++i) {

@@ -6,17 +6,30 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "lommel/aperture/row_bounds.hpp"
 #include "lommel/aperture/shapes.hpp"
 #include "lommel/base/aligned.hpp"
+#include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/special/legendre.hpp"
 
 namespace lommel {
+
+// Nodes and weights on [-1, 1].
+struct GaussRule {
+    std::vector<double> x, w;
+
+    explicit GaussRule(std::size_t n) : x(n), w(n) { gauss_legendre(n, x.data(), w.data()); }
+
+    bool is(std::size_t n) const { return x.size() == n; }
+    std::size_t bytes() const { return sizeof(double) * 2 * x.size(); }
+    static constexpr std::size_t most_bytes = std::size_t{2} << 20;
+};
 
 // Rows of nodes: (1/pi) int P dx dy over a region is the sum of w P(x, y), with an error of at most `error` for polynomials of the
 // degree that are at most 1 on the unit disc, which holds the region. Weights are positive.
@@ -51,17 +64,12 @@ class RowRule {
 
    private:
     static constexpr std::size_t most_nodes = std::size_t{1} << 26;
-    struct Gauss {
-        std::vector<double> x, w;
-    };
-    const Gauss& gauss(std::size_t n) {
-        Gauss& rule = gauss_[n];
-        if (rule.x.empty()) {
-            rule.x.resize(n);
-            rule.w.resize(n);
-            gauss_legendre<double, double>(n, rule.x.data(), rule.w.data());
+    const GaussRule& gauss(std::size_t n) {
+        auto& rule = gauss_[n];
+        if (!rule) {
+            rule = cache<GaussRule>.get(n);
         }
-        return rule;
+        return *rule;
     }
     static constexpr double few = 24.0;  // nodes of a panel that is not to be halved
     // Nodes of a panel, by the best change of variable.
@@ -82,7 +90,7 @@ class RowRule {
     Doubles x_, weights_, phase_;
     double weight_ = 0.0;
     std::size_t panels_ = 0;
-    std::map<std::size_t, Gauss> gauss_;
+    std::map<std::size_t, std::shared_ptr<const GaussRule>> gauss_;
     SpanNodes spans_;
 };
 
@@ -201,7 +209,7 @@ LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int de
 LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
     constexpr double pi = 3.14159265358979323846;
     const PanelMap map(panel.low, panel.high, panel.root);
-    const Gauss outer = gauss(rows);
+    const GaussRule& outer = gauss(rows);
     ++panels_;
     for (std::size_t i = 0; i < rows; ++i) {
         const double y = map.y(outer.x[i]), weight = map.slope(outer.x[i]) * outer.w[i] / pi;
@@ -212,7 +220,7 @@ LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
             if (!(reach > 0.0)) {
                 continue;  // by rounding, at an end of the panel
             }
-            const Gauss& inner = gauss(spans_(low, high, half));
+            const GaussRule& inner = gauss(spans_(low, high, half));
             for (std::size_t k = 0; k < inner.x.size(); ++k) {
                 x_.push_back(middle + reach * inner.x[k]);
                 weights_.push_back(weight * reach * inner.w[k]);

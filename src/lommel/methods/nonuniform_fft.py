@@ -88,42 +88,45 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         room *= 0.49  # values divided by their own largest one are off by twice as much
     # Light spread evenly over a blur has about this field; where it gathers the peak is brighter.
     bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items()))
-    elsewhere = np.zeros(math.prod(pupil.shape))
+    elsewhere: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
     for _ in range(8):
         asked = max(0.45 * room * bright / pupil.amplitude, _LEAST)
         values, slopes, off, off_slopes = _sums(pupil, grid, asked, wanted)
-        tops = values.max(axis=(1, 2))
-        # The peak, to which errors relate, may lie outside of the window.
-        dim = np.sqrt(np.maximum(tops, elsewhere)) - off < bright
-        if np.any(dim) and not elsewhere.any():
-            blur = float(pupil.v(pupil.geometric_radius()).max())
-            far = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
-            there, _, wrong, _ = _sums(
-                pupil, far, max(asked, 1e-4 * bright / pupil.amplitude), Wanted(threads=wanted.threads)
-            )
-            elsewhere = np.maximum(np.sqrt(there.max(axis=(1, 2))) - wrong, 0.0) ** 2
-        peak = np.maximum(tops, elsewhere)
-        if wanted.scale is None:
-            peak = tops
-        relative = relative_error(np.stack([peak, peak], axis=1), off)
-        made = Intensities(values, relative, peak)
-        finished = once_stored(made, wanted)
-        assert finished is not None
-        if finished.max() <= tol or asked <= _LEAST:
+        peak = values.max(axis=(1, 2))
+        made, error = _judged(values, peak if elsewhere is None else np.maximum(peak, elsewhere), off, wanted)
+        if elsewhere is None and error > tol:
+            elsewhere = _elsewhere(pupil, max(asked, 1e-4 * bright / pupil.amplitude), wanted.threads)
+            made, error = _judged(values, np.maximum(peak, elsewhere), off, wanted)
+        if error <= tol or asked <= _LEAST:
             break
         # Budgets follow the peak that was found.
-        likely = math.sqrt(max(float(peak.min()), 1e-300))
-        bright = min(0.9 * likely, bright) if likely < bright else 0.5 * bright
-    if not finished.max() <= tol:
-        raise not_met(tol, float(finished.max()), "the peak")
+        assert made.peak is not None
+        bright = min(0.9 * math.sqrt(max(float(made.peak.min()), 1e-300)), 0.5 * bright)
+    if not error <= tol:
+        raise not_met(tol, error, "the peak")
     answer = painted(made, grid, wanted)
     if not wanted.terms:
         return answer
+    peak = np.asarray(made.peak)
     # I' = 2 Re(conj(U) U'), and |U'| is at most what light there is.
     rise = 2.0 * (np.sqrt(peak) * off_slopes + (pupil.amplitude + off_slopes) * off) / peak
     scaled = (slopes * answer.scale[:, None, None]).astype(wanted.dtype)
     error = rise + (np.abs(slopes).max(axis=(2, 3)) / peak + rise) * storing(wanted.dtype)
     return answer._replace(slopes=Slopes(scaled, error))
+
+
+def _judged(values: Array, peak: Array, off: Array, wanted: Wanted) -> tuple[Intensities, float]:
+    """Return intensities with bounds over a peak, from those of U, and the largest of these once they are stored."""
+    made = Intensities(values, relative_error(peak[:, None], off), peak)
+    return made, float(np.max(once_stored(made, wanted)))  # type: ignore[arg-type]
+
+
+def _elsewhere(pupil: Pupil, error: float, threads: int) -> Array:
+    """Return what the peak of each PSF is at least, from a coarse lattice over all the blur."""
+    blur = float(pupil.v(pupil.geometric_radius()).max())
+    far = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
+    values, _, off, _ = _sums(pupil, far, error, Wanted(threads=threads))
+    return np.asarray(np.maximum(np.sqrt(values.max(axis=(1, 2))) - off, 0.0) ** 2)
 
 
 def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
+from lommel.base.cached import cached_property
 
 MAX_VANES = 64
 _FAR = 1000.0
@@ -564,12 +565,12 @@ class Segments:
             low, high = (pitch, high) if max(corners) < 1.0 else (low, pitch)
         return cls(tuple(part.turned(turn) for part in scaled(low)))
 
-    @property
+    @cached_property
     def centers(self) -> Array:
         """The centre of each segment, which slopes are about, shape (n, 2): the mean of the points of its edge."""
         return np.array([np.concatenate(part.outline(48)).mean(axis=0) for part in self.shapes])
 
-    @property
+    @cached_property
     def phases(self) -> Array:
         """The phase of each on the axis, and its change along x and y, radians, shape (n, 3)."""
         tip, tilt, at = np.array(self.tip), np.array(self.tilt), self.centers

@@ -24,6 +24,7 @@ from lommel.core.caches import clear_caches as clear_caches
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information
+from lommel.estimation.moffat import MoffatFit as MoffatFit, fit_moffat as fit_moffat
 from lommel.estimation.noise import Noise as Noise
 from lommel.estimation.phase_retrieval import Retrieval as Retrieval, retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap

@@ -1,0 +1,97 @@
+"""The fit of Moffat's profile: derivatives, bias and standard errors against simulated stars, and refusals."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy import integrate
+
+import lommel as lm
+from lommel.estimation.moffat import _model
+
+NAMES = ("flux", "row", "column", "fwhm", "beta", "background")
+TRUTH = np.array([2e4, 9.3, 10.8, 4.2, 2.7, 30.0])
+
+
+def test_the_profile_has_the_flux_and_the_width_that_it_says():
+    flux, fwhm, beta = 5.0, 3.0, 2.5
+    alpha = 0.5 * fwhm / math.sqrt(2.0 ** (1.0 / beta) - 1.0)
+    peak = flux * (beta - 1.0) / (math.pi * alpha**2)
+    # The average over pixels against adaptive quadrature, beside the centre and far from it.
+    image = _model(np.array([flux, 2.2, 3.1, fwhm, beta, 0.0]), (21, 21))[0]
+    for row, column in ((2, 3), (4, 1), (20, 19)):
+        value = integrate.dblquad(
+            lambda x, y: peak * (1.0 + ((x - 3.1) ** 2 + (y - 2.2) ** 2) / alpha**2) ** -beta,
+            row - 0.5, row + 0.5, column - 0.5, column + 0.5, epsabs=1e-13,
+        )[0]  # fmt: skip
+        assert image[row, column] == pytest.approx(value, rel=1e-6)
+    # All light: what a square of half side 300 lacks is peak alpha^(2 beta) int r^(-2 beta) beyond, to a factor near 1.
+    wide = _model(np.array([flux, 300.0, 300.0, fwhm, beta, 0.0]), (601, 601))[0]
+    assert wide.sum() == pytest.approx(flux, rel=3e-6)
+
+
+@pytest.mark.parametrize("k", range(6))
+def test_derivatives_are_the_limits_of_differences(k):
+    step = 1e-5 * max(1.0, abs(TRUTH[k]))
+    ahead, behind = (TRUTH + sign * step * np.eye(6)[k] for sign in (1.0, -1.0))
+    slope = (_model(ahead, (21, 23))[0] - _model(behind, (21, 23))[0]) / (2.0 * step)
+    np.testing.assert_allclose(_model(TRUTH, (21, 23))[1][k], slope, atol=1e-7 * np.abs(slope).max())
+
+
+def test_fits_are_unbiased_and_their_errors_are_those_that_they_state():
+    clean, rng = _model(TRUTH, (21, 23))[0], np.random.default_rng(3)
+    pulls, chi = [], []
+    for _ in range(120):
+        fit = lm.fit_moffat(rng.poisson(clean) + rng.normal(0.0, 3.0, clean.shape), lm.Noise(read=3.0))
+        pulls.append(
+            [(getattr(fit, name) - truth) / fit.deviations[name] for name, truth in zip(NAMES, TRUTH, strict=True)]
+        )
+        chi.append(fit.chi2)
+    # Four standard errors of a mean and of a standard deviation of 120.
+    assert np.abs(np.mean(pulls, axis=0)).max() < 4.0 / math.sqrt(120.0)
+    assert np.abs(np.std(pulls, axis=0) - 1.0).max() < 4.0 / math.sqrt(240.0)
+    assert np.mean(chi) == pytest.approx(1.0, abs=0.03)
+
+
+def test_units_gain_and_missing_pixels():
+    clean = _model(TRUTH, (21, 23))[0]
+    noise = lm.Noise(white=0.5, read=2.0, offset=100.0)
+    image = noise.image(clean)
+    image[9, 10] = np.nan  # saturated, say
+    fit = lm.fit_moffat(image, noise, pixel=0.26)
+    assert fit.fwhm == pytest.approx(4.2 * 0.26, rel=1e-6)
+    assert fit.flux == pytest.approx(2e4, rel=1e-6)
+    assert fit.chi2 < 1e-6
+    assert "fwhm=1.092 +-" in repr(fit)
+
+
+def test_a_long_exposure_through_the_atmosphere_has_its_exponent_and_width():
+    # Of Kolmogorov's turbulence the profile is close to a Moffat's of beta 4.765 (Trujillo et al. 2001).
+    seeing = lm.Seeing(1.0 / 20.0)
+    star = lm.psf(lm.Pupil(), 41, 2.0, integrate=True, blur=seeing, dtype=np.float64)
+    fit = lm.fit_moffat(1e6 * star.values / star.values.sum(), lm.Noise(read=1.0))
+    assert 4.0 < fit.beta < 5.2
+    assert fit.fwhm * 2.0 == pytest.approx(float(star.fwhm()), rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("image", "wrong"),
+    [
+        (np.ones((4, 9)), "at least 5 x 5"),
+        (np.full((9, 9), np.nan), "finite but for NaN"),
+        (np.full((9, 9), np.inf), "finite but for NaN"),
+        (np.full((9, 9), 7.0), "a star above its background"),
+    ],
+)
+def test_images_without_a_star_are_refused(image, wrong):
+    with pytest.raises(ValueError, match=wrong):
+        lm.fit_moffat(image, lm.Noise(read=1.0))
+
+
+def test_other_arguments_are_checked():
+    with pytest.raises(TypeError, match="real numbers"):
+        lm.fit_moffat(np.ones((9, 9), complex), lm.Noise(read=1.0))
+    with pytest.raises(TypeError, match="noise"):
+        lm.fit_moffat(np.ones((9, 9)), 1.0)
+    with pytest.raises(ValueError, match="pixel"):
+        lm.fit_moffat(np.ones((9, 9)), lm.Noise(read=1.0), pixel=0.0)

@@ -123,6 +123,13 @@ class RowField {
             }
             turns_.push_back(turn);
         }
+        std::vector<std::uint32_t> reached;
+        for (const Row& row : rows_) {
+            const double* const x = &turns_[row.turn].rule->x()[row.row->first];
+            along_ = std::max(along_,
+                              across_->most_waves(row.row->count, reached, [&](std::size_t k) { return window.step * x[k]; }));
+        }
+        across_rows_ = down_->most_waves(rows_.size(), reached, [&](std::size_t i) { return window.step * rows_[i].row->y; });
     }
 
     // Writes the field of pupils with a phase and a light, multiplied by a term if there is one. Returns a bound on what summing
@@ -172,7 +179,8 @@ class RowField {
                 });
             });
         });
-        const double first = across_->error(static_cast<double>(longest_)), second = down_->error(static_cast<double>(count));
+        const double first = across_->error(static_cast<double>(along_)),
+                     second = down_->error(static_cast<double>(across_rows_));
         // Phases are sums of terms and of tilts, products of these and of what they are added to; places are off by two roundings,
         // which turn the waves at the corners; a weight by eight, light by its exponent's.
         const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
@@ -228,7 +236,7 @@ class RowField {
     std::unique_ptr<WaveKernel> across_, down_;
     std::vector<Turn> turns_;
     std::vector<Row> rows_;
-    std::size_t longest_ = 0;
+    std::size_t longest_ = 0, along_ = 0, across_rows_ = 0;
     double half_y_ = 0.0, half_x_ = 0.0, turned_ = 0.0, weight_ = 0.0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "lommel/base/simd.hpp"
@@ -42,6 +43,28 @@ struct WaveKernel {
         const double places = 3.2 * 6.3 * static_cast<double>(side / 2 + 1);
         return kernel.aliases(omega(side / 2)) + gain.back() * (off_ + unit_roundoff * rounded * weight) +
                unit_roundoff * places;
+    }
+
+    // How many waves reach one point of the grid at most, of steps at(i), i < count.
+    template <class At>
+    std::size_t most_waves(std::size_t count, std::vector<std::uint32_t>& reached, const At& at) const {
+        reached.assign(fft.n, 0);
+        for (std::size_t i = 0; i < count; ++i) {
+            ++reached[static_cast<std::size_t>(place(at(i)))];
+        }
+        std::size_t sum = 0, most = 0;
+        for (std::size_t i = 0; i < fft.n + taps; ++i) {
+            // One more on either side, for places that round to the next point elsewhere.
+            sum += reached[i % fft.n];
+            sum -= i >= taps + 2 ? reached[(i - taps - 2) % fft.n] : 0;
+            most = std::max(most, sum);
+        }
+        return most;
+    }
+    // Where a wave of a step is on the grid.
+    double place(double s) const {
+        const double n = static_cast<double>(fft.n), turns = -s / 6.283185307179586;
+        return std::min((turns - std::floor(turns)) * n, n - 1e-9);
     }
 
     std::size_t side, taps, terms;

@@ -197,11 +197,19 @@ class Pupil(BasePupil):
         wavelength = validation.wavelength(wavelength)
         if self.wavelength is None:
             raise ValueError("wavelength and f_number of the pupil must be given, to see it in other light; got None")
-        there = same_path(self.wavefront, self.wavelength, wavelength)
-        if self.colour is None:
-            return self.carrying(there, self.geometry, wavelength)
-        added, geometry = self.colour.change(self, self.geometry, wavelength)
-        return self.carrying(there + added, geometry, wavelength)
+        if self.mask is not None and self.mask.values.dtype.kind == "c" and wavelength != self.wavelength:
+            raise ValueError(
+                "mask must be real to see the pupil in other light: phases of a complex one are those at one wavelength; "
+                "add images of pupils with the mask for each"
+            )
+        there, geometry = same_path(self.wavefront, self.wavelength, wavelength), self.geometry
+        if self.colour is not None:
+            added, geometry = self.colour.change(self, self.geometry, wavelength)
+            there = there + added
+        found = self.carrying(there, geometry, wavelength)
+        if not self.segmented:
+            return found
+        return replace(found, stop=self.stop.scaled(self.wavelength / wavelength))  # type: ignore[union-attr]
 
     def coefficients(self) -> NDArray[np.float64]:
         """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""

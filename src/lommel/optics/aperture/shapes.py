@@ -576,13 +576,22 @@ class Segments:
         tip, tilt, at = np.array(self.tip), np.array(self.tilt), self.centers
         return np.stack([np.array(self.piston) - tip * at[:, 0] - tilt * at[:, 1], tip, tilt], axis=-1)
 
-    def phased(self, piston: ArrayLike = 0.0, tip: ArrayLike = 0.0, tilt: ArrayLike = 0.0) -> Segments:
-        """Return the same segments with other phases, numbers or one a segment; TypeError or ValueError."""
-        given = (
-            np.broadcast_to(validation.real_array(n, v), len(self.shapes))
-            for n, v in (("piston", piston), ("tip", tip), ("tilt", tilt))
-        )
-        return Segments(self.shapes, *(tuple(part.tolist()) for part in given))
+    def phased(
+        self, piston: ArrayLike = 0.0, tip: ArrayLike = 0.0, tilt: ArrayLike = 0.0, *, unit: str = "radians"
+    ) -> Segments:
+        """Return the same segments with other phases, numbers or one a segment, in "radians" or "waves".
+
+        TypeError or ValueError if they are not finite, or not as many.
+        """
+        turn = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
+        phases = {"piston": piston, "tip": tip, "tilt": tilt}
+        given = [validation.real_array(name, value) for name, value in phases.items()]
+        return Segments(self.shapes, *(np.broadcast_to(turn * part, len(self.shapes)).tolist() for part in given))
+
+    def scaled(self, factor: float) -> Segments:
+        """Return the same segments with phases times a `factor`; TypeError or ValueError if it is not finite."""
+        by = validation.real("factor", factor)
+        return Segments(self.shapes, *([by * x for x in part] for part in (self.piston, self.tip, self.tilt)))
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a lower bound on the distance of points (`x`, `y`) from the edges; negative outside."""

@@ -302,7 +302,12 @@ class Pupil(BasePupil):
 
     def unaberrated(self) -> Pupil:
         """Return the same aperture, in focus and without aberration."""
-        return self.carrying(Wavefront(), self.geometry and self.geometry.focused())
+        found = self.carrying(Wavefront(), self.geometry and self.geometry.focused())
+        if self.segmented:
+            found = replace(found, stop=self.stop.scaled(0.0))  # type: ignore[union-attr]
+        if self.mask is not None and self.mask.values.dtype.kind == "c":
+            found = replace(found, mask=type(self.mask)(np.abs(self.mask.values), self.mask.squares))
+        return found
 
     def _each(self, of: Callable[[Any], Any]) -> Pupil:
         wavefront, geometry, colour = of(self.wavefront), self.geometry, self.colour

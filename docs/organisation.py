@@ -45,6 +45,7 @@ CORE_ORDER = [
     {"pixels"},
     {"radial"},
     {"zernike"},
+    {"aperture"},
     {"chordal"},
     {"stratified"},
     {"paper", "imaging", "measures"},

@@ -77,6 +77,7 @@ from lommel.optics.aperture.shapes import (
     Shape as Shape,
     Spider as Spider,
 )
+from lommel.optics.aperture import telescopes as telescopes
 from lommel.optics.aperture.apodization import Apodization as Apodization
 from lommel.optics.colour.spectrum import Channels as Channels
 from lommel.optics.colour.dispersion import Colour as Colour

@@ -79,7 +79,7 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_p
     [
         (
             "[aperture]\nvanes = 3\n",
-            "aperture.vanes (line 10): unknown key; known are spider, ellipse, cat_eye, mask",
+            "aperture.vanes (line 10): unknown key; known are spider, ellipse, cat_eye, mask, telescope",
         ),
         ('[aperture.spider]\nwidth = "2 mm"\n', "aperture.spider (line 9): needs vanes"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nangles = [0.0]\n', "exactly one of the two"),
@@ -109,6 +109,108 @@ def test_a_fault_is_told_where_it_is(load, tmp_path, section, what):
     Image.new("RGB", (4, 4)).save(tmp_path / "colour.png")
     np.save(tmp_path / "oblong.npy", np.ones((3, 4)))
     np.save(tmp_path / "nan.npy", np.full((4, 4), np.nan))
+    with pytest.raises(LensFileError) as caught:
+        load(section)
+    assert what in str(caught.value)
+
+
+BLOCKED = """\
+[[aperture.blocked]]
+type = "disc"
+radius = "30 mm"
+[[aperture.blocked]]
+type = "strip"
+start = ["0 m", 0.1]
+end = ["300 mm", 0.1]
+width = "2 mm"
+[[aperture.blocked]]
+type = "ellipse"
+a = 0.1
+b = "5 mm"
+angle = "90 deg"
+center = [0.5, "-20 mm"]
+"""
+
+
+def test_blocked_parts_are_taken_from_the_disc_in_metres_or_over_the_radius(load):
+    lens = load(BLOCKED).lens  # of a radius of 100 mm
+    parts = (
+        lm.Disc(0.3)
+        | lm.Polygon.strip((0.0, 0.1), (3.0, 0.1), 0.02)
+        | lm.Ellipse(0.1, 0.05, math.pi / 2, (0.5, -0.2))
+    )
+    stop = lm.Disc() - parts
+    assert lm.Pupil(stop=lens.stop).area == pytest.approx(lm.Pupil(stop=stop).area, rel=1e-12)
+    at = np.linspace(-1, 1, 41)
+    np.testing.assert_allclose(lens.stop.margin(at, at[:, None]), stop.margin(at, at[:, None]), atol=1e-12)
+
+
+def test_clear_parts_are_joined(load):
+    text = '[[aperture.clear]]\ntype = "disc"\nradius = 0.2\ncenter = [-0.5, 0]\n'
+    text += '[[aperture.clear]]\ntype = "polygon"\ncorners = [[0.2, -0.2], [0.6, -0.2], [0.6, 0.2]]\n'
+    text += '[[aperture.clear]]\ntype = "hexagon"\nradius = "10 mm"\ncenter = [0, 0.5]\n'
+    area = math.pi * 0.2**2 + 0.08 + 1.5 * math.sqrt(3.0) * 0.1**2
+    assert load(text).pupil().area == pytest.approx(area / math.pi, rel=1e-12)
+
+
+def test_segments_have_phases_in_waves(load, tmp_path):
+    text = '[aperture.segments]\nrings = 1\ngap = "1 mm"\n'
+    bare = lm.Segments.hexagonal(1, 0.001 / 0.1)
+    assert load(text).lens.stop == bare
+    listed = load(text + "piston = [0.5, 0, 0, 0, 0, 0]\ntilt = [0, 0.25, 0, 0, 0, 0]\n").lens.stop
+    assert listed == bare.phased([math.pi, 0, 0, 0, 0, 0], 0.0, [0, math.pi / 2, 0, 0, 0, 0])
+    (tmp_path / "phases.txt").write_text("# piston, tip, tilt\n0.5, 0, 0\n0 0 0.25\n" + "0 0 0  # flat\n" * 4)
+    assert load(text + 'file = "phases.txt"\n').lens.stop == listed
+    np.savetxt(tmp_path / "pistons.txt", [0.5, 0, 0, 0, 0, 0])
+    assert load(text + 'file = "pistons.txt"\n').lens.stop.piston == listed.piston
+
+
+@pytest.mark.parametrize("name", sorted(lm.telescopes.DIAMETERS))
+def test_a_telescope_is_named(load, name):
+    lens = load(f'[aperture]\ntelescope = "{name}"\n').lens
+    assert lens.stop == getattr(lm.telescopes, name)()
+
+
+def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
+    pistons = [0.1] * 17 + [0.0]
+    text = f'[aperture]\ntelescope = "jwst"\n[aperture.segments]\npiston = {pistons}\n'
+    assert load(text).lens.stop == lm.telescopes.jwst().phased(2 * math.pi * np.array(pistons))
+    half = '[[aperture.blocked]]\ntype = "polygon"\ncorners = [[0, -2], [2, -2], [2, 2], [0, 2]]\n'
+    assert load(text + half).pupil().area == pytest.approx(0.5 * load(text).pupil().area, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("section", "what"),
+    [
+        ('[[aperture.blocked]]\ntype = "circle"\n', "aperture.blocked.type (line 10): Input should be 'disc'"),
+        ('[[aperture.blocked]]\nradius = 0.1\n', "aperture.blocked.type"),
+        ('[[aperture.blocked]]\ntype = "disc"\n', "aperture.blocked (line 9): a disc needs radius"),
+        ('[[aperture.clear]]\ntype = "disc"\nradius = 1\nwidth = 1\n', "width has no meaning for a disc"),
+        ('[[aperture.clear]]\ntype = "disc"\nradius = "1"\n', "aperture.clear.radius (line 11): '1' is a length"),
+        ('[[aperture.clear]]\ntype = "disc"\nradius = true\n', "must be a length with a unit or a number"),
+        ('[[aperture.clear]]\ntype = "disc"\nsize = 1\n', "aperture.clear.size (line 11): unknown key"),
+        (
+            '[[aperture.blocked]]\ntype = "disc"\nradius = 0.1\n[[aperture.blocked]]\ntype = "disc"\nradius = 0\n',
+            "aperture.blocked, entry 2 (disc): radius must be",
+        ),
+        ('[[aperture.blocked]]\ntype = "disc"\nradius = 1.5\n', "must leave part of the aperture clear"),
+        ("[aperture.segments]\ngap = 0.1\n", "aperture.segments (line 9): gap has no meaning without rings"),
+        ("[aperture.segments]\npiston = [0.1]\n", "segments needs rings or a telescope with segments"),
+        ('[aperture]\ntelescope = "keck"\n[aperture.segments]\nrings = 2\n', "exactly one of them"),
+        ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
+        ('[aperture]\ntelescope = "gtc"\n', "aperture.telescope (line 10): Input should be 'hst', 'jwst'"),
+        ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston: must have one row for"),
+        ("[aperture.segments]\nrings = 1\ngap = 0.7\n", "aperture.segments: gap must leave something"),
+        ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file: must have one row"),
+        ('[aperture.segments]\nrings = 1\nfile = "words.txt"\n', "line 2: must hold piston, or piston, tip and tilt"),
+        ('[aperture.segments]\nrings = 1\nfile = "none.txt"\n', "'none.txt' holds no numbers"),
+        ('[aperture.segments]\nrings = 1\nfile = "few.txt"\ntip = [0]\n', "takes file or the lists"),
+    ],
+)  # fmt: skip
+def test_a_fault_of_a_shape_names_its_entry(load, tmp_path, section, what):
+    (tmp_path / "few.txt").write_text("1\n2\n")
+    (tmp_path / "words.txt").write_text("1\none\n")
+    (tmp_path / "none.txt").write_text("# nothing\n")
     with pytest.raises(LensFileError) as caught:
         load(section)
     assert what in str(caught.value)

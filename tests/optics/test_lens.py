@@ -124,6 +124,7 @@ SHAPES = {
     "spider": lm.Spider.equal(3, 0.1),
     "vignetting": lm.Ellipse(0.9, 0.8),
     "mask": lm.Mask(np.full((4, 4), 0.5)),
+    "stop": lm.Segments.hexagonal(1, 0.02).phased(np.arange(6) / 10),
 }
 LENS_PARTS = {
     "focal_length": 0.05,
@@ -162,7 +163,7 @@ def test_nothing_that_a_lens_is_made_of_is_forgotten():
     assert [f.name for f in fields(lm.Lens)] == [*LENS_PARTS]
     lens = lm.Lens(**LENS_PARTS)
     assert _same(_parts(lens), LENS_PARTS)
-    plain = lm.Lens(**LENS_PARTS | {"vignetting": None, "mask": None})
+    plain = lm.Lens(**LENS_PARTS | {"vignetting": None, "mask": None, "stop": None})
     same_stop = plain.stopped(plain.f_number)
     made = {
         "focused": (lens.focused(3.0), lens, {"sensor_distance": 1 / (1 / 0.05 - 1 / 3.0)}),
@@ -174,6 +175,7 @@ def test_nothing_that_a_lens_is_made_of_is_forgotten():
                 "wavelength": 600e-9,
                 "focal_length": red.focal_length,
                 "aberrations": 550e-9 / 600e-9 * lens.aberrations,
+                "stop": lens.stop.scaled(550e-9 / 600e-9),
                 "apodization": lens.illumination,
             },
         ),
@@ -206,7 +208,10 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
                 "colour": replace(pupil.colour, x=(2e-3,), y=(0.0,)),
             },
         ),
-        "unaberrated": (pupil.unaberrated(), {"wavefront": lm.Wavefront(), "geometry": focus.geometry}),
+        "unaberrated": (
+            pupil.unaberrated(),
+            {"wavefront": lm.Wavefront(), "geometry": focus.geometry, "stop": lm.Segments.hexagonal(1, 0.02)},
+        ),
         "broadcast": (
             pupil.broadcast((3, 2)),
             {
@@ -225,6 +230,7 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
                 "wavefront": red.wavefront,
                 "wavelength": 600e-9,
                 "geometry": lens.in_light(600e-9).pupil([1.0, 2.0]).geometry,
+                "stop": lens.stop.scaled(550e-9 / 600e-9),
             },
         ),
         "from_dict": (lm.Pupil.from_dict(pupil.to_dict()), {"mask": lm.Mask(np.full((4, 4), 0.5))}),
@@ -265,13 +271,14 @@ def test_what_light_falls_on_a_lens_does_not_change_with_the_stop():
     [
         ({}, 1.4, "f_number must be at least that of the lens, f/5, up to which its aberrations are known, got f/1"),
         ({"obscuration": 0.5}, 11.0, "obscuration must be"),
-        ({"vignetting": lm.Ellipse(0.5, 0.5)}, 8.0, "f_number of a lens with vignetting or a mask cannot change"),
-        ({"mask": SHAPES["mask"]}, 8.0, "f_number of a lens with vignetting or a mask cannot change"),
+        ({"vignetting": lm.Ellipse(0.5, 0.5)}, 8.0, "f_number of a lens with vignetting, a mask or a stop"),
+        ({"stop": lm.Disc(0.9)}, 8.0, "f_number of a lens with vignetting, a mask or a stop"),
+        ({"mask": SHAPES["mask"]}, 8.0, "f_number of a lens with vignetting, a mask or a stop"),
         ({}, 0.0, "f_number must be >= 1e-06"),
     ],
 )
 def test_a_stop_that_cannot_be_is_refused(changes, f_number, message):
-    lens = lm.Lens(**LENS_PARTS | {"vignetting": None, "mask": None} | changes)
+    lens = lm.Lens(**LENS_PARTS | {"vignetting": None, "mask": None, "stop": None} | changes)
     with pytest.raises(ValueError, match=re.escape(message)):
         lens.stopped(f_number)
 

@@ -31,6 +31,7 @@ from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.energy import MAX_RADIUS, encircled, optics
 from lommel.methods.choice import of_profiles
 from lommel.optics.aperture.apodization import Apodization
+from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -78,6 +79,7 @@ def introduce_lens(instrument: Instrument) -> Report:
             "spider": None if lens.spider is None else lens.spider.to_dict(),
             "vignetting": None if lens.vignetting is None else lens.vignetting.to_dict(),
             "mask": None if lens.mask is None else {"side": lens.mask.side},
+            "stop": None if lens.stop is None else _stop(lens.stop),
         },
         "clear_area": instrument.pupil().area,
     }
@@ -438,9 +440,15 @@ def _identical(other: Facts) -> bool:
 
 
 def _aperture(facts: Facts) -> list[tuple[str, str]]:
-    """Return rows for the spider, the vignetting and the mask, if there are any."""
-    spider, edge, mask = (facts["aperture"][name] for name in ("spider", "vignetting", "mask"))
+    """Return rows for the spider, the vignetting, the mask and the stop, if there are any."""
+    spider, edge, mask, stop = (facts["aperture"][name] for name in ("spider", "vignetting", "mask", "stop"))
     rows = []
+    if stop is not None:
+        kinds = [f"{count} {kind[:-1] if count == 1 else kind}" for kind, count in stop["parts"].items() if count]
+        if segments := stop["segments"]:
+            phases = f", pistons {number(stop['piston_rms_waves'])} waves rms" if stop["piston_rms_waves"] else ""
+            rows.append(("segments", f"{segments}{phases}"))
+        rows.append(("made of", ", ".join(kinds)))
     if spider is not None:
         angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
         width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
@@ -455,6 +463,17 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
     if mask is not None:
         rows.append(("mask", f"{mask['side']} x {mask['side']} samples"))
     return [*rows, ("clear area", f"{facts['clear_area']:.2%} of the full aperture")] if rows else []
+
+
+def _stop(stop: Shape | Segments) -> Facts:
+    """Return of what a stop is made, and the spread of the phases of its segments."""
+    parts = [part for one in (stop.shapes if isinstance(stop, Segments) else (stop,)) for part in one.parts]
+    kinds = {"discs": (Disc, CatEye), "ellipses": (Ellipse,), "polygons": (Polygon,)}
+    return {
+        "segments": len(stop.shapes) if isinstance(stop, Segments) else 0,
+        "piston_rms_waves": float(np.std(stop.piston)) / (2.0 * math.pi) if isinstance(stop, Segments) else 0.0,
+        "parts": {name: sum(isinstance(part, kind) for part in parts) for name, kind in kinds.items()},
+    }
 
 
 def _field(instrument: Instrument) -> Facts:

@@ -365,8 +365,8 @@ def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
         raise ValueError(f"pupil must be a single one, shared by all images, got a stack of shape {pupil.shape}")
     if not pupil.circular:
         raise ValueError(
-            "retrieve does not support spiders, vignetting or masks yet; pass a pupil with a circular or annular "
-            "aperture"
+            "retrieve does not support spiders, vignetting, masks or stops yet; pass a pupil with a circular or "
+            "annular aperture"
         )
     if pupil.wavelength is None and {"f_number", "wavelength"} & {*unknowns.pupil}:
         raise ValueError(f"also must be without {unknowns.pupil[0]} where pupil has no wavelength and f_number")

@@ -35,9 +35,9 @@ def require_round(name: str, lens: Lens) -> None:
             f"{name} must have radially symmetric aberrations, got {', '.join(kinds[:4])}{others}: leave these terms "
             "out of the lens (its section [aberrations]), or compute single PSFs by lommel.psf"
         )
-    if lens.spider or lens.vignetting or lens.mask:
+    if lens.spider or lens.vignetting or lens.mask or lens.stop:
         raise ValueError(
-            f"{name} must have a round aperture, without spider, vignetting and mask: leave these out, or ask "
+            f"{name} must have a round aperture, without spider, vignetting, mask and stop: leave these out, or ask "
             "lommel.psf for the image of single points"
         )
 

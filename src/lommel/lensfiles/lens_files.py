@@ -10,22 +10,18 @@ from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, field_validator, model_validator
 
-from lommel.base import optional, reading, validation
-from lommel.base.encoding import to_light
+from lommel.base import validation
 from lommel.base.units import parse_radius
 from lommel.field.maps import FieldMap, Shading, Vignetting
-from lommel.io import fits_images, text_files, zernike_tables
-from lommel.io.photos import PhotoError, read_raster
-from lommel.io.registry import Values
+from lommel.io import text_files, zernike_tables
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import tables, toml_files
+from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.tables import FieldTable, load_channels
 from lommel.lensfiles.toml_files import (
-    Angle,
     Context,
     Distance,
     Length,
@@ -39,8 +35,6 @@ from lommel.lensfiles.toml_files import (
     read_beside,
 )
 from lommel.optics.aperture.apodization import Apodization
-from lommel.optics.aperture.mask import MAX_SIDE, Mask
-from lommel.optics.aperture.shapes import MAX_VANES, CatEye, Ellipse, Spider
 from lommel.optics.colour.dispersion import Colour
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, aperture
@@ -100,91 +94,6 @@ class _Aberrations(_Seidel):
     zernike: Toml | None = None  # checked by `_zernike`
 
 
-_FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
-_SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
-
-
-class _Spider(Section):
-    width: Length
-    vanes: Annotated[int, Field(strict=True, ge=1, le=MAX_VANES)] | None = None
-    first: Angle = 0.0
-    angles: Annotated[list[Angle], Field(min_length=1, max_length=MAX_VANES)] | None = None
-
-    @model_validator(mode="after")
-    def _one_way(self) -> _Spider:
-        if (self.vanes is None) == (self.angles is None):
-            raise ValueError("needs vanes, a number of them at equal angles, or angles: exactly one of the two")
-        if self.angles is not None and "first" in self.model_fields_set:
-            raise ValueError("first has no meaning with angles")
-        return self
-
-    def spider(self, radius: float) -> Spider:
-        """Return the vanes of an aperture of this radius (metres)."""
-        if not self.width < 2.0 * radius:
-            raise ValueError(
-                f"aperture.spider.width: must be below the diameter of the aperture, {2.0 * radius:g} m, "
-                f"got {self.width:g} m"
-            )
-        width = self.width / radius
-        if self.angles is not None:
-            return Spider(width, tuple(self.angles))
-        assert self.vanes is not None
-        return Spider.equal(self.vanes, width, self.first)
-
-
-class _Ellipse(MadeSection):
-    a: Annotated[Number, Field(gt=0, le=1)]
-    b: Annotated[Number, Field(gt=0, le=1)]
-    angle: Angle = 0.0
-
-    def made(self) -> Ellipse:
-        return Ellipse(**dict(self))
-
-
-class _CatEye(MadeSection):
-    shift: tuple[Number, Number]
-    radius: Annotated[Number, Field(gt=0, le=1000)] = 1.0
-
-    def made(self) -> CatEye:
-        return CatEye(self.shift, self.radius)
-
-
-class _Mask(Section):
-    holds: Literal["amplitude", "intensity"] = "amplitude"
-    # Becomes the mask, read once `holds` is known.
-    file: Any
-
-    @field_validator("file")
-    @classmethod
-    def _file(cls, value: Any, info: ValidationInfo) -> Any:
-        if "holds" not in info.data:
-            return value  # `holds` has an error of its own
-        wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
-        mask = Mask(read_beside(info.context, value, wanted, _read_transmission))
-        return mask if info.data["holds"] == "amplitude" else Mask(np.sqrt(mask.values))
-
-
-class ApertureSection(Section):
-    """The section [aperture] of a lens file."""
-
-    spider: _Spider | None = None
-    ellipse: _Ellipse | None = None
-    cat_eye: _CatEye | None = None
-    mask: _Mask | None = None
-
-    @model_validator(mode="after")
-    def _one_edge(self) -> ApertureSection:
-        if self.ellipse is not None and self.cat_eye is not None:
-            raise ValueError("takes one of ellipse and cat_eye, got both")
-        return self
-
-    def shapes(self, radius: float) -> Toml:
-        """Return the obstructions of an aperture of this radius (metres), by their names in :class:`lommel.Lens`."""
-        spider, edge = self.spider and self.spider.spider(radius), self.ellipse or self.cat_eye
-        found = {"spider": spider, "vignetting": edge and edge.made(), "mask": self.mask and self.mask.file}
-        return {name: shape for name, shape in found.items() if shape is not None}
-
-
 class VignettingSection(MadeSection):
     """The section [field.vignetting]: a circle that moves across the aperture with the image height."""
 
@@ -211,31 +120,6 @@ class ShadingSection(MadeSection):
         if self.distance is None and self.height is not None and self.light is not None:
             return Shading(self.height, self.light)
         raise ValueError("needs distance, of the exit pupil from the sensor, or height and light: one of the two")
-
-
-def _read_transmission(path: Path) -> Values:
-    """Read a square of transmissions from 0 to 1: an array (.npy), a FITS image, or a grey picture with white = 1."""
-    if not path.name.lower().endswith(_SUFFIXES):
-        raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
-    if path.suffix.lower() == ".npy":
-        try:
-            return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
-        except ValueError as error:
-            raise ValueError(f"{path.name!r} is not an array: {reading.reason(error)}") from None
-    if path.name.lower().endswith(_FITS):
-        optional.library("astropy", "FITS files need", "fits")
-        data = reading.contents(path)
-        try:
-            return fits_images.read(data, MAX_SIDE**2)[0].values
-        except Exception as error:  # of astropy
-            raise ValueError(f"{path.name!r} is not a FITS image: {reading.reason(error)}") from None
-    try:
-        values = read_raster(path)[0]
-    except PhotoError as error:
-        raise ValueError(f"{path.name!r} is not a picture: {reading.reason(error)}") from None
-    if values.ndim != 2:
-        raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
-    return to_light(repr(path.name), values, "linear", np.float64)
 
 
 _Wave = Annotated[Length, AfterValidator(validation.wavelength)]
@@ -409,6 +293,14 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     aperture; ``[aperture.mask]`` with file, the path of a square array (.npy, .fits) or grey picture (.png, .tif)
     from the folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``,
     all positions see this aperture, but for what ``[field.vignetting]`` hides.
+
+    Other shapes: ``telescope``, the name of one of :mod:`lommel.telescopes`; ``[aperture.segments]`` with rings, gap,
+    middle and angle of :meth:`lommel.Segments.hexagonal`, and their phases in waves at the wavelength of the lens,
+    lists piston, tip and tilt (at the edge of the aperture, from the centre of the segment), or file, a text file
+    beside the lens file with a line of one or three numbers for each segment. Of all that, light passes where any
+    part of ``[[aperture.clear]]`` is and none of ``[[aperture.blocked]]``. A part has type "disc" (radius, center),
+    "ellipse" (a, b, angle, center), "polygon" (corners; convex), "hexagon" (radius of its corners, center, angle) or
+    "strip" (start, end, width). Their lengths are texts with a unit, or numbers over the radius of the aperture.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the

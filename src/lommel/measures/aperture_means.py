@@ -65,7 +65,7 @@ def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]
     rho, theta, weight = _polynomial_rule(checked(pupil), 1.0)
     columns = np.stack([np.ones(rho.shape), *(term(rho, theta) for term in terms)], axis=-1)
     root = np.sqrt(weight)
-    phase = pupil.wavefront.phase(rho, theta)
+    phase = _phase(pupil, rho, theta)
     return np.asarray(np.linalg.lstsq(columns * root[:, None], phase * root, rcond=1e-12)[0][1:])
 
 
@@ -136,7 +136,7 @@ def centroid(pupil: Pupil) -> Array:
         Exact but for rounding.
     """
     rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
-    mean = (gradient(pupil.wavefront, rho, theta) * weight).sum(axis=-1)
+    mean = (slopes(pupil, rho, theta) * weight).sum(axis=-1)
     return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
 
 
@@ -156,16 +156,32 @@ def spot_radius(pupil: Pupil) -> Numbers:
         Metres if the pupil has a wavelength, else units of lambda*N. Exact but for rounding.
     """
     rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
-    rays = gradient(pupil.wavefront, rho, theta)
+    rays = slopes(pupil, rho, theta)
     away = rays - (rays * weight).sum(axis=-1, keepdims=True)
     variance = (away**2 * weight).sum(axis=(-2, -1))
     return numbers(np.sqrt(variance) * (pupil.scale / math.pi), pupil.shape)
 
 
+def _phase(pupil: Pupil, rho: Array, theta: Array) -> Array:
+    """Return the phase of the wavefront and of the segments."""
+    phase = pupil.wavefront.phase(rho, theta)
+    if pupil.segmented:
+        phase = phase + pupil.opening.phase(rho * np.cos(theta), rho * np.sin(theta))
+    return phase
+
+
+def slopes(pupil: Pupil, rho: Array, theta: Array) -> Array:
+    """Return the gradient of the phase of the wavefront and of the segments, shape (n, 2, points)."""
+    found = gradient(pupil.wavefront, rho, theta)
+    if pupil.segmented:
+        found = found + pupil.opening.slopes(rho * np.cos(theta), rho * np.sin(theta))
+    return found
+
+
 def _variance(pupil: Pupil) -> Array:
     """Return the variance of the phase, weighted by amplitude, shape ``pupil.shape``."""
     rho, theta, weight = _polynomial_rule(pupil, 1.0)
-    phase = pupil.wavefront.phase(rho, theta)
+    phase = _phase(pupil, rho, theta)
     away = phase - (phase * weight).sum(axis=-1, keepdims=True)
     return np.asarray((away**2 * weight).sum(axis=-1))
 
@@ -234,8 +250,9 @@ def _strehl(pupil: Pupil) -> float:
     if not pupil.circular:
         # Known to more than 1e-12: the rule has positive weights and is exact to the degree that is proven enough.
         terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
-        rho, theta, weight = _clear_rule(pupil, 1.0, degree_needed(terms_of, 0.0, pupil.illumination, 1e-13))
-        mean = np.sum(weight * np.exp(1j * pupil.wavefront.phase(rho, theta)))
+        steepest = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
+        rho, theta, weight = _clear_rule(pupil, 1.0, degree_needed(terms_of, steepest, pupil.illumination, 1e-13))
+        mean = np.sum(weight * np.exp(1j * _phase(pupil, rho, theta)))
         return float(mean.real**2 + mean.imag**2)
     blur = float(pupil.v(pupil.geometric_radius()))
     terms = pupil.wavefront.nonradial

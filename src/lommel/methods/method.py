@@ -165,9 +165,7 @@ class Method(ABC, Generic[P]):
             )
         reason = self.unsupported(pupil)
         if reason is None and not (pupil.circular or self.any_aperture):
-            reason = (
-                "supports circular and annular apertures only; for a spider, vignetting or a mask leave method out"
-            )
+            reason = "supports circular and annular apertures only; for any other leave method out"
         if reason is None and not (self.nonradial or pupil.radial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
         if reason is None and not (self.apodized or cast("Pupil", pupil).illumination.uniform):

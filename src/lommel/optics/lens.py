@@ -15,7 +15,7 @@ from lommel.base.cached import cached_property, changed
 from lommel.base.units import format_length
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.aperture.mask import Mask
-from lommel.optics.aperture.shapes import CatEye, Ellipse, Spider
+from lommel.optics.aperture.shapes import CatEye, Ellipse, Segments, Shape, Spider
 from lommel.optics.base_pupil import Geometry, object_distances
 from lommel.optics.colour.dispersion import Colour, PupilColour
 from lommel.optics.pupil import Pupil
@@ -60,6 +60,7 @@ MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
 _LONG = 1.0  # metres: longer lenses for photographs have an obscuration
 _VISIBLE = (380e-9, 780e-9)
+_OF_PUPIL = ("obscuration", "wavelength", "spider", "vignetting", "mask", "stop")
 _Numbers = float | NDArray[np.float64]
 
 
@@ -82,8 +83,8 @@ class Lens(display.Shown):
         Central obscuration over aperture radius.
     aberrations : Wavefront, default none
         Added to the defocus of every object distance.
-    spider, vignetting, mask : optional
-        Obstructions of the aperture, as of :class:`lommel.Pupil`.
+    spider, vignetting, mask, stop : optional
+        Aperture, as of :class:`lommel.Pupil`; phases of segments at the wavelength of the lens.
     model : {"paraxial", "aplanatic"}, default "paraxial"
         "paraxial": spheres are approximated by parabolas (the paper's Eq. 1-3). "aplanatic": the exact path
         difference between reference spheres of a lens that obeys Abbe's sine condition: rays reach the axial point of
@@ -133,6 +134,7 @@ class Lens(display.Shown):
     spider: Spider | None
     vignetting: Ellipse | CatEye | None
     mask: Mask | None
+    stop: Shape | Segments | None
     model: str
     corrected_for: str
     apodization: float | Apodization | str
@@ -152,6 +154,7 @@ class Lens(display.Shown):
         spider: Spider | None = None,
         vignetting: Ellipse | CatEye | None = None,
         mask: Mask | None = None,
+        stop: Shape | Segments | None = None,
         model: str = "paraxial",
         corrected_for: str = "object",
         apodization: float | Apodization | str = 0.0,
@@ -179,6 +182,7 @@ class Lens(display.Shown):
             "spider": spider,
             "vignetting": vignetting,
             "mask": mask,
+            "stop": stop,
             "model": validation.choice("model", model, MODELS),
             "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
             "apodization": apodization,
@@ -186,7 +190,7 @@ class Lens(display.Shown):
         }
         validation.optional("colour", colour, Colour)
         # Refuse shapes that leave nothing clear now, not at the first pupil.
-        Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
+        Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask, stop=stop)
         vars(self).update(values)
         visible = _VISIBLE[0] <= values["wavelength"] <= _VISIBLE[1]
         if f > _LONG and f_number is not None and visible and not values["obscuration"]:
@@ -207,7 +211,9 @@ class Lens(display.Shown):
         parts += [f"aplanatic, corrected for the {self.corrected_for}"] if self.model == "aplanatic" else []
         parts += ["apodized"] if not self.illumination.uniform else []
         parts += [] if self.aberrations.flat else ["aberrated"]
-        parts += [name for name in ("spider", "vignetting", "mask", "colour") if getattr(self, name) is not None]
+        parts += [
+            name for name in ("spider", "vignetting", "mask", "stop", "colour") if getattr(self, name) is not None
+        ]
         return f"<Lens {format_length(self.focal_length)} f/{self.f_number:.4g}, {', '.join(parts)}>"
 
     @property
@@ -250,14 +256,14 @@ class Lens(display.Shown):
         ------
         TypeError, ValueError
             If the f-number is not a positive number, the obscuration covers the aperture, a lens with aberrations or
-            an Apodization would be opened wider, or it has vignetting or a mask.
+            an Apodization would be opened wider, or it has vignetting, a mask or a stop of another shape.
         """
         stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
         ratio = stop / self.f_number
-        if self.vignetting or self.mask:
+        if self.vignetting or self.mask or self.stop:
             raise ValueError(
-                "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
-                "the aperture: make a lens with those of the other stop"
+                "f_number of a lens with vignetting, a mask or a stop of another shape cannot change, for these are "
+                "stated over the radius of the aperture: make a lens with those of the other f-number"
             )
         light, flat = self.apodization, not self.aberrations.edge.any()
         shaped = isinstance(light, Apodization) and not light.uniform
@@ -287,9 +293,11 @@ class Lens(display.Shown):
         range or beyond the table of the colour.
         """
         wave, colour = validation.wavelength(wavelength), self.pupil_colour
+        stop = self.stop
         return replace(
             self,
             wavelength=wave,
+            stop=stop.scaled(self.wavelength / wave) if isinstance(stop, Segments) else stop,
             focal_length=self.focal_length if colour is None else colour.focal_length + colour.table.shift(wave),
             aberrations=same_path(self.aberrations, self.wavelength, wave),
             # The cosine depends on the angles only, which all wavelengths share.
@@ -400,7 +408,7 @@ class Lens(display.Shown):
     @cached_property
     def _in_focus(self) -> Pupil:
         """The unaberrated pupil, of which all others are copies."""
-        shared = {name: getattr(self, name) for name in ("obscuration", "wavelength", "spider", "vignetting", "mask")}
+        shared = {name: getattr(self, name) for name in _OF_PUPIL}
         return Pupil(
             f_number=self.working_f_number,
             apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,

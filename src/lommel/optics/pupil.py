@@ -48,14 +48,14 @@ class Pupil(BasePupil):
     geometry : Geometry, optional
         Distances, set by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
     spider : Spider, optional
-        Vanes across the aperture.
+        Vanes of one width from the axis; any others are strips taken from a `stop`.
     vignetting : Ellipse or CatEye, optional
         Vignetting by a second edge.
     mask : Mask, optional
         Transmission of amplitude and phase sampled over the aperture; the pupil function is then that of its samples.
     stop : Shape or Segments, optional
-        Where light passes, if that is not the disc: a shape, or segments with phases of their own. What is outside of
-        the disc is not used.
+        Where light passes, if that is not the disc: a shape, or segments with phases of their own, which are paths in
+        other light. What is outside of the disc is not used. :mod:`lommel.telescopes` has those of telescopes.
     colour : PupilColour, optional
         Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
 
@@ -64,11 +64,11 @@ class Pupil(BasePupil):
     illumination : Apodization
         The apodization; a Gaussian where it was given as a number.
     circular : bool
-        Whether the aperture is circular or annular: without spider, vignetting and mask.
+        Whether the aperture is circular or annular: without spider, vignetting, mask and stop.
     radial : bool
         Whether phase and transmission depend on the distance from the axis only.
     aperture : tuple
-        Obscuration, illumination, spider, vignetting and mask.
+        Obscuration, illumination, spider, vignetting, mask and stop.
 
     Raises
     ------
@@ -286,8 +286,12 @@ class Pupil(BasePupil):
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
             return self.wavefront.phase(np.hypot(x + dx, y + dy), np.arctan2(y + dy, x + dx)).reshape(-1, x.size)
 
-        slopes = np.hypot(phase(h, 0.0) - phase(-h, 0.0), phase(0.0, h) - phase(0.0, -h)) / (2.0 * h)
-        return np.asarray(slopes.max(axis=1))
+        across = (phase(h, 0.0) - phase(-h, 0.0)) / (2.0 * h)
+        down = (phase(0.0, h) - phase(0.0, -h)) / (2.0 * h)
+        if self.segmented:
+            here = self.opening.slopes(x, y)
+            across, down = across + here[0], down + here[1]
+        return np.asarray(np.hypot(across, down).max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
         """Return the pupil with another `wavefront`, `geometry` and perhaps `wavelength`; TypeError for others."""

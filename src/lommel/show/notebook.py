@@ -320,7 +320,7 @@ def _pixels(psf: PSFLike) -> str:
 
 
 def _aperture(pupil: Pupil) -> str:
-    parts = [name for name in ("spider", "vignetting", "mask") if getattr(pupil, name) is not None]
+    parts = [name for name in ("spider", "vignetting", "mask", "stop") if getattr(pupil, name) is not None]
     parts = ["apodized", *parts] if not pupil.illumination.uniform else parts
     eps = f"obscured to {pupil.obscuration:.4g}" if pupil.obscuration else "clear disc"
     return ", ".join([eps, *parts])

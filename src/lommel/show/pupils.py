@@ -120,6 +120,8 @@ def across(pupil: BasePupil, side: int = _SIDE) -> Across:
         clear = strength > 0.0
         amplitude[:] = strength
         phase[:, clear] = pupil.wavefront.phase(rho[clear], theta[clear]).reshape(count, -1)
+        if pupil.segmented:
+            phase[:, clear] += pupil.opening.phase(x[clear], y[clear])
     elif isinstance(pupil, ObjectivePupil):
         clear = rho <= 1.0
         phase[:, clear], amplitude[:, clear] = _through_layers(pupil, rho[clear], theta[clear])

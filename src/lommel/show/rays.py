@@ -9,7 +9,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.measures.aperture_means import gradient, spot_radius
+from lommel.measures.aperture_means import slopes, spot_radius
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as checked_pupil
@@ -60,7 +60,7 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
     clear = pupil.opening.margin(x, y) >= 0.0
     if pupil.mask is not None:
         clear &= pupil.mask.at(x, y) > 0.0
-    return np.asarray(gradient(pupil.wavefront, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))
+    return np.asarray(slopes(pupil, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))
 
 
 def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:

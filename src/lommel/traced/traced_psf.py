@@ -445,7 +445,7 @@ def traced(
             + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
         )
     if not pupil.circular:
-        raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting and mask")
+        raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting, mask and stop")
     if normalize == "emitted":
         raise ValueError('normalize must be "energy", "strehl" or "peak" for a traced plan, got "emitted"')
     lights = _components(pupil, method)

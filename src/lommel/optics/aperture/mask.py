@@ -18,6 +18,8 @@ from lommel.base.arrays import Array, Json, Values
 from lommel.base.cached import EqualByContent
 
 MAX_SIDE = 8192
+_MOST_POINTS = 64  # along each side of a cell
+_BAND = 2**24  # points at a time
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,17 +83,43 @@ class Mask(EqualByContent):
         vars(self).update(values=values, _digest=digest.digest())
 
     @classmethod
-    def sample(cls, function: Callable[[Array, Array], ArrayLike], side: int, *, squares: bool = False) -> Mask:
-        """Return the mask of ``function(x, y)`` at the centres of `side` x `side` cells, `side` from 2 to 8192.
+    def sample(
+        cls, function: Callable[[Array, Array], ArrayLike], side: int, *, squares: bool = False, oversample: int = 1
+    ) -> Mask:
+        """Return the mask of ``function(x, y)`` over `side` x `side` cells.
 
-        `function` takes arrays of shapes (1, side) and (side, 1) and returns transmissions or booleans. TypeError or
-        ValueError if it does not, or `side` is out of range.
+        Parameters
+        ----------
+        function : callable
+            Takes x of shape (1, n) and y of shape (n, 1), and returns transmissions or booleans.
+        side : int
+            Cells along each side of the square, 2 to 8192.
+        squares : bool, default False
+            As of :class:`Mask`.
+        oversample : int, default 1
+            Each cell is the mean of so many points along each side, 1 to 64: its centre alone by default. Cells that
+            an edge crosses are then partly clear, which brings the PSF closer to that of the shape.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, or the function returns something else.
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
+        times = validation.integer("oversample", oversample, least=1, most=_MOST_POINTS)
         validation.function("function", function)
-        at = cell_centers(n)
-        found = validation.array("function", function(at[None, :], at[:, None]))
-        return cls(np.broadcast_to(found, (n, n)), squares)
+        at = cell_centers(n * times)
+        # A band of rows at a time: all points at once would take gigabytes.
+        band = max(1, _BAND // (n * times * times))
+        rows = []
+        for start in range(0, n, band):
+            part = at[start * times : (start + band) * times]
+            found = validation.array("function", function(at[None, :], part[:, None]))
+            whole = np.broadcast_to(found, (len(part), n * times))
+            if times > 1:
+                whole = whole.reshape(-1, times, n, times).mean(axis=(1, 3))
+            rows.append(whole)
+        return cls(np.concatenate(rows), squares)
 
     @property
     def side(self) -> int:

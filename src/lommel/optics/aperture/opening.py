@@ -161,14 +161,22 @@ class Opening:
         """The phase of each region on the axis, and its change along x and y, radians, shape (regions, 3)."""
         return self.stop.phases if isinstance(self.stop, Segments) else np.zeros((1, 3))
 
-    def phase(self, x: Array, y: Array) -> Array | float:
+    def phase(self, x: Array, y: Array) -> Array:
         """Return the phase of the segments at points (`x`, `y`), radians."""
-        if not isinstance(self.stop, Segments):
-            return 0.0
-        total = np.zeros(np.broadcast_shapes(x.shape, y.shape))
-        for part, (piston, tip, tilt) in zip(self.stop.shapes, self.stop.phases, strict=True):
-            total += np.where(part.margin(x, y) >= 0.0, piston + tip * x + tilt * y, 0.0)
-        return total
+        constant, across, down = self._phases(x, y)
+        return np.asarray(constant + across * x + down * y)
+
+    def slopes(self, x: Array, y: Array) -> Array:
+        """Return the change of the phase of the segments along x and y at points (`x`, `y`), shape (2, ...)."""
+        return self._phases(x, y)[1:]
+
+    def _phases(self, x: Array, y: Array) -> Array:
+        found = np.zeros((3, *np.broadcast_shapes(np.shape(x), np.shape(y))))
+        if isinstance(self.stop, Segments):
+            for part, phases in zip(self.stop.shapes, self.stop.phases, strict=True):
+                if phases.any():
+                    found[:, part.margin(x, y) >= 0.0] = phases[:, None]
+        return found
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return the signed margin at (`x`, `y`), positive where light passes, slope at most 1; or a ValueError."""

@@ -27,7 +27,7 @@ _STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
 
 
 class Shape:
-    """A region of the pupil plane; ``a | b`` is the union of two, ``a & b`` what they share, ``a - b`` a without b."""
+    """A region of the pupil plane; ``a | b`` is a union of two, ``a & b`` what they share, ``a - b`` a without b."""
 
     def __or__(self, other: Shape) -> Shape:
         return Combined("|", self, shape("other", other))
@@ -49,6 +49,13 @@ class Shape:
     def to_dict(self) -> Json:
         """Return the shape in plain types, with its name."""
         raise NotImplementedError
+
+    @property
+    def parts(self) -> tuple[Shape, ...]:
+        """The discs, ellipses and polygons that it is made of."""
+        parts: list[Shape] = []
+        self._listed(parts, [])
+        return tuple(parts)
 
     def moved(self, x: float, y: float) -> Shape:
         """Return the shape moved by (`x`, `y`)."""
@@ -274,7 +281,10 @@ class Polygon(Shape):
     def regular(
         cls, sides: int, radius: float, center: tuple[float, float] = (0.0, 0.0), angle: float = 0.0
     ) -> Polygon:
-        """Return a regular polygon of `sides` corners, the first at an `angle`, `radius` from its `center`."""
+        """Return a regular polygon of `sides` corners, the first at an `angle`, `radius` from its `center`.
+
+        TypeError or ValueError if an argument is out of range.
+        """
         count = validation.integer("sides", sides, least=3, most=_MOST_CORNERS)
         size, first = validation.real("radius", radius, above=0.0, most=_FAR), validation.real("angle", angle)
         x, y = _point("center", center)
@@ -283,7 +293,10 @@ class Polygon(Shape):
 
     @classmethod
     def strip(cls, start: tuple[float, float], end: tuple[float, float], width: float) -> Polygon:
-        """Return the rectangle of a `width` around the line from `start` to `end`, as of a vane."""
+        """Return the rectangle of a `width` around the line from `start` to `end`, as of a vane.
+
+        TypeError or ValueError if these are no points apart, or the width is not above 0.
+        """
         (x, y), (u, v) = _point("start", start), _point("end", end)
         length, size = math.hypot(u - x, v - y), validation.real("width", width, above=0.0, most=_FAR)
         if length < 1e-9:
@@ -293,7 +306,10 @@ class Polygon(Shape):
 
     @classmethod
     def half_plane(cls, angle: float, offset: float = 0.0) -> Polygon:
-        """Return, of the aperture, the points whose distance from the axis towards `angle` is at most `offset`."""
+        """Return, of the aperture, the points whose distance from the axis towards `angle` is at most `offset`.
+
+        TypeError or ValueError if `offset` is not from -2 to 2.
+        """
         turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
         corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
         return cls(tuple(_turned(corner, turn) for corner in corners))
@@ -334,6 +350,9 @@ class Polygon(Shape):
 @dataclass(frozen=True)
 class Spider(Shape):
     """Straight vanes from the axis to the edge of the aperture, as of the spider of a secondary mirror.
+
+    All have one width and start at the axis. For others, such as vanes that miss the axis or differ in width,
+    subtract :meth:`Polygon.strip` from a stop: ``Pupil(stop=Disc() - Polygon.strip((0.1, 0), (2, 1), 0.01))``.
 
     A vane blocks the half strip ``abs(across) < width / 2, along > 0`` of its direction; two opposite ones make a
     bar across the aperture. Where vanes overlap, near the axis, light is blocked once.
@@ -474,6 +493,9 @@ class CatEye(Shape):
 class Segments:
     """Segments of a mirror, each a shape with a phase of its own.
 
+    ``segments - a`` are the segments without the shape a, such as the vanes in front of them; ``segments & a`` what
+    lies within it. Segments of which nothing is left are dropped with their phases.
+
     Parameters
     ----------
     shapes : sequence of Shape
@@ -567,8 +589,11 @@ class Segments:
 
     @cached_property
     def centers(self) -> Array:
-        """The centre of each segment, which slopes are about, shape (n, 2): the mean of the points of its edge."""
-        return np.array([np.concatenate(part.outline(48)).mean(axis=0) for part in self.shapes])
+        """The centre of each segment, which slopes are about, shape (n, 2): the mean of the points of its edge.
+
+        What is taken from a segment, such as a vane, does not move its centre.
+        """
+        return np.array([np.concatenate(_whole(part).outline(48)).mean(axis=0) for part in self.shapes])
 
     @cached_property
     def phases(self) -> Array:
@@ -579,9 +604,9 @@ class Segments:
     def phased(
         self, piston: ArrayLike = 0.0, tip: ArrayLike = 0.0, tilt: ArrayLike = 0.0, *, unit: str = "radians"
     ) -> Segments:
-        """Return the same segments with other phases, numbers or one a segment, in "radians" or "waves".
+        """Return the same segments with another `piston`, `tip` and `tilt`, numbers or one a segment.
 
-        TypeError or ValueError if they are not finite, or not as many.
+        The `unit` is "radians" or "waves". TypeError or ValueError if they are not finite, or not as many.
         """
         turn = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
         phases = {"piston": piston, "tip": tip, "tilt": tilt}
@@ -592,6 +617,21 @@ class Segments:
         """Return the same segments with phases times a `factor`; TypeError or ValueError if it is not finite."""
         by = validation.real("factor", factor)
         return Segments(self.shapes, *([by * x for x in part] for part in (self.piston, self.tip, self.tilt)))
+
+    def __sub__(self, other: Shape) -> Segments:
+        return self._cut(shape("other", other), _without)
+
+    def __and__(self, other: Shape) -> Segments:
+        return self._cut(shape("other", other), _within)
+
+    def _cut(self, other: Shape, by: Callable[[Shape, Shape], Shape | None]) -> Segments:
+        """Return what is left of the segments, those that vanish left out."""
+        left = [by(part, other) for part in self.shapes]
+        kept = [i for i, part in enumerate(left) if part is not None]
+        if not kept:
+            raise ValueError(f"other must leave something of the segments, got {validation.shown(other)}")
+        phases = ([part[i] for i in kept] for part in (self.piston, self.tip, self.tilt))
+        return Segments(tuple(part for part in left if part is not None), *map(tuple, phases))
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a lower bound on the distance of points (`x`, `y`) from the edges; negative outside."""
@@ -606,6 +646,36 @@ class Segments:
         return {"name": "Segments", "shapes": [part.to_dict() for part in self.shapes], **numbers}
 
 
+def _whole(part: Shape) -> Shape:
+    """Return a shape before others were taken from it."""
+    return _whole(part.first) if isinstance(part, Combined) and part.kind != "|" else part
+
+
+def _nearest(part: Shape, other: Shape) -> tuple[float, float]:
+    """Return bounds on the margin of `other` over all of a `part`: below which and above which it is nowhere."""
+    edge = np.concatenate(_whole(part).outline(48))
+    x, y = edge.mean(axis=0)
+    # All of the part lies within this circle; between points of its edge that may bulge as an arc does.
+    radius = float(np.hypot(edge[:, 0] - x, edge[:, 1] - y).max()) * 1.02
+    there = float(other.margin(np.array([x]), np.array([y]))[0])
+    return there - radius, there + radius
+
+
+def _without(part: Shape, other: Shape) -> Shape | None:
+    """Return a part without another shape, the same object where they are apart; None where nothing is left."""
+    if isinstance(other, Combined) and other.kind == "|":
+        left = _without(part, other.first)
+        return None if left is None else _without(left, other.second)
+    least, most = _nearest(part, other)
+    return part if most < 0.0 else None if least > 0.0 else part - other
+
+
+def _within(part: Shape, other: Shape) -> Shape | None:
+    """Return what a part has within another shape, the same object where that is all; None where it is nothing."""
+    least, most = _nearest(part, other)
+    return None if most < 0.0 else part if least > 0.0 else part & other
+
+
 _KINDS: dict[str, Callable[..., Shape]] = {
     "Disc": Disc,
     "Ellipse": Ellipse,
@@ -616,7 +686,7 @@ _KINDS: dict[str, Callable[..., Shape]] = {
 
 
 def shape_from_dict(description: Mapping[str, Any], depth: int = 0) -> Shape | Segments:
-    """Rebuild what `to_dict` of a shape or of segments describes; KeyError, TypeError or ValueError if it is neither."""
+    """Rebuild what `to_dict` of a shape or of segments describes; KeyError, TypeError or ValueError if neither."""
     parts = dict(description)
     name = validation.choice("name", parts.pop("name", None), (*_KINDS, *_STEPS, "Segments"))
     if depth > 64:

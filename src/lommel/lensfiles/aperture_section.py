@@ -1,0 +1,316 @@
+"""The section [aperture] of lens files: vanes, vignetting, masks, shapes and segments."""
+
+from __future__ import annotations
+
+import math
+from functools import reduce
+from operator import or_
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field, PlainValidator, ValidationInfo, field_validator, model_validator
+
+from lommel.base import optional, reading, validation
+from lommel.base.encoding import to_light
+from lommel.base.units import parse_length
+from lommel.io import fits_images
+from lommel.io.photos import PhotoError, read_raster
+from lommel.io.registry import Values
+from lommel.lensfiles.toml_files import Angle, Length, MadeSection, Number, Section, Toml, finite, read_beside
+from lommel.optics.aperture import telescopes
+from lommel.optics.aperture.mask import MAX_SIDE, Mask
+from lommel.optics.aperture.shapes import MAX_VANES, CatEye, Disc, Ellipse, Polygon, Segments, Shape, Spider
+
+_FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
+_SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
+
+
+class _Spider(Section):
+    width: Length
+    vanes: Annotated[int, Field(strict=True, ge=1, le=MAX_VANES)] | None = None
+    first: Angle = 0.0
+    angles: Annotated[list[Angle], Field(min_length=1, max_length=MAX_VANES)] | None = None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> _Spider:
+        if (self.vanes is None) == (self.angles is None):
+            raise ValueError("needs vanes, a number of them at equal angles, or angles: exactly one of the two")
+        if self.angles is not None and "first" in self.model_fields_set:
+            raise ValueError("first has no meaning with angles")
+        return self
+
+    def spider(self, radius: float) -> Spider:
+        """Return the vanes of an aperture of this radius (metres)."""
+        if not self.width < 2.0 * radius:
+            raise ValueError(
+                f"aperture.spider.width: must be below the diameter of the aperture, {2.0 * radius:g} m, "
+                f"got {self.width:g} m"
+            )
+        width = self.width / radius
+        if self.angles is not None:
+            return Spider(width, tuple(self.angles))
+        assert self.vanes is not None
+        return Spider.equal(self.vanes, width, self.first)
+
+
+class _Ellipse(MadeSection):
+    a: Annotated[Number, Field(gt=0, le=1)]
+    b: Annotated[Number, Field(gt=0, le=1)]
+    angle: Angle = 0.0
+
+    def made(self) -> Ellipse:
+        return Ellipse(**dict(self))
+
+
+class _CatEye(MadeSection):
+    shift: tuple[Number, Number]
+    radius: Annotated[Number, Field(gt=0, le=1000)] = 1.0
+
+    def made(self) -> CatEye:
+        return CatEye(self.shift, self.radius)
+
+
+class _Mask(Section):
+    holds: Literal["amplitude", "intensity"] = "amplitude"
+    # Becomes the mask, read once `holds` is known.
+    file: Any
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        if "holds" not in info.data:
+            return value  # `holds` has an error of its own
+        wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
+        mask = Mask(read_beside(info.context, value, wanted, _read_transmission))
+        return mask if info.data["holds"] == "amplitude" else Mask(np.sqrt(mask.values))
+
+
+def _read_transmission(path: Path) -> Values:
+    """Read a square of transmissions from 0 to 1: an array (.npy), a FITS image, or a grey picture with white = 1."""
+    if not path.name.lower().endswith(_SUFFIXES):
+        raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
+    if path.suffix.lower() == ".npy":
+        try:
+            return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
+        except ValueError as error:
+            raise ValueError(f"{path.name!r} is not an array: {reading.reason(error)}") from None
+    if path.name.lower().endswith(_FITS):
+        optional.library("astropy", "FITS files need", "fits")
+        data = reading.contents(path)
+        try:
+            return fits_images.read(data, MAX_SIDE**2)[0].values
+        except Exception as error:  # of astropy
+            raise ValueError(f"{path.name!r} is not a FITS image: {reading.reason(error)}") from None
+    try:
+        values = read_raster(path)[0]
+    except PhotoError as error:
+        raise ValueError(f"{path.name!r} is not a picture: {reading.reason(error)}") from None
+    if values.ndim != 2:
+        raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
+    return to_light(repr(path.name), values, "linear", np.float64)
+
+
+class _Metres(float):
+    """A length in metres, where other numbers are over the radius of the aperture."""
+
+
+def _extent(value: Any) -> float:
+    """Return a length of a shape: a text with a unit, or a number over the radius of the aperture."""
+    if isinstance(value, str):
+        return _Metres(finite(parse_length(value, "50 mm")))
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(
+            f"must be a length with a unit or a number over the radius of the aperture, got {validation.shown(value)}"
+        )
+    return finite(float(value))
+
+
+_Extent = Annotated[float, PlainValidator(_extent)]
+_Point = tuple[_Extent, _Extent]
+
+
+def _over(extent: float, radius: float) -> float:
+    return float(extent) / radius if isinstance(extent, _Metres) else extent
+
+
+def _place(point: tuple[float, float], radius: float) -> tuple[float, float]:
+    return _over(point[0], radius), _over(point[1], radius)
+
+
+# Of each type the keys that it needs, and those that it may have.
+_KEYS: dict[str, tuple[set[str], set[str]]] = {
+    "disc": ({"radius"}, {"center"}),
+    "ellipse": ({"a", "b"}, {"angle", "center"}),
+    "polygon": ({"corners"}, set()),
+    "hexagon": ({"radius"}, {"angle", "center"}),
+    "strip": ({"start", "end", "width"}, set()),
+}
+
+
+class _Part(Section):
+    """One entry of [[aperture.clear]] or [[aperture.blocked]]."""
+
+    type: Literal["disc", "ellipse", "polygon", "hexagon", "strip"]
+    radius: _Extent = 0.0
+    a: _Extent = 0.0
+    b: _Extent = 0.0
+    width: _Extent = 0.0
+    angle: Angle = 0.0
+    center: _Point = (0.0, 0.0)
+    start: _Point = (0.0, 0.0)
+    end: _Point = (0.0, 0.0)
+    corners: list[_Point] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _complete(self) -> _Part:
+        needed, allowed = _KEYS[self.type]
+        given = self.model_fields_set - {"type"}
+        if missing := sorted(needed - given):
+            raise ValueError(f"a {self.type} needs {', '.join(missing)}")
+        if stray := sorted(given - needed - allowed):
+            raise ValueError(f"{', '.join(stray)} has no meaning for a {self.type}")
+        return self
+
+    def made(self, radius: float) -> Shape:
+        """Return the shape in an aperture of this radius, metres."""
+        size, center = _over(self.radius, radius), _place(self.center, radius)
+        if self.type == "disc":
+            return Disc(size, center)
+        if self.type == "hexagon":
+            return Polygon.regular(6, size, center, self.angle)
+        if self.type == "ellipse":
+            return Ellipse(_over(self.a, radius), _over(self.b, radius), self.angle, center)
+        if self.type == "strip":
+            return Polygon.strip(_place(self.start, radius), _place(self.end, radius), _over(self.width, radius))
+        return Polygon(tuple(_place(corner, radius) for corner in self.corners))
+
+
+class _Segments(Section):
+    rings: Annotated[int, Field(strict=True, ge=1, le=32)] | None = None
+    gap: _Extent = 0.0
+    middle: Annotated[bool, Field(strict=True)] = False
+    angle: Angle = 0.0
+    piston: list[Number] | None = None
+    tip: list[Number] | None = None
+    tilt: list[Number] | None = None
+    # Becomes the rows of the file.
+    file: Any = None
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        return None if value is None else read_beside(info.context, value, "the name of a text file", _read_phases)
+
+    @model_validator(mode="after")
+    def _one_way(self) -> _Segments:
+        if self.file is not None and any(part is not None for part in (self.piston, self.tip, self.tilt)):
+            raise ValueError("takes file or the lists piston, tip and tilt, got both")
+        if self.rings is None and (stray := sorted({"gap", "middle", "angle"} & self.model_fields_set)):
+            raise ValueError(f"{', '.join(stray)} has no meaning without rings")
+        return self
+
+    def phased(self, segments: Segments) -> Segments:
+        """Return segments with the phases of the file, in waves there."""
+        rows = self.file
+        given = (
+            dict(zip(_PHASES, rows.T, strict=False))
+            if rows is not None
+            else {name: part for name in _PHASES if (part := getattr(self, name)) is not None}
+        )
+        for name, part in given.items():
+            if len(part) != len(segments.shapes):
+                what = "file" if rows is not None else name
+                raise ValueError(
+                    f"aperture.segments.{what}: must have one row for each of {len(segments.shapes)} segments, "
+                    f"got {len(part)}"
+                )
+        return segments.phased(**{name: 2.0 * math.pi * np.asarray(part) for name, part in given.items()})
+
+
+_PHASES = ("piston", "tip", "tilt")
+
+
+def _read_phases(path: Path) -> Values:
+    """Read rows of piston, and perhaps tip and tilt, in waves; commas or spaces between, # before a comment."""
+    rows: list[list[float]] = []
+    for number, line in enumerate(reading.decoded(reading.contents(path, reading.MAX_TOML)).splitlines(), 1):
+        words = line.partition("#")[0].replace(",", " ").split()
+        if not words:
+            continue
+        try:
+            row = [float(word) for word in words]
+        except ValueError:
+            row = [math.nan]
+        if not 1 <= len(row) <= 3 or not all(map(math.isfinite, row)) or (rows and len(row) != len(rows[0])):
+            raise ValueError(
+                f"{path.name!r}, line {number}: must hold piston, or piston, tip and tilt, as many "
+                f"in each line, got {validation.shown(line.strip())}"
+            )
+        rows.append(row)
+    if not rows:
+        raise ValueError(f"{path.name!r} holds no numbers")
+    return np.array(rows)
+
+
+class ApertureSection(Section):
+    """The section [aperture] of a lens file."""
+
+    spider: _Spider | None = None
+    ellipse: _Ellipse | None = None
+    cat_eye: _CatEye | None = None
+    mask: _Mask | None = None
+    telescope: Literal["hst", "jwst", "keck", "subaru", "vlt"] | None = None
+    segments: _Segments | None = None
+    clear: Annotated[list[_Part], Field(min_length=1)] | None = None
+    blocked: Annotated[list[_Part], Field(min_length=1)] | None = None
+
+    @model_validator(mode="after")
+    def _one_edge(self) -> ApertureSection:
+        if self.ellipse is not None and self.cat_eye is not None:
+            raise ValueError("takes one of ellipse and cat_eye, got both")
+        segmented = self.telescope in ("jwst", "keck")
+        if self.segments is not None and (self.segments.rings is None) != segmented:
+            raise ValueError("segments needs rings or a telescope with segments (jwst, keck): exactly one of them")
+        if self.telescope is not None and not segmented and self.segments is not None:
+            raise ValueError(f"takes one of segments and telescope, got telescope = {self.telescope!r}")
+        return self
+
+    def shapes(self, radius: float) -> Toml:
+        """Return the aperture of a lens of this radius (metres), by the names in :class:`lommel.Lens`."""
+        spider, edge = self.spider and self.spider.spider(radius), self.ellipse or self.cat_eye
+        found = {"spider": spider, "vignetting": edge and edge.made(), "mask": self.mask and self.mask.file}
+        found["stop"] = self._stop(radius)
+        return {name: shape for name, shape in found.items() if shape is not None}
+
+    def _stop(self, radius: float) -> Shape | Segments | None:
+        stop: Shape | Segments | None = None
+        if self.telescope is not None:
+            stop = getattr(telescopes, self.telescope)()
+        if self.segments is not None:
+            one = self.segments
+            if one.rings is not None:
+                try:
+                    gap = _over(one.gap, radius)
+                    stop = Segments.hexagonal(one.rings, gap, middle=one.middle, angle=one.angle)
+                except ValueError as error:
+                    raise ValueError(f"aperture.segments: {error}") from None
+            assert isinstance(stop, Segments)
+            stop = one.phased(stop)
+        if self.clear is not None:
+            clear = _union("clear", self.clear, radius)
+            stop = clear if stop is None else stop & clear
+        if self.blocked is not None:
+            blocked = _union("blocked", self.blocked, radius)
+            stop = (Disc() if stop is None else stop) - blocked
+        return stop
+
+
+def _union(name: str, parts: list[_Part], radius: float) -> Shape:
+    made = []
+    for number, part in enumerate(parts, 1):
+        try:
+            made.append(part.made(radius))
+        except ValueError as error:
+            raise ValueError(f"aperture.{name}, entry {number} ({part.type}): {error}") from None
+    return reduce(or_, made)

@@ -1,0 +1,217 @@
+"""Apertures of telescopes from published dimensions: Hubble, James Webb, Keck, Subaru, VLT.
+
+Each function returns a stop for :class:`lommel.Pupil` or :class:`lommel.Lens`, over the radius of its telescope's
+aperture; :data:`DIAMETERS` has that aperture in metres.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import reduce
+from operator import or_
+
+from lommel.base import validation
+from lommel.optics.aperture.shapes import Disc, Polygon, Segments, Shape
+
+DIAMETERS = {"hst": 2.4, "jwst": 6.603464, "keck": 10.9668, "subaru": 7.92, "vlt": 8.0}
+"""Diameter of the circle of each aperture, metres; of segmented mirrors that through their farthest corners."""
+
+
+def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
+    """Return the aperture of the Hubble Space Telescope: obscuration 0.33, four vanes, the pads of its mirror.
+
+    Parameters
+    ----------
+    vanes : bool, default True
+        Whether there are vanes, at right angles along x and y.
+    pads : bool, default True
+        Whether there are the three pads that hold the primary mirror, discs near its edge.
+
+    Returns
+    -------
+    Shape
+        Over a radius of 1.2 m.
+
+    Raises
+    ------
+    TypeError
+        If an argument is not a truth value.
+
+    References
+    ----------
+    J. E. Krist, R. N. Hook and F. Stoehr, "20 years of Hubble Space Telescope optical modeling using Tiny Tim",
+    Proc. SPIE 8127, 81270J (2011), doi:10.1117/12.892762: radii, widths and positions of the file wfpcwf4.pup of
+    Tiny Tim, July 2000. x and y are its V3 and V2. Cameras have obscurations of their own besides.
+    """
+    blocked: list[Shape] = [Disc(0.33)]
+    if validation.truth("vanes", vanes):
+        blocked += [Polygon.strip((-2.0, 0.0), (2.0, 0.0), 0.022), Polygon.strip((0.0, -2.0), (0.0, 2.0), 0.022)]
+    if validation.truth("pads", pads):
+        blocked += [Disc(0.065, at) for at in ((0.8921, 0.0), (-0.4615, 0.7555), (-0.4564, -0.7606))]
+    return Disc() - reduce(or_, blocked)
+
+
+# Corners of the segments A1, B1 and C1, V2 and V3 in metres; the others are these turned by multiples of 60 degrees.
+_JWST = (
+    ((-0.38101, 0.667604), (-0.758826, 1.321999), (-0.38101, 1.976407),
+     (0.38101, 1.976407), (0.758826, 1.321999), (0.38101, 0.667604)),
+    ((0.38101, 3.279674), (0.758826, 2.631791), (0.38101, 1.98402),
+     (-0.38101, 1.98402), (-0.758826, 2.631791), (-0.38101, 3.279674)),
+    ((0.765201, 2.627516), (1.517956, 2.629178), (1.892896, 1.976441),
+     (1.521076, 1.325812), (0.765454, 1.325807), (0.387649, 1.980196)),
+)  # fmt: skip
+
+
+def jwst(*, vanes: bool = True) -> Segments:
+    """Return the aperture of the James Webb Space Telescope: 18 segments behind the three struts of the secondary.
+
+    Parameters
+    ----------
+    vanes : bool, default True
+        Whether there are the struts.
+
+    Returns
+    -------
+    Segments
+        Over a radius of 3.301732 m, in the order A1 to A6, B1 to B6, C1 to C6; give them phases with
+        :meth:`Segments.phased`.
+
+    Raises
+    ------
+    TypeError
+        If `vanes` is not a truth value.
+
+    References
+    ----------
+    P. A. Lightsey et al., "James Webb Space Telescope: large deployable cryogenic telescope in space", Opt. Eng. 51,
+    011003 (2012), doi:10.1117/1.OE.51.1.011003. Corners in the coordinates V2, V3 from the transmission budget of
+    Ball Aerospace (16 March 2010), as WebbPSF has them; x is V2, y is V3.
+    """
+    radius = 0.5 * DIAMETERS["jwst"]
+    shapes = [
+        Polygon(tuple((x / radius, y / radius) for x, y in corners)).turned(-k * math.pi / 3.0)
+        for corners in _JWST
+        for k in range(6)
+    ]
+    segments = Segments(tuple(shapes))
+    if not validation.truth("vanes", vanes):
+        return segments
+    lower = (Polygon.strip((0.0, 0.0), (3.3 * c, -3.3 * math.sqrt(0.75)), 0.12243) for c in (0.5, -0.5))
+    upper = ((0.0, 3.3, 0.11887), (2.14627, 2.3645, 0.16519), (2.48335, 2.54445, 0.13959))
+    struts = [*lower, *(Polygon.strip((0.0, start), (0.0, end), width) for start, end, width in upper)]
+    return segments - reduce(or_, [_scaled(strut, radius) for strut in struts])
+
+
+def keck(*, vanes: bool = True) -> Segments:
+    """Return the aperture of the Keck telescopes: 36 hexagons behind a secondary and six vanes.
+
+    Parameters
+    ----------
+    vanes : bool, default True
+        Whether there are the vanes, 25.4 mm wide.
+
+    Returns
+    -------
+    Segments
+        Over a radius of 5.4834 m, sides of segments parallel to x; 0.9 m long, 3 mm apart. The obscuration is a disc
+        of 2.65 m.
+
+    Raises
+    ------
+    TypeError
+        If `vanes` is not a truth value.
+
+    References
+    ----------
+    J. Nelson, "Optical parameters of the Keck telescope", Keck Observatory Technical Note 163, rev. 3 (1991):
+    segments of a = 0.9 m, a diameter of 10.949 m, here with the gaps besides. Secondary and vanes: notes on the Keck
+    pupil of the Next Generation Adaptive Optics project (0.266 of 9.96 m; 25.4 mm); directions of the vanes as in
+    HCIPy, E. Por et al., Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407.
+    """
+    radius = 0.5 * DIAMETERS["keck"]
+    segments = Segments.hexagonal(rings=3, gap=0.003 / radius) - Disc(0.5 * 2.65 / radius)
+    return segments - _spokes(6, 0.0254 / radius) if validation.truth("vanes", vanes) else segments
+
+
+def subaru(*, vanes: bool = True) -> Shape:
+    """Return the aperture of the Subaru telescope: an obscuration of 2.3 m and four vanes that miss its centre.
+
+    Parameters
+    ----------
+    vanes : bool, default True
+        Whether there are the vanes: 0.1735 m wide as the light sees them, at 51.75 degrees from x, from two points
+        0.639 m from the axis.
+
+    Returns
+    -------
+    Shape
+        Over a radius of 3.96 m.
+
+    Raises
+    ------
+    TypeError
+        If `vanes` is not a truth value.
+
+    References
+    ----------
+    N. Jovanovic et al., "The Subaru Coronagraphic Extreme Adaptive Optics system: enabling high-contrast imaging on
+    solar-system scales", Publ. Astron. Soc. Pac. 127, 890 (2015), doi:10.1086/682989; dimensions as of the pupil of
+    that instrument in the programs of F. Martinache (diameters, angle, offset) and M. Lucas (width of the vanes).
+    """
+    return _vaned(3.96, 1.15, ((0.639, 0.0), (-0.639, 0.0)), math.radians(51.75), 0.1735, vanes)
+
+
+def vlt(*, vanes: bool = True) -> Shape:
+    """Return the aperture of the Very Large Telescope (UT1 to UT3): its secondary and four tangential vanes.
+
+    Parameters
+    ----------
+    vanes : bool, default True
+        Whether there are the vanes, 40 mm wide: two from each of two points beside the axis, 101 degrees apart.
+
+    Returns
+    -------
+    Shape
+        Over a radius of 4 m, which the secondary mirror limits; the obscuration is 1.116 m wide.
+
+    Raises
+    ------
+    TypeError
+        If `vanes` is not a truth value.
+
+    References
+    ----------
+    ERIS pupil documentation VLT-SPE-AES-11310-0006, European Southern Observatory, as quoted by HCIPy, E. Por et al.,
+    Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407; the same within 3 % as in G. Guerri et al., Exp. Astron.
+    30, 59 (2011), doi:10.1007/s10686-011-9220-y. Turned here by 45 degrees: the two points lie on x.
+    """
+    beside = 0.4045 / math.cos(math.radians(45.0 - 5.5))
+    return _vaned(4.0, 0.558, ((beside, 0.0), (-beside, 0.0)), math.radians(50.5), 0.040, vanes)
+
+
+def _vaned(
+    radius: float,
+    hole: float,
+    points: tuple[tuple[float, float], ...],
+    angle: float,
+    width: float,
+    vanes: bool,
+) -> Shape:
+    """Return a disc less an obscuration and two vanes from each point, at this angle above and below x outwards."""
+    blocked: list[Shape] = [Disc(hole / radius)]
+    if validation.truth("vanes", vanes):
+        for x, y in points:
+            away = math.copysign(2.0 * radius, x)
+            ends = ((x + away * math.cos(angle), y + side * 2.0 * radius * math.sin(angle)) for side in (1.0, -1.0))
+            blocked += [_scaled(Polygon.strip((x, y), end, width), radius) for end in ends]
+    return Disc() - reduce(or_, blocked)
+
+
+def _spokes(count: int, width: float) -> Shape:
+    """Return so many vanes of a width from the axis, the first along x."""
+    turns = (2.0 * math.pi * k / count for k in range(count))
+    return reduce(or_, (Polygon.strip((0.0, 0.0), (2.0 * math.cos(t), 2.0 * math.sin(t)), width) for t in turns))
+
+
+def _scaled(part: Polygon, radius: float) -> Shape:
+    return Polygon(tuple((x / radius, y / radius) for x, y in part.corners))

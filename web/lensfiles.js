@@ -63,6 +63,10 @@ const SECTIONS = {
     ellipse: named("a b angle"),
     cat_eye: named("shift radius"),
     mask: named("holds file"),
+    telescope: words,
+    segments: named("rings gap middle angle piston tip tilt file"),
+    clear: anything,
+    blocked: anything,
   },
   aberrations: {
     ...Object.fromEntries("defocus spherical W020 W040 W060 W080 W131 W222 W220 W311".split(" ").map((key) => [key, real])),
@@ -200,11 +204,12 @@ function lensOf(raw, where, faults, opened) {
   if (table) for (const [n, m, value] of wavesOf({ ...table, wavelength: table.wavelength ?? wavelength }, wavelength)) own.plus(n, m, value);
   for (const [key, value] of own) terms.plus(...key.split(",").map(Number), value);
   const leftOut = [];
-  const { ellipse, cat_eye: catEye, mask } = aperture;
   const vanes = equalVanes(spider, radius);
   const pending = typeof zernike?.file === "string" && !table;
   if (pending) leftOut.push(`the Zernike table ${zernike.file}, which can be opened after this file`);
-  if ((spider && !vanes) || ellipse || catEye || mask) leftOut.push("the spider, vignetting or mask");
+  // All that an aperture has but the spider.
+  const more = Object.keys(aperture).some((key) => key !== "spider");
+  if ((spider && !vanes) || more) leftOut.push("the spider, vignetting, stop or mask");
   if (lens.apodization && inWords(lens.apodization) !== "[]") leftOut.push("the apodization");
   if (others.colour) leftOut.push("colour aberrations");
   if (others.field) leftOut.push("aberrations of the field");

@@ -129,13 +129,28 @@ export function parseToml(text) {
     return Number(bare);
   }
 
+  const grown = new Set(); // arrays of tables
+  function newTables() {
+    const tables = [];
+    grown.add(tables);
+    return tables;
+  }
+
   text = text.replace(/^\ufeff/, "").replace(/\r\n?/g, "\n");
   let here = root;
   let above = [];
   for (blanks(); at < text.length; blanks()) {
     const place = at;
-    if (take("[[")) fail("arrays of tables, [[...]], are not read here", place);
-    if (take("[")) {
+    if (take("[[")) {
+      above = keys();
+      expect("]");
+      expect("]");
+      const home = inside(root, above.slice(0, -1), place);
+      const tables = (home[above.at(-1)] ??= newTables());
+      if (!grown.has(tables)) fail(`${above.join(".")} has a value and is no array of tables`, place);
+      tables.push((here = Object.create(null)));
+      lines.set(above.join("."), lineAt(place));
+    } else if (take("[")) {
       above = keys();
       expect("]");
       here = inside(root, above, place);

@@ -195,7 +195,7 @@ FAULTS = {
     "not TOML": (GOOD + "name = \n", ".toml", ["line 7"]),
     "a date": (GOOD + "shape = 1979-05-27", ".toml", ["line 7", "1979-05-27"]),
     "a key given twice": (GOOD + 'pixel = "4 um"', ".toml", ["line 7: pixel is given twice"]),
-    "an array of tables": (GOOD + "[[field]]", ".toml", ["line 7", "arrays of tables"]),
+    "an array of tables": (GOOD + "[[field]]", ".toml", ["line 7", "must be a section"]),
     "an unclosed text": (GOOD + 'shape = "x', ".toml", ["line 7", "closing quote"]),
     "an unknown key": (GOOD.replace("f_number", "fnumber"), ".toml", ["lens.fnumber (line 3)", "f_number"]),
     "a key of another section": (GOOD + "f_number = 2", ".toml", ["sensor.f_number (line 7)", "it is in [lens]"]),
@@ -234,6 +234,15 @@ def test_errors_name_the_line_and_what_is_allowed_and_change_nothing(visit: Call
     assert opened(page, "big.toml", "# " + "x" * 1_000_001)["said"].endswith("the limit is 1000000.")
     assert opened(page, "good.toml", GOOD)["taken"]
     assert page.locator(".notice").is_hidden()
+
+
+def test_shapes_of_an_aperture_are_read_and_said_to_be_left_out(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=32")
+    parts = '[[aperture.clear]]\ntype = "disc"\n[[aperture.clear]]\ntype = "hexagon"\nradius = 0.5\n'
+    assert opened(page, "lens.toml", GOOD + parts)["taken"]
+    rest(page)
+    page.get_by_text("Left out here: the spider, vignetting, stop or mask").first.wait_for()
+    assert "has a value" in opened(page, "lens.toml", GOOD + "[aperture]\nclear = [1]\n" + parts)["said"]
 
 
 DROP = """([name, text]) => {

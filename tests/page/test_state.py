@@ -41,8 +41,8 @@ def test_a_lens_file_is_shown_by_a_state_of_the_same_pupil(path):
 def test_what_a_page_cannot_show_of_a_lens_is_said():
     shapes = {"spider": lm.Spider(0.02, (0.0, 1.0)), "apodization": 0.2, "vignetting": lm.Ellipse(1, 0.8)}
     for kind, text in {
-        "spider": "the spider, vignetting or mask",
-        "vignetting": "the spider, vignetting or mask",
+        "spider": "the spider, vignetting, stop or mask",
+        "vignetting": "the spider, vignetting, stop or mask",
         "apodization": "the apodization",
     }.items():
         lens = lm.Lens(focal_length=50e-3, f_number=4, focus_distance=2.0, wavelength=550e-9, **{kind: shapes[kind]})

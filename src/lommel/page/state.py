@@ -411,7 +411,7 @@ def state_of(instrument: Instrument) -> tuple[dict[str, Any], str]:
     shown = vanes or lens.spider is None
     left_out = {
         f"further Zernike terms, {higher:.1g} waves rms": higher > 1e-9,
-        "the spider, vignetting or mask": not (shown and pupil.vignetting is None and pupil.mask is None),
+        "the spider, vignetting, stop or mask": not shown or any((pupil.vignetting, pupil.stop, pupil.mask)),
         "the apodization": not pupil.illumination.uniform,
         "colour aberrations": lens.colour is not None,
         "aberrations of the field": instrument.aberrations_of_field is not None,

@@ -210,3 +210,37 @@ def test_the_strehl_ratio_behind_vanes_is_the_value_on_the_axis():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}), **APERTURES["vanes"])
     image = lm.psf(pupil, 1, 0.1, method=lm.NonuniformFFT(1e-11), normalize="strehl")
     assert float(lm.strehl(pupil)) == pytest.approx(float(image.values[0, 0]), rel=1e-9)
+
+
+def test_segments_count_with_their_phases_in_every_average():
+    rng = np.random.default_rng(3)
+    shapes = lm.Segments.hexagonal(rings=1, gap=0.05, middle=True)
+    stop = shapes.phased(*(rng.normal(scale=0.6, size=(3, 7))))
+    pupil = lm.Pupil(lm.Wavefront(0.4, nonradial={(3, 1): 0.9}), stop=stop)
+    at = lm.optics.aperture.mask.cell_centers(1500)
+    x, y = np.meshgrid(at, at)
+    wave = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x))
+    slopes = np.stack(np.gradient(wave, at, at)[::-1])
+    clear = np.zeros(x.shape, dtype=bool)
+    for hexagon, piston, tip, tilt in zip(stop.shapes, stop.piston, stop.tip, stop.tilt, strict=True):
+        inside, (u, v) = hexagon.margin(x, y) > 0.0, hexagon.center
+        clear |= inside
+        wave += np.where(inside, piston + tip * (x - u) + tilt * (y - v), 0.0)
+        slopes += np.where(inside, np.array([tip, tilt])[:, None, None], 0.0)
+    phase, rays = wave[clear], slopes[:, clear]
+    assert float(lm.strehl(pupil)) == pytest.approx(abs(np.exp(1j * phase).mean()) ** 2, abs=1e-3)
+    assert float(lm.rms(pupil)) == pytest.approx(phase.std(), abs=2e-3)
+    np.testing.assert_allclose(lm.centroid(pupil), rays.mean(axis=1) / np.pi, atol=1e-3)
+    assert float(lm.spot_radius(pupil)) == pytest.approx(math.sqrt(rays.var(axis=1).sum()) / np.pi, rel=2e-3)
+    assert float(pupil.geometric_radius()) == pytest.approx(np.hypot(*rays).max() / np.pi, rel=0.02)
+    assert abs(pupil.values(x, y)[0] - clear * np.exp(1j * wave)).max() < 1e-9
+
+
+def test_a_phase_screen_counts_in_the_strehl_ratio_and_has_no_rays():
+    screen = lm.Mask.sample(lambda x, y: np.exp(1j * (0.8 * x * y + x)), side=256)
+    pupil = lm.Pupil(mask=screen)
+    smooth = lm.Pupil(lm.Wavefront(nonradial={(2, -2): 0.4, (1, 1): 1.0}))
+    assert float(lm.strehl(pupil)) == pytest.approx(float(lm.strehl(smooth)), abs=2e-3)
+    for measure in (lm.rms, lm.centroid, lm.spot_radius, lm.marechal):
+        with pytest.raises(ValueError, match="mask must be real"):
+            measure(pupil)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel import _core
 from lommel.base.arrays import Array
@@ -357,8 +357,8 @@ RowRule = _core.RowRule
 
 
 def row_rule(
-    ellipses: Sequence[tuple[float, ...]],
-    polygons: Sequence[Sequence[tuple[float, float]]],
+    ellipses: ArrayLike,
+    polygons: Sequence[ArrayLike],
     steps: Sequence[int],
     degree: int,
     error: float,
@@ -376,11 +376,11 @@ def row_rule(
     degree : int
     error : float
     """
-    corners = [corner for corners in polygons for corner in corners]
+    given = [np.asarray(corners, dtype=np.float64).reshape(-1, 2) for corners in polygons]
     return _core.row_rule(
         np.array(ellipses, dtype=np.float64).reshape(-1, 5),
-        np.array(corners, dtype=np.float64).reshape(-1, 2),
-        np.array([len(corners) for corners in polygons], dtype=np.int32),
+        np.concatenate(given),
+        np.array([len(corners) for corners in given], dtype=np.int32),
         np.array(steps, dtype=np.int32),
         degree,
         error,

@@ -1,9 +1,9 @@
 r"""Averages over the aperture: rms wavefront error, Strehl ratio, centroid and spot radius from the wavefront.
 
 All are integrals over the clear aperture. On discs and annuli these are in polar coordinates, by Gauss-Legendre nodes
-in ``t = rho^2`` and equal steps in theta; on others by the rule of :meth:`lommel.Pupil.rule`. An average over theta
-is even in rho, hence smooth in t: convergence is spectral. Polynomials of the phase are exact with finitely
-many nodes; oscillating integrands are refined until the result converges.
+in ``t = rho^2`` and equal steps in theta; on others by the rule of :meth:`lommel.Pupil.rule`, where segments add
+their phases. An average over theta is even in rho, hence smooth in t: convergence is spectral. Polynomials of the phase
+are exact with finitely many nodes; oscillating integrands are refined until the result converges.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -62,10 +63,9 @@ def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]
     Fitted together with a constant, over the clear aperture, weighted by amplitude: without these terms the rms is
     least. Exact but for rounding for polynomials of no higher degree and order than tilt, defocus and the phase.
     """
-    rho, theta, weight = _polynomial_rule(checked(pupil), 1.0)
-    columns = np.stack([np.ones(rho.shape), *(term(rho, theta) for term in terms)], axis=-1)
-    root = np.sqrt(weight)
-    phase = _phase(pupil, rho, theta)
+    at = _polynomial_rule(checked(pupil), 1.0)
+    columns = np.stack([np.ones(at.rho.shape), *(term(at.rho, at.theta) for term in terms)], axis=-1)
+    root, phase = np.sqrt(at.weight), at.phase(pupil)
     return np.asarray(np.linalg.lstsq(columns * root[:, None], phase * root, rcond=1e-12)[0][1:])
 
 
@@ -135,8 +135,8 @@ def centroid(pupil: Pupil) -> Array:
         x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
         Exact but for rounding.
     """
-    rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
-    mean = (slopes(pupil, rho, theta) * weight).sum(axis=-1)
+    at = _polynomial_rule(checked(pupil), 2.0)
+    mean = (at.rays(pupil) * at.weight).sum(axis=-1)
     return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
 
 
@@ -155,39 +155,55 @@ def spot_radius(pupil: Pupil) -> Numbers:
     float or ndarray, shape ``pupil.shape``
         Metres if the pupil has a wavelength, else units of lambda*N. Exact but for rounding.
     """
-    rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
-    rays = slopes(pupil, rho, theta)
-    away = rays - (rays * weight).sum(axis=-1, keepdims=True)
-    variance = (away**2 * weight).sum(axis=(-2, -1))
+    at = _polynomial_rule(checked(pupil), 2.0)
+    rays = at.rays(pupil)
+    away = rays - (rays * at.weight).sum(axis=-1, keepdims=True)
+    variance = (away**2 * at.weight).sum(axis=(-2, -1))
     return numbers(np.sqrt(variance) * (pupil.scale / math.pi), pupil.shape)
-
-
-def _phase(pupil: Pupil, rho: Array, theta: Array) -> Array:
-    """Return the phase of the wavefront and of the segments."""
-    phase = pupil.wavefront.phase(rho, theta)
-    if pupil.segmented:
-        phase = phase + pupil.opening.phase(rho * np.cos(theta), rho * np.sin(theta))
-    return phase
 
 
 def slopes(pupil: Pupil, rho: Array, theta: Array) -> Array:
     """Return the gradient of the phase of the wavefront and of the segments, shape (n, 2, points)."""
     found = gradient(pupil.wavefront, rho, theta)
     if pupil.segmented:
-        found = found + pupil.opening.slopes(rho * np.cos(theta), rho * np.sin(theta))
+        found = found + pupil.opening.tilted(rho * np.cos(theta), rho * np.sin(theta))[1:]
     return found
 
 
 def _variance(pupil: Pupil) -> Array:
     """Return the variance of the phase, weighted by amplitude, shape ``pupil.shape``."""
-    rho, theta, weight = _polynomial_rule(pupil, 1.0)
-    phase = _phase(pupil, rho, theta)
-    away = phase - (phase * weight).sum(axis=-1, keepdims=True)
-    return np.asarray((away**2 * weight).sum(axis=-1))
+    at = _polynomial_rule(pupil, 1.0)
+    phase = at.phase(pupil)
+    away = phase - (phase * at.weight).sum(axis=-1, keepdims=True)
+    return np.asarray((away**2 * at.weight).sum(axis=-1))
 
 
-def _polynomial_rule(pupil: Pupil, power: float) -> tuple[Array, Array, Array]:
-    """Return rho, theta and weights of sum 1, exact for squares of the phase or of its gradient."""
+class _Nodes(NamedTuple):
+    """Points of an aperture, weights of sum 1, and what segments and mask add there: phase and its slopes."""
+
+    rho: Array
+    theta: Array
+    weight: Array
+    added: Array | None = None  # (3, points)
+
+    def phase(self, pupil: Pupil) -> Array:
+        """Return the phase, shape ``pupil.shape + (points,)``."""
+        found = pupil.wavefront.phase(self.rho, self.theta)
+        return found if self.added is None else found + self.added[0]
+
+    def rays(self, pupil: Pupil) -> Array:
+        """Return the gradient of the phase, shape (n, 2, points) for the flattened stack."""
+        found = gradient(pupil.wavefront, self.rho, self.theta)
+        return found if self.added is None else found + self.added[1:]
+
+
+def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
+    """Return nodes that are exact for squares of the phase or of its gradient."""
+    if pupil.phase_mask:
+        raise ValueError(
+            "mask must be real for measures of the wavefront, since the phase of a complex one is known up to whole "
+            "waves at its samples only; give that phase as Zernike terms (lommel.OPDMap), or take lommel.strehl"
+        )
     terms = pupil.wavefront.nonradial
     degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])
@@ -199,7 +215,7 @@ def _polynomial_rule(pupil: Pupil, power: float) -> tuple[Array, Array, Array]:
     return _rule(pupil, power, radial, 2 * order + 2)
 
 
-def _rule(pupil: Pupil, power: float, radial: int, around: int) -> tuple[Array, Array, Array]:
+def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
     low = pupil.obscuration**2
     t, weight = gauss_legendre(radial, low, 1.0)
     # Relative to the brightest zone: a strong fall underflows otherwise.
@@ -207,10 +223,10 @@ def _rule(pupil: Pupil, power: float, radial: int, around: int) -> tuple[Array, 
     weight = weight * np.exp(-power * (fall - fall.min()))
     theta = np.arange(around) * (2.0 * math.pi / around)
     rho = np.repeat(np.sqrt(t), around)
-    return rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * around), around)
+    return _Nodes(rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * around), around))
 
 
-def _clear_rule(pupil: Pupil, power: float, degree: int) -> tuple[Array, Array, Array]:
+def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
     """Return the same over what vanes, vignetting and a mask leave clear, exact to a degree in x and y."""
     x, y, weight = pupil.rule(degree)
     # The rule carries the amplitude of the mask once.
@@ -218,7 +234,13 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> tuple[Array, Array, 
     # At the middle of a mask rho is 0, where slopes over rho have a limit only.
     rho = np.maximum(np.hypot(x, y), 1e-12)
     weight = weight * carried * pupil.illumination.at(rho**2, power)
-    return rho, np.arctan2(y, x), weight / weight.sum()
+    added = None
+    if pupil.segmented:
+        added = pupil.opening.tilted_nodes(degree) if pupil.mask is None else pupil.opening.tilted(x, y)
+    if pupil.phase_mask:
+        added = np.zeros((3, x.size)) if added is None else added
+        added[0] += np.angle(pupil.mask.at(x, y))  # type: ignore[union-attr]
+    return _Nodes(rho, np.arctan2(y, x), weight / weight.sum(), added)
 
 
 def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
@@ -251,8 +273,8 @@ def _strehl(pupil: Pupil) -> float:
         # Known to more than 1e-12: the rule has positive weights and is exact to the degree that is proven enough.
         terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
         steepest = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
-        rho, theta, weight = _clear_rule(pupil, 1.0, degree_needed(terms_of, steepest, pupil.illumination, 1e-13))
-        mean = np.sum(weight * np.exp(1j * _phase(pupil, rho, theta)))
+        at = _clear_rule(pupil, 1.0, degree_needed(terms_of, steepest, pupil.illumination, 1e-13))
+        mean = np.sum(at.weight * np.exp(1j * at.phase(pupil)))
         return float(mean.real**2 + mean.imag**2)
     blur = float(pupil.v(pupil.geometric_radius()))
     terms = pupil.wavefront.nonradial
@@ -265,8 +287,8 @@ def _strehl(pupil: Pupil) -> float:
             raise ToleranceError(
                 f"the Strehl ratio of a phase with a blur of v = {blur:.3g} takes more than {_MAX_NODES} nodes"
             )
-        rho, theta, weight = _rule(pupil, 1.0, radial, around)
-        field = np.sum(weight * np.exp(1j * pupil.wavefront.phase(rho, theta)))
+        at = _rule(pupil, 1.0, radial, around)
+        field = np.sum(at.weight * np.exp(1j * at.phase(pupil)))
         return float(field.real**2 + field.imag**2)
 
     value = quadrature(radial, around)

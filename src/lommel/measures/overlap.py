@@ -9,6 +9,13 @@ the lens-shaped overlap of two discs, ``u = +-(cos(theta) - f)``, entire functio
 in theta and u converge spectrally. An obscured aperture is cut where its arcs meet, with ``y = eps sin(theta)``
 beside the obscuration.
 
+All other apertures take the rules of :func:`lommel.core.engine.row_rule`, whose error is proven. The overlap lies in
+the ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc. The
+difference of the two phases is a polynomial there, and the amplitudes of its Zernike terms give the degree of a
+polynomial that is proven to be close to the integrand (:func:`lommel.optics.aperture.opening.degree_needed`). The
+ellipse moved by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there.
+Each pair of segments that overlap has its own rule and phase.
+
 References
 ----------
 H. H. Hopkins, "The frequency response of a defocused optical system", Proc. R. Soc. A 231, 91 (1955),
@@ -20,14 +27,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.core.answers import ToleranceError
-from lommel.optics.aperture.shapes import CatEye, Ellipse
+from lommel.optics.aperture.opening import Opening, degree_needed
+from lommel.optics.aperture.shapes import Listed, listed
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -54,13 +64,16 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
     least = 1e-100 if pupil.circular else 1e-14
     values[:, shift <= least] = 1.0
     within = np.flatnonzero((shift > least) & (shift < 1))
-    blur = float(pupil.v(pupil.geometric_radius()).max())
-    # Alike frequencies take alike many nodes; the lines across other apertures are those of one frequency.
-    together = 32 if pupil.circular else 1
-    within = within[np.argsort(shift[within])]
-    integral = _of_discs if pupil.circular else _of_clear_parts
-    for group in np.array_split(within, math.ceil(len(within) / together)) if len(within) else ():
-        values[:, group] = integral(pupil, points[group], shift[group], blur, tol)
+    if pupil.circular:
+        blur = float(pupil.v(pupil.geometric_radius()).max())
+        # Alike frequencies take alike many nodes.
+        within = within[np.argsort(shift[within])]
+        for group in np.array_split(within, math.ceil(len(within) / 32)) if len(within) else ():
+            values[:, group] = _of_discs(pupil, points[group], shift[group], blur, tol)
+    else:
+        clear = _clear_parts(pupil.opening)
+        for k in within:
+            values[:, k] = _of_clear_parts(pupil, clear, points[k], float(shift[k]), tol)
     values = values[:, where.reshape(-1)]
     return np.where(mirrored, values.conj(), values)
 
@@ -71,14 +84,6 @@ def _of_discs(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> 
     swing = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
     nodes = 16 + math.ceil(0.25 * swing + 0.25 * pupil.illumination.slope)
     return _settled(lambda nodes: _overlap_integral(pupil, f, shift, nodes), nodes, tol, tol + 1e-15 * blur)
-
-
-def _of_clear_parts(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF of other apertures at one frequency, with more nodes along the lines until two sums agree."""
-    swing = 2.0 * blur * min(1.0, 2.0 * float(shift[0]))
-    nodes, overlap = 12 + math.ceil(0.25 * (swing + pupil.illumination.slope)), _Overlap(pupil, f[0])
-    found = _settled(lambda nodes: overlap.across(nodes, 0.25 * tol), nodes, tol, 0.5 * tol + 1e-15 * blur)
-    return found[:, None]
 
 
 def _settled(
@@ -183,131 +188,109 @@ def _panel(
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
 
 
-# Along a line across the overlap every edge is met at the roots of a line or a quadratic, so the clear pieces are
-# known exactly, and Gauss nodes in each converge spectrally. Across the lines the integrand has kinks where edges of
-# one aperture cross those of the other: panels are halved there, and wherever two rules differ, until the sum of what
-# they differ by is below the tolerance.
-
-_ACROSS = 10  # nodes of a panel, and of each of its halves
-_MOST = 4096  # panels halved at once
-_LEVELS = 48  # times that a panel is halved: then it is as wide as rounding
-_CUT_CHUNK = 2**19  # pupil values held at once
+_LEAST = 2e-15  # error of a rule
 
 
-class _Overlap:
-    """Two copies of an aperture, moved by f and -f, in coordinates u along f and y across."""
+class _ClearParts(NamedTuple):
+    """The regions of an aperture, the phases they add, and discs that hold them."""
 
-    def __init__(self, pupil: Pupil, f: Array) -> None:
-        self.pupil, self.f = pupil, f
-        self.shift = math.hypot(*f)
-        self.cos, self.sin = f / self.shift
-        self.scale = math.pi * pupil.transmission
-        self.top = math.sqrt((1.0 - self.shift) * (1.0 + self.shift))  # where the overlap of the rims ends
+    regions: tuple[Listed, ...]
+    phases: Array
+    centers: Array
+    radii: Array
 
-    def across(self, nodes: int, tol: float) -> NDArray[np.complex128]:
-        """Return the sum over panels in the angle theta, y = top sin(theta), halved until they err by less."""
-        edges = np.unique(np.concatenate([np.linspace(-1.0, 1.0, 9), self._corners()]))
-        low, high = np.arcsin(edges[:-1]), np.arcsin(edges[1:])
-        whole = self._panels(low, high, nodes)
-        total = np.zeros(len(whole), dtype=np.complex128)
-        for _ in range(_LEVELS):
-            middle = 0.5 * (low + high)
-            left, right = np.split(self._panels(np.append(low, middle), np.append(middle, high), nodes), 2, axis=1)
-            finer = left + right
-            off = np.abs(finer - whole).max(axis=0)
-            # The finer sum errs by a fraction of what it changed; where all are good the sum of them is.
-            bad = off > tol / 64.0 if off.sum() > tol else np.zeros(off.size, dtype=bool)
-            total += finer[:, ~bad].sum(axis=1)
-            if not bad.any():
-                return np.asarray(total / self.scale)
-            if 2 * int(bad.sum()) > _MOST:
-                raise ToleranceError(f"the OTF to tol={tol:g} takes more than {_MOST} panels")
-            low, high = np.append(low[bad], middle[bad]), np.append(middle[bad], high[bad])
-            whole = np.concatenate([left[:, bad], right[:, bad]], axis=1)
-        return np.asarray((total + whole.sum(axis=1)) / self.scale)
 
-    def _corners(self) -> Array:
-        """Return y / top of corners and ends of the edges of one aperture, which both have, for vanes along f."""
-        found = [self.pupil.obscuration]
-        for angle in self.pupil.spider.angles if self.pupil.spider else ():
-            half = 0.5 * self.pupil.spider.width  # type: ignore[union-attr]
-            along = np.array(
-                [0.0, math.sqrt(max(self.pupil.obscuration**2 - half**2, 0.0)), math.sqrt(1.0 - half**2)]
-            )
-            s, c = math.sin(angle) * self.cos - math.cos(angle) * self.sin, math.cos(angle) * self.cos
-            c += math.sin(angle) * self.sin
-            found += [*(along * s + half * c), *(along * s - half * c)]
-        edge = self.pupil.vignetting
-        if isinstance(edge, CatEye):
-            across = edge.shift[1] * self.cos - edge.shift[0] * self.sin
-            found += [across - edge.radius, across + edge.radius]
-        elif isinstance(edge, Ellipse):
-            found.append(float(np.linalg.norm(edge.frame.T @ np.array([-self.sin, self.cos]))))
-        y = np.concatenate([found, np.negative(found)]) / self.top
-        return y[np.abs(y) < 1.0]
+@lru_cache(maxsize=8)
+def _clear_parts(opening: Opening) -> _ClearParts:
+    regions = tuple(listed(region) for region in opening.regions)
+    if len(regions) == 1:
+        return _ClearParts(regions, opening.phases, np.zeros((1, 2)), np.ones(1))
+    edges = [np.concatenate(part.outline(256)) for part in opening.stop.shapes]  # type: ignore[union-attr]
+    centers = np.array([0.5 * (edge.min(axis=0) + edge.max(axis=0)) for edge in edges])
+    radii = [1.01 * np.hypot(*(edge - at).T).max() for edge, at in zip(edges, centers, strict=True)]
+    return _ClearParts(regions, opening.phases, centers, np.array(radii))
 
-    def _panels(self, low: Array, high: Array, nodes: int) -> NDArray[np.complex128]:
-        """Return the integral over each panel of theta, shape (n, panels), with so many nodes along each piece."""
-        x, w = gauss_legendre(_ACROSS)
-        theta = low[:, None] + (high - low)[:, None] * x
-        lines = self._lines(self.top * np.sin(theta).ravel(), nodes)
-        weight = (w * (high - low)[:, None]) * self.top * np.cos(theta)
-        return np.asarray((lines.reshape(len(lines), *weight.shape) * weight).sum(axis=-1))
 
-    def _lines(self, y: Array, nodes: int) -> NDArray[np.complex128]:
-        """Return the integral of both pupil functions along each line, shape (n, lines)."""
-        half = np.sqrt((1.0 - y) * (1.0 + y))
-        begin, end = self.shift - half, half - self.shift
-        cuts = [begin, end]
-        for center in (self.shift, -self.shift):
-            cuts += [np.clip(np.nan_to_num(center + at, nan=2.0), begin, end) for at in self._crossings(y)]
-        edges = np.sort(cuts, axis=0)
-        first, width = edges[:-1], np.diff(edges, axis=0)
-        middle = first + 0.5 * width
-        px, py = middle * self.cos - y * self.sin, middle * self.sin + y * self.cos
-        opening = self.pupil.opening
-        clear = (width > 0.0) & (opening.margin(px - self.f[0], py - self.f[1]) > 0.0)
-        clear &= opening.margin(px + self.f[0], py + self.f[1]) > 0.0
-        piece, line = np.nonzero(clear)
-        x, w = gauss_legendre(nodes)
-        out = np.zeros((math.prod(self.pupil.shape), y.size), dtype=np.complex128)
-        many = max(1, _CUT_CHUNK // (len(out) * nodes))
-        for start in range(0, line.size, many):
-            at = (piece[start : start + many], line[start : start + many])
-            u = first[at][:, None] + width[at][:, None] * x
-            across = y[at[1]][:, None]
-            px, py = u * self.cos - across * self.sin, u * self.sin + across * self.cos
-            product = self._function(px - self.f[0], py - self.f[1])
-            product *= self._function(px + self.f[0], py + self.f[1]).conj()
-            np.add.at(out.T, at[1], ((product @ w) * width[at]).T)
-        return out
+def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
+    """Return the OTF of other apertures at a frequency, off by less than `tol` and the rounding of phases."""
+    axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
+    cos, sin = f / shift
+    back = np.array([[cos, -sin], [sin, cos]]) * axes
+    frame = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]
+    share = float(axes[0] * axes[1]) / pupil.transmission
+    moved = np.hypot(*(clear.centers[:, None] - clear.centers + 2.0 * f).transpose(2, 0, 1))
+    pairs = np.argwhere(moved < clear.radii[:, None] + clear.radii)
+    first, second = clear.phases[pairs[:, 0]], clear.phases[pairs[:, 1]]
+    tilts = first[:, 1:] - second[:, 1:]
+    still = first[:, 0] - second[:, 0] - (first[:, 1:] + second[:, 1:]) @ f
+    # Half for the polynomial close to the integrand, half for the rules.
+    aim = min(max(0.45 * tol / share, _LEAST), 0.05)
+    steepest = float(np.hypot(*(tilts @ back).T).max(initial=0.0))
+    rim = math.sqrt(1.0 + 0.5 * shift * (1.0 - shift))
+    sizes = _amplitudes(pupil, back, f)
+    try:
+        degree = degree_needed(sizes, steepest, pupil.illumination, aim, power=2.0, radius=rim)
+    except ValueError as fault:
+        raise ToleranceError(f"the OTF to tol={tol:g} cannot be computed: {fault}") from None
+    apart, total = frame @ f, np.zeros(math.prod(pupil.shape), dtype=np.complex128)
+    mapped = {(i, sign): clear.regions[i].mapped(frame, sign * apart) for i, sign in _ends(pairs)}
+    for (i, j), tilt, constant in zip(pairs, tilts, still, strict=True):
+        rule = (mapped[i, 1] & mapped[j, -1]).rule(degree, aim / len(pairs))
+        u, y, weight = rule.nodes
+        many = max(1, _CHUNK // len(total))
+        for start in range(0, u.size, many):
+            part = slice(start, start + many)
+            at = back @ np.stack([u[part], y[part]])
+            phase = _difference(pupil, at, f) + (constant + tilt @ at)
+            light = weight[part]
+            if not pupil.illumination.uniform:
+                light = light * np.prod([pupil.illumination.at(r * r) for r in _radii(at, f)], axis=0)
+            total += np.exp(1j * phase) @ light
+    return share * total
 
-    def _function(self, x: Array, y: Array) -> NDArray[np.complex128]:
-        """Return the pupil function as it goes on behind its edges: pieces end at these, and rounding is not to."""
-        rho = np.hypot(x, y)
-        phase = self.pupil.wavefront.phase(np.minimum(rho, 1.0), np.arctan2(y, x)).reshape(-1, *rho.shape)
-        return np.asarray(self.pupil.illumination.at(rho**2) * np.exp(1j * phase))
 
-    def _crossings(self, y: Array) -> list[Array]:
-        """Return where lines meet each edge of an aperture around the origin; NaN, or far away, where they do not."""
-        pupil, found = self.pupil, []
-        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-            root = np.sqrt(pupil.obscuration**2 - y * y)
-            found += [-root, root, -np.sqrt(1.0 - y * y), np.sqrt(1.0 - y * y)]
-            for angle in pupil.spider.angles if pupil.spider else ():
-                c = math.cos(angle) * self.cos + math.sin(angle) * self.sin
-                s = math.sin(angle) * self.cos - math.cos(angle) * self.sin
-                half = 0.5 * pupil.spider.width  # type: ignore[union-attr]
-                found += [np.divide(y * c - half, s), np.divide(y * c + half, s), np.divide(-y * s, c)]
-            edge = pupil.vignetting
-            if isinstance(edge, CatEye):
-                a = edge.shift[0] * self.cos + edge.shift[1] * self.sin
-                root = np.sqrt(edge.radius**2 - (y - edge.shift[1] * self.cos + edge.shift[0] * self.sin) ** 2)
-                found += [a - root, a + root]
-            elif isinstance(edge, Ellipse):
-                back = np.linalg.inv(edge.frame)
-                along, across = back @ [self.cos, self.sin], (back @ [-self.sin, self.cos])[:, None] * y
-                square, cross = along @ along, along @ across
-                root = np.sqrt(cross**2 - square * ((across**2).sum(axis=0) - 1.0))
-                found += [(-cross - root) / square, (-cross + root) / square]
-        return found
+def _ends(pairs: NDArray[np.intp]) -> set[tuple[int, int]]:
+    """Return which regions are moved by f, 1, and by -f, -1."""
+    return {(int(i), 1) for i in pairs[:, 0]} | {(int(j), -1) for j in pairs[:, 1]}
+
+
+def _radii(at: Array, f: Array) -> list[Array]:
+    """Return the distances of points from the axis of the aperture moved by f, and by -f."""
+    return [np.hypot(at[0] - sign * f[0], at[1] - sign * f[1]) for sign in (1.0, -1.0)]
+
+
+def _difference(pupil: Pupil, at: Array, f: Array) -> Array:
+    """Return ``Phi(rho - f) - Phi(rho + f)`` at points, shape (n, points)."""
+    if not pupil.wavefront.terms:
+        return np.zeros((math.prod(pupil.shape), at.shape[1]))
+    behind, before = _radii(at, f)
+    turned = [np.arctan2(at[1] - sign * f[1], at[0] - sign * f[0]) for sign in (1.0, -1.0)]
+    wavefront = pupil.wavefront
+    found = wavefront.phase(behind, turned[0]) - wavefront.phase(before, turned[1])
+    return np.asarray(found.reshape(-1, at.shape[1]))
+
+
+def _amplitudes(pupil: Pupil, back: Array, f: Array) -> list[tuple[int, float]]:
+    """Return by degree the sum of the amplitudes of the Zernike terms of that difference, over the ellipse."""
+    degree = max((n for n, _ in pupil.wavefront.amplitudes()), default=0) - 1  # the highest powers cancel
+    if degree < 1:
+        return []
+    rho, theta, table = _projection(degree)
+    points = np.stack([np.outer(rho, np.cos(theta)).ravel(), np.outer(rho, np.sin(theta)).ravel()])
+    values = _difference(pupil, back @ points, f).reshape(-1, rho.size, theta.size)
+    waves = np.fft.rfft(values, axis=2)[:, :, : degree + 1] / theta.size
+    sizes = np.abs(np.einsum("mni,sim->snm", table, waves)).max(axis=0).sum(axis=1)
+    # What is smaller is rounding.
+    return [(n, float(size)) for n, size in enumerate(sizes) if n and size > 1e-15 * sizes.sum()]
+
+
+@lru_cache(maxsize=8)
+def _projection(degree: int) -> tuple[Values, Values, Values]:
+    """Return points (rho, theta) for Zernike amplitudes of a polynomial, and weights [m, n, radius] of its waves."""
+    t, weight = gauss_legendre(degree // 2 + 1, 0.0, 1.0)
+    rho = np.sqrt(t)
+    table = np.zeros((degree + 1, degree + 1, t.size))
+    for m in range(degree + 1):
+        for n in range(m, degree + 1, 2):
+            table[m, n] = (n + 1) * (2.0 if m else 1.0) * weight * zernike.radial(n, m, rho)
+    return np.asarray(rho), np.arange(2 * degree + 2) * (math.pi / (degree + 1)), table

@@ -128,8 +128,9 @@ def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[
     if pupil.segmented:
         amplitude = amplitude * np.exp(1j * pupil.opening.phase(x[None, :], x[:, None]))
     wavefronts = pupil.wavefront.flattened()
+    added = pupil.opening.phase(x[None, :], x[:, None]) if pupil.segmented else 0.0
     for i in range(wavefronts.shape[0]):
-        yield amplitude * np.exp(1j * wavefronts[i].phase(rho, theta))
+        yield amplitude * np.exp(1j * (wavefronts[i].phase(rho, theta) + added))
 
 
 def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Values:

@@ -158,6 +158,11 @@ class Pupil(BasePupil):
         return self.stop is not None and bool(np.any(self.opening.phases))
 
     @property
+    def phase_mask(self) -> bool:
+        """Whether its mask has phases."""
+        return self.mask is not None and self.mask.values.dtype.kind == "c"
+
+    @property
     def opening(self) -> Opening:
         """The clear region, without a mask."""
         from lommel.optics.aperture.opening import Opening
@@ -197,10 +202,10 @@ class Pupil(BasePupil):
         wavelength = validation.wavelength(wavelength)
         if self.wavelength is None:
             raise ValueError("wavelength and f_number of the pupil must be given, to see it in other light; got None")
-        if self.mask is not None and self.mask.values.dtype.kind == "c" and wavelength != self.wavelength:
+        if self.phase_mask and wavelength != self.wavelength:
             raise ValueError(
-                "mask must be real to see the pupil in other light: phases of a complex one are those at one wavelength; "
-                "add images of pupils with the mask for each"
+                "mask must be real to see the pupil in other light: phases of a complex one are those at one "
+                "wavelength; add images of pupils with the mask for each"
             )
         there, geometry = same_path(self.wavefront, self.wavelength, wavelength), self.geometry
         if self.colour is not None:
@@ -286,11 +291,10 @@ class Pupil(BasePupil):
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
             return self.wavefront.phase(np.hypot(x + dx, y + dy), np.arctan2(y + dy, x + dx)).reshape(-1, x.size)
 
-        across = (phase(h, 0.0) - phase(-h, 0.0)) / (2.0 * h)
-        down = (phase(0.0, h) - phase(0.0, -h)) / (2.0 * h)
+        across, down = ((phase(*d) - phase(-d[0], -d[1])) / (2.0 * h) for d in ((h, 0.0), (0.0, h)))
         if self.segmented:
-            here = self.opening.slopes(x, y)
-            across, down = across + here[0], down + here[1]
+            _, tip, tilt = self.opening.tilted(x, y).reshape(3, -1)
+            across, down = across + tip, down + tilt
         return np.asarray(np.hypot(across, down).max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
@@ -309,8 +313,10 @@ class Pupil(BasePupil):
         found = self.carrying(Wavefront(), self.geometry and self.geometry.focused())
         if self.segmented:
             found = replace(found, stop=self.stop.scaled(0.0))  # type: ignore[union-attr]
-        if self.mask is not None and self.mask.values.dtype.kind == "c":
-            found = replace(found, mask=type(self.mask)(np.abs(self.mask.values), self.mask.squares))
+        if self.phase_mask:
+            mask = self.mask
+            assert mask is not None
+            found = replace(found, mask=type(mask)(np.abs(mask.values), mask.squares))
         return found
 
     def _each(self, of: Callable[[Any], Any]) -> Pupil:

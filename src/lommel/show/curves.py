@@ -62,11 +62,8 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         sides = grid.active
     else:
         pupil = checked_pupil(thing)
-        if not pupil.circular:
-            raise ValueError(
-                "pupil must be a disc or an annulus, since a curve of others takes minutes; draw that of an image, "
-                "psf.plot_mtf(), or ask for few frequencies, lommel.mtf"
-            )
+        if pupil.mask is not None:
+            raise ValueError("pupil must be without a mask; draw the curve of its image, psf.plot_mtf()")
         side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
         sides = side, side
     places = few_of(pupil.shape, _MOST)
@@ -116,9 +113,8 @@ def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Arra
     """Return the MTF of a single pupil with pixels of such sides, or of a single PSF."""
     if not is_psf(thing):
         return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _of_pixel(fx, sides[1]) * _of_pixel(fy, sides[0])
-    if isinstance(thing.pupil, Pupil) and thing.pupil.circular:
+    if isinstance(thing.pupil, Pupil) and thing.pupil.mask is None:
         return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
-    # Of other apertures a frequency of the wavefront takes up to a second.
     scale = thing.pupil.scale
     return np.asarray(np.abs(sampled_transfer(ImageModel.of(thing), fx * scale, fy * scale)[0]))
 

@@ -280,7 +280,7 @@ def focus_curves(
     shift, label = _shift(through)
     ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in through.pupils])
     axes.plot(shift, ratios, color=axes.xaxis.label.get_color(), label="Strehl ratio")  # white in dark styles
-    if here.circular:
+    if here.mask is None:
         factor, unit = frequencies(here.unit)
         along = {"-": (f, np.zeros(f.size))} | ({} if here.radial else {"--": (np.zeros(f.size), f)})
         for style, (fx, fy) in along.items():

@@ -116,12 +116,13 @@ def across(pupil: BasePupil, side: int = _SIDE) -> Across:
     if isinstance(pupil, Pupil):
         strength = pupil.illumination.at(rho**2) * (pupil.opening.margin(x, y) >= 0.0)
         if pupil.mask is not None:
-            strength = strength * pupil.mask.at(x, y)
+            strength = strength * np.abs(pupil.mask.at(x, y))
         clear = strength > 0.0
         amplitude[:] = strength
-        phase[:, clear] = pupil.wavefront.phase(rho[clear], theta[clear]).reshape(count, -1)
-        if pupil.segmented:
-            phase[:, clear] += pupil.opening.phase(x[clear], y[clear])
+        added = pupil.opening.phase(x[clear], y[clear])
+        if pupil.mask is not None:
+            added = added + np.angle(pupil.mask.at(x[clear], y[clear]))
+        phase[:, clear] = pupil.wavefront.phase(rho[clear], theta[clear]).reshape(count, -1) + added
     elif isinstance(pupil, ObjectivePupil):
         clear = rho <= 1.0
         phase[:, clear], amplitude[:, clear] = _through_layers(pupil, rho[clear], theta[clear])
@@ -161,7 +162,7 @@ def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> A
         per /= 1e9 * (pupil.wavelength or math.nan)
     values = _few(pupil, ax).phase / per
     title = "phase, less its mean"
-    if not pupil.shape and isinstance(pupil, Pupil):
+    if not pupil.shape and isinstance(pupil, Pupil) and not pupil.phase_mask:
         spread = float(np.nanmax(values) - np.nanmin(values))
         title = f"rms {float(rms(pupil)) / per:.3g} {unit}, peak to valley {spread:.3g} {unit}"
     words, norm = (title, f"phase, less its mean ({unit})"), even_norm(float(np.nanmax(np.abs(values))))

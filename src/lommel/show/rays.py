@@ -59,7 +59,7 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
     rho = np.maximum(rho, 1e-9)  # in the middle slopes over rho have a limit only
     clear = pupil.opening.margin(x, y) >= 0.0
     if pupil.mask is not None:
-        clear &= pupil.mask.at(x, y) > 0.0
+        clear &= np.abs(pupil.mask.at(x, y)) > 0.0
     return np.asarray(slopes(pupil, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))
 
 

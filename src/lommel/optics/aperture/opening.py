@@ -20,7 +20,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.optics.aperture.apodization import Apodization
-from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Polygon, Segments, Shape, Spider
+from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Segments, Shape, Spider, listed
 from lommel.special.disk import disk_overlap
 
 _SUB = 16  # points along each side of a cell at an edge
@@ -49,7 +49,13 @@ _B = np.geomspace(1e-3, 4.0, 192)
 
 
 def degree_needed(
-    terms: Iterable[tuple[int, float]], v: float, light: Apodization, error: float, *, power: float = 1.0
+    terms: Iterable[tuple[int, float]],
+    v: float,
+    light: Apodization,
+    error: float,
+    *,
+    power: float = 1.0,
+    radius: float = 1.0,
 ) -> int:
     r"""Return the total degree to which a rule must be exact for a proven error of U below `error`.
 
@@ -73,6 +79,8 @@ def degree_needed(
         Largest error of U, relative to U(0) = 1 of the unaberrated disc.
     power : float, default 1
         Power of the amplitude.
+    radius : float, default 1
+        Radius of the disc around the axis of the amplitude that holds the unit disc of the integrand.
 
     Returns
     -------
@@ -85,7 +93,8 @@ def degree_needed(
     """
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
-    growth = v * np.sinh(_B) + power * light.growth(np.cosh(2.0 * _B))
+    # cosh b at most grows by the radius.
+    growth = v * np.sinh(_B) + power * light.growth(radius**2 * (1.0 + np.cosh(2.0 * _B)) - 1.0)
     if not isinstance(terms, Iterable):
         raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
     for n, amplitude in terms:
@@ -161,22 +170,28 @@ class Opening:
         """The phase of each region on the axis, and its change along x and y, radians, shape (regions, 3)."""
         return self.stop.phases if isinstance(self.stop, Segments) else np.zeros((1, 3))
 
-    def phase(self, x: Array, y: Array) -> Array:
-        """Return the phase of the segments at points (`x`, `y`), radians."""
-        constant, across, down = self._phases(x, y)
-        return np.asarray(constant + across * x + down * y)
+    def phase(self, x: Array, y: Array) -> Array | float:
+        """Return the phase of the segments at points (`x`, `y`), radians; 0 where there are none."""
+        return self.tilted(x, y)[0] if isinstance(self.stop, Segments) else 0.0
 
-    def slopes(self, x: Array, y: Array) -> Array:
-        """Return the change of the phase of the segments along x and y at points (`x`, `y`), shape (2, ...)."""
-        return self._phases(x, y)[1:]
+    def tilted(self, x: Array, y: Array) -> Array:
+        """Return the phase of the segments at points, and its slopes along x and y, shape ``(3, ...)``.
 
-    def _phases(self, x: Array, y: Array) -> Array:
-        found = np.zeros((3, *np.broadcast_shapes(np.shape(x), np.shape(y))))
+        Between segments that of the nearest.
+        """
+        which, best = np.zeros((2, *np.broadcast_shapes(x.shape, y.shape)))
         if isinstance(self.stop, Segments):
-            for part, phases in zip(self.stop.shapes, self.stop.phases, strict=True):
-                if phases.any():
-                    found[:, part.margin(x, y) >= 0.0] = phases[:, None]
-        return found
+            best -= np.inf
+            for i, part in enumerate(self.stop.shapes):
+                margin = part.margin(x, y)
+                which, best = np.where(margin > best, i, which), np.maximum(margin, best)
+        return _phased(self.phases[which.astype(np.intp)], x, y)
+
+    def tilted_nodes(self, degree: int) -> Array:
+        """Return the same at the nodes of :meth:`rule`, shape (3, nodes)."""
+        nodes = [rule.nodes for rule in self.rows(degree, _EXACT)]
+        x, y, _ = np.concatenate(nodes, axis=1)
+        return _phased(np.repeat(self.phases, [part.shape[1] for part in nodes], axis=0), x, y)
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return the signed margin at (`x`, `y`), positive where light passes, slope at most 1; or a ValueError."""
@@ -248,24 +263,15 @@ class Opening:
         return x[clear], y[clear]
 
 
+def _phased(phases: Array, x: Array, y: Array) -> Array:
+    still, tip, tilt = np.moveaxis(phases, -1, 0)
+    return np.stack([still + tip * x + tilt * y, tip, tilt])
+
+
 @lru_cache(maxsize=32)
 def _rows(opening: Opening, degree: int, power: int) -> tuple[engine.RowRule, ...]:
     regions = opening.regions
-    made = []
-    for region in regions:
-        parts: list[Shape] = []
-        steps: list[int] = []
-        region._listed(parts, steps)
-        ellipses = [
-            (*part.center, part.radius, part.radius, 0.0)
-            if isinstance(part, Disc)
-            else (*part.center, part.a, part.b, part.angle)
-            for part in parts
-            if isinstance(part, Disc | Ellipse)
-        ]
-        polygons = [part.corners if isinstance(part, Polygon) else () for part in parts]
-        made.append(engine.row_rule(ellipses, polygons, steps, degree, 10.0**power / len(regions)))
-    return tuple(made)
+    return tuple(listed(region).rule(degree, 10.0**power / len(regions)) for region in regions)
 
 
 @lru_cache(maxsize=4)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property
+from lommel.core import engine
 
 MAX_VANES = 64
 _FAR = 1000.0
@@ -78,6 +79,55 @@ def shape(name: str, value: object) -> Shape:
     raise TypeError(
         f"{name} must be a shape (Disc, Ellipse, Polygon, or some combined), got {validation.shown(value)}"
     )
+
+
+class Listed(NamedTuple):
+    """A region as the compiled core takes it; see :func:`lommel.core.engine.row_rule`."""
+
+    ellipses: Array  # x, y, semi-axes, angle
+    polygons: tuple[Array, ...]  # corners of each part, none of an ellipse
+    steps: tuple[int, ...]
+
+    def rule(self, degree: int, error: float) -> engine.RowRule:
+        """Return a rule off by at most `error` for polynomials of a `degree` that are at most 1 on the unit disc."""
+        return engine.row_rule(self.ellipses, self.polygons, self.steps, degree, error)
+
+    def mapped(self, matrix: Array, shift: Array) -> Listed:
+        """Return the region of ``matrix @ point + shift``; the matrix does not mirror."""
+        x, y, a, b, angle = self.ellipses.T
+        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
+        axes, sizes, _ = np.linalg.svd(matrix @ turn * np.stack([a, b], axis=-1)[:, None, :])
+        places = np.stack([x, y], axis=-1) @ matrix.T + shift
+        ellipses = np.column_stack([places, sizes, np.arctan2(axes[:, 1, 0], axes[:, 0, 0])])
+        return self._replace(
+            ellipses=ellipses,
+            polygons=tuple(at @ matrix.T + shift if len(at) else at for at in self.polygons),
+        )
+
+    def __and__(self, other: Listed) -> Listed:
+        """Return what two regions share."""
+        further = tuple(step + len(self.polygons) if step >= 0 else step for step in other.steps)
+        return Listed(
+            np.concatenate([self.ellipses, other.ellipses]),
+            self.polygons + other.polygons,
+            (*self.steps, *further, _BOTH),
+        )
+
+
+def listed(region: Shape) -> Listed:
+    """Return a region as the compiled core takes it."""
+    parts: list[Shape] = []
+    steps: list[int] = []
+    region._listed(parts, steps)
+    ellipses = [
+        (*part.center, part.radius, part.radius, 0.0)
+        if isinstance(part, Disc)
+        else (*part.center, part.a, part.b, part.angle)
+        for part in parts
+        if isinstance(part, Disc | Ellipse)
+    ]
+    polygons = (np.array(part.corners if isinstance(part, Polygon) else ()) for part in parts)
+    return Listed(np.array(ellipses).reshape(-1, 5), tuple(polygons), tuple(steps))
 
 
 def _point(name: str, value: Any) -> tuple[float, float]:

@@ -58,7 +58,8 @@ SECTIONS = [
             "lensfiles.instrument",
             "lensfiles.lens",
         ),
-        more="lensfiles.toml_files.LensFileError optics.wavefront.aplanatic.path optics.wavefront.aplanatic.expansion"
+        more="telescopes.hst telescopes.jwst telescopes.keck telescopes.subaru telescopes.vlt"
+        " lensfiles.toml_files.LensFileError optics.wavefront.aplanatic.path optics.wavefront.aplanatic.expansion"
         " optics.aperture.opening.Opening optics.aperture.opening.Rule optics.aperture.opening.degree_needed",
     ),
     Section(

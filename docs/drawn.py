@@ -23,6 +23,7 @@ HERE = Path(__file__).resolve().parent
 PAGE = HERE / "pictures.md"
 # Pages whose code and commands run from top to bottom in an empty folder.
 TUTORIALS = [HERE / f"start{field}.md" for field in ("", "-camera", "-class", "-depth", "-microscope", "-telescope")]
+TUTORIALS.append(HERE / "apertures.md")
 # A block of code, of commands or of a file named in its first line; a picture or a printed text that the build makes.
 _PARTS = re.compile(
     r"^```(?P<language>python|sh|toml)\n(?P<code>.*?)^```"

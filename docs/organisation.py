@@ -21,6 +21,7 @@ ORDER = [
     {"core"},
     {"special"},
     {"optics"},
+    {"telescopes"},
     {"methods"},
     {"blur"},
     {"measures"},

@@ -12,6 +12,7 @@ FOLDER = Path(__file__).resolve().parent / "_generated" / "thumbnails"
 SIZE = (480, 300)
 # Of each script the number of the figure and that of its axes.
 PANELS = {
+    "aperture_mask": (1, 1),
     "apertures": (1, 7),
     "beads": (1, 2),
     "camera_field": (1, 0),
@@ -27,6 +28,7 @@ PANELS = {
     "field_blur": (1, 1),
     "fit_defocus": (1, 0),
     "hubble": (1, 0),
+    "large_telescopes": (1, 1),
     "motorcycle": (1, 1),
     "pixel_averages": (1, 6),
     "polarised": (1, 3),
@@ -34,6 +36,7 @@ PANELS = {
     "scanning": (1, 0),
     "seeing": (1, 2),
     "three_stars": (1, 0),
+    "webb": (1, 2),
     "white_light": (1, 3),
     "zernike_pyramid": (1, 11),
     "zernike_terms": (1, 8),

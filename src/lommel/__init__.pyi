@@ -17,6 +17,7 @@ from lommel import (
     show as show,
     special as special,
     stacks as stacks,
+    telescopes as telescopes,
 )
 from lommel.channel_psf import ColourPSF as ColourPSF, colour_psf as colour_psf
 from lommel.core.answers import ToleranceError as ToleranceError
@@ -77,7 +78,6 @@ from lommel.optics.aperture.shapes import (
     Shape as Shape,
     Spider as Spider,
 )
-from lommel.optics.aperture import telescopes as telescopes
 from lommel.optics.aperture.apodization import Apodization as Apodization
 from lommel.optics.colour.spectrum import Channels as Channels
 from lommel.optics.colour.dispersion import Colour as Colour

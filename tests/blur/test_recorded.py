@@ -209,7 +209,6 @@ def test_out_is_filled_and_plans_answer_as_psf_does():
 
 @pytest.mark.parametrize("shape", ["vanes", "mask"])
 def test_any_aperture_is_spread_without_a_bound(shape):
-    pytest.importorskip("finufft")
     parts = {
         "vanes": {"spider": lm.Spider.equal(3, width=0.1), "obscuration": 0.2},
         "mask": {"mask": lm.Mask(np.hypot(*np.mgrid[-1:1:64j, -0.9:1:64j]) < 0.8)},

@@ -206,7 +206,6 @@ def test_what_narrows_an_aperture_counts_in_every_average(name):
 
 
 def test_the_strehl_ratio_behind_vanes_is_the_value_on_the_axis():
-    pytest.importorskip("finufft")
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}), **APERTURES["vanes"])
     image = lm.psf(pupil, 1, 0.1, method=lm.NonuniformFFT(1e-11), normalize="strehl")
     assert float(lm.strehl(pupil)) == pytest.approx(float(image.values[0, 0]), rel=1e-9)

@@ -155,8 +155,6 @@ def test_the_contrast_of_a_lens_in_focus_on_a_sensor():
 @pytest.mark.parametrize("options", ["round", "coma", "vanes", "blurred", "white", "mask"])
 @pytest.mark.parametrize("pixel", [0.3, 0.5, 1.0, 2.0, 5.0])
 def test_contrast_does_not_alias_whatever_the_pixel(pixel, options):
-    if options in ("vanes", "mask"):
-        pytest.importorskip("finufft")
     pupil = {
         "coma": camera(coma=1.0),
         "vanes": lm.Pupil(spider=lm.Spider.equal(3, width=0.02), wavelength=LAMBDA, f_number=F_NUMBER),
@@ -212,7 +210,6 @@ def test_a_star_in_seeing_has_its_light_beyond_the_window():
 
 
 def test_vanes_and_seeing_answer_far_out():
-    pytest.importorskip("finufft")
     vanes = lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(4, width=0.02), wavelength=600e-9, f_number=8.0)
     air = lm.Seeing.from_fwhm(0.4 * math.pi / 648000, focal_length=8.0, wavelength=600e-9)
     model = ImageModel(vanes, lm.NonuniformFFT(1e-5), (air,))
@@ -304,7 +301,6 @@ def test_nor_does_it_for_any_defocus_and_pixel(defocus, pixel, eps):
 
 
 def test_a_vane_of_a_billionth_changes_nothing():
-    pytest.importorskip("finufft")
     plain, vane = (
         lm.psf(lm.Pupil(lm.Wavefront(1.0), spider=s, wavelength=LAMBDA, f_number=F_NUMBER), 33, 2e-6)
         for s in (None, lm.Spider.equal(2, width=1e-9))

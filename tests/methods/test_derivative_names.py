@@ -195,7 +195,6 @@ def test_what_a_pupil_lacks_is_said_and_where_to_get_it(name):
     ],
 )
 def test_of_other_apertures_there_are_none(more):
-    pytest.importorskip("finufft")
     for name in ("defocus", (3, 1), "row"):
         with pytest.raises(ValueError, match=r"round apertures only; with a spider, .* take differences"):
             lm.psf(lm.Pupil(**more), 9, 0.5, derivatives=(name,))

@@ -448,7 +448,7 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
         if segments := stop["segments"]:
             phases = f", pistons {number(stop['piston_rms_waves'])} waves rms" if stop["piston_rms_waves"] else ""
             rows.append(("segments", f"{segments}{phases}"))
-        rows.append(("made of", ", ".join(kinds)))
+        rows.append(("aperture", f"made of {', '.join(kinds)}"))
     if spider is not None:
         angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
         width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])

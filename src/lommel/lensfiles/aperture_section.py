@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, PlainValidator, ValidationInfo, field_validator, model_validator
 
+from lommel import telescopes
 from lommel.base import optional, reading, validation
 from lommel.base.encoding import to_light
 from lommel.base.units import parse_length
@@ -18,7 +19,6 @@ from lommel.io import fits_images
 from lommel.io.photos import PhotoError, read_raster
 from lommel.io.registry import Values
 from lommel.lensfiles.toml_files import Angle, Length, MadeSection, Number, Section, Toml, finite, read_beside
-from lommel.optics.aperture import telescopes
 from lommel.optics.aperture.mask import MAX_SIDE, Mask
 from lommel.optics.aperture.shapes import MAX_VANES, CatEye, Disc, Ellipse, Polygon, Segments, Shape, Spider
 
@@ -225,7 +225,7 @@ class _Segments(Section):
                     f"aperture.segments.{what}: must have one row for each of {len(segments.shapes)} segments, "
                     f"got {len(part)}"
                 )
-        return segments.phased(**{name: 2.0 * math.pi * np.asarray(part) for name, part in given.items()})
+        return segments.phased(*(given.get(name, 0.0) for name in _PHASES), unit="waves")
 
 
 _PHASES = ("piston", "tip", "tilt")

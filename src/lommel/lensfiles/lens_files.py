@@ -294,7 +294,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     from the folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``,
     all positions see this aperture, but for what ``[field.vignetting]`` hides.
 
-    Other shapes: ``telescope``, the name of one of :mod:`lommel.telescopes`; ``[aperture.segments]`` with rings, gap,
+    Other shapes: ``telescope``, the name of one of ``lommel.telescopes``; ``[aperture.segments]`` with rings, gap,
     middle and angle of :meth:`lommel.Segments.hexagonal`, and their phases in waves at the wavelength of the lens,
     lists piston, tip and tilt (at the edge of the aperture, from the centre of the segment), or file, a text file
     beside the lens file with a line of one or three numbers for each segment. Of all that, light passes where any

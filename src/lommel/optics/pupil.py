@@ -55,7 +55,7 @@ class Pupil(BasePupil):
         Transmission of amplitude and phase sampled over the aperture; the pupil function is then that of its samples.
     stop : Shape or Segments, optional
         Where light passes, if that is not the disc: a shape, or segments with phases of their own, which are paths in
-        other light. What is outside of the disc is not used. :mod:`lommel.telescopes` has those of telescopes.
+        other light. What is outside of the disc is not used. ``lommel.telescopes`` has those of telescopes.
     colour : PupilColour, optional
         Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
 

@@ -150,7 +150,9 @@ def _few(pupil: BasePupil, ax: Axes | None) -> Across:
     only_single(ax, pupil.shape)
     count = math.prod(pupil.shape)
     at_most(pupil.shape)
-    return across(pupil, _SIDE if count < 9 else _SIDE // 2)
+    # Vanes and gaps are narrow.
+    side = _SIDE if pupil.circular else 2 * _SIDE
+    return across(pupil, side if count < 9 else side // 2)
 
 
 def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> Any:

@@ -81,3 +81,29 @@ def test_sampled_pupils_have_the_phases(method):
     exact = lm.psf(pupil, 33, 0.5)
     assert lm.peak_error(lm.psf(pupil, 33, 0.5, method=method), exact) < 0.02
     assert lm.peak_error(lm.psf(lm.Pupil(stop=SIX), 33, 0.5), exact) > 0.2
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".npy", ".tif", ".fits", ".h5", ".mat", ".raw", ".png"])
+@pytest.mark.parametrize(
+    "stop", [PHASED - VANE, lm.telescopes.vlt(), lm.Disc() & lm.Ellipse(0.9, 0.5, 0.3, (0.1, 0.0))]
+)
+def test_files_keep_the_stop(suffix, stop, tmp_path):
+    psf = lm.psf(lm.Pupil(stop=stop, wavelength=1e-6, f_number=20.0), 9, 5e-6)
+    psf.save(tmp_path / f"star{suffix}")
+    again = lm.PSF.load(tmp_path / f"star{suffix}")
+    assert again.pupil == psf.pupil
+    np.testing.assert_allclose(again.values, psf.values, atol=2e-5 * psf.values.max())  # of the 16 bits of a picture
+
+
+def test_stacks_on_disk_keep_the_stop(tmp_path):
+    pupils = lm.Pupil(lm.Wavefront(defocus=[0.0, 1.0, 2.0]), stop=PHASED, wavelength=1e-6, f_number=20.0)
+    lm.psf_to(tmp_path / "stack.zarr", pupils, 9, 5e-6)
+    assert lm.open_stack(tmp_path / "stack.zarr")[1].pupil == pupils[1]
+
+
+def test_segments_are_drawn_with_their_phases():
+    axes = lm.Pupil(stop=SIX.phased([0.5, 0, 0, 0, 0, 0], unit="waves")).plot()
+    drawn = axes.images[0].get_array()
+    levels = np.unique(np.round(drawn.compressed() if np.ma.isMaskedArray(drawn) else drawn[~np.isnan(drawn)], 9))
+    assert np.ptp(levels) == pytest.approx(0.5)
+    assert len(levels) == 2

@@ -98,7 +98,8 @@ class Mask(EqualByContent):
             As of :class:`Mask`.
         oversample : int, default 1
             Each cell is the mean of so many points along each side, 1 to 64: its centre alone by default. Cells that
-            an edge crosses are then partly clear, which brings the PSF closer to that of the shape.
+            an edge crosses are then partly clear, which brings the PSF closer to that of the shape. Fractions of the
+            light (``normalize="energy"``) do not gain: light is the square of the mean amplitude of a cell.
 
         Raises
         ------

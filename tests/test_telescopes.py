@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.optics.aperture import telescopes
+from lommel import telescopes
 
 NAMES = sorted(telescopes.DIAMETERS)
 

@@ -125,8 +125,6 @@ def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[
     if not pupil.illumination.uniform:
         square, clear = x * x, np.abs(amplitude) > 0.0
         amplitude[clear] *= pupil.illumination.at((square[:, None] + square)[clear])
-    if pupil.segmented:
-        amplitude = amplitude * np.exp(1j * pupil.opening.phase(x[None, :], x[:, None]))
     wavefronts = pupil.wavefront.flattened()
     added = pupil.opening.phase(x[None, :], x[:, None]) if pupil.segmented else 0.0
     for i in range(wavefronts.shape[0]):

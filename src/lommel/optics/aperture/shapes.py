@@ -661,12 +661,14 @@ class Segments:
         turn = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
         phases = {"piston": piston, "tip": tip, "tilt": tilt}
         given = [validation.real_array(name, value) for name, value in phases.items()]
-        return Segments(self.shapes, *(np.broadcast_to(turn * part, len(self.shapes)).tolist() for part in given))
+        return Segments(
+            self.shapes, *(tuple(np.broadcast_to(turn * part, len(self.shapes)).tolist()) for part in given)
+        )
 
     def scaled(self, factor: float) -> Segments:
         """Return the same segments with phases times a `factor`; TypeError or ValueError if it is not finite."""
         by = validation.real("factor", factor)
-        return Segments(self.shapes, *([by * x for x in part] for part in (self.piston, self.tip, self.tilt)))
+        return Segments(self.shapes, *(tuple(by * x for x in part) for part in (self.piston, self.tip, self.tilt)))
 
     def __sub__(self, other: Shape) -> Segments:
         return self._cut(shape("other", other), _without)

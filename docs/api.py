@@ -58,7 +58,7 @@ SECTIONS = [
             "lensfiles.instrument",
             "lensfiles.lens",
         ),
-        more="telescopes.hst telescopes.jwst telescopes.keck telescopes.subaru telescopes.vlt"
+        more="telescopes.elt telescopes.hst telescopes.jwst telescopes.keck telescopes.subaru telescopes.vlt"
         " lensfiles.toml_files.LensFileError optics.wavefront.aplanatic.path optics.wavefront.aplanatic.expansion"
         " optics.aperture.opening.Opening optics.aperture.opening.Rule optics.aperture.opening.degree_needed",
     ),

@@ -58,6 +58,19 @@ def test_the_segments_of_webb_are_in_their_published_places():
     np.testing.assert_allclose(telescopes.jwst().centers, telescopes.jwst(vanes=False).centers)
 
 
+def test_the_elt_has_798_segments_within_its_published_width_and_hole():
+    diameter = telescopes.DIAMETERS["elt"]
+    segments = telescopes.elt(vanes=False)
+    assert len(segments.shapes) == len(telescopes.elt().shapes) == 798
+    assert area(segments, diameter) == pytest.approx(798 * 1.5 * math.sqrt(3.0) * 0.725**2, rel=1e-5)
+    corners = np.concatenate([part.corners for part in segments.shapes]) * 0.5 * diameter
+    # The construction proposal has 39.146 m between sides, and a hexagon of 9.4136 m in the middle.
+    assert 2 * corners[:, 1].max() == pytest.approx(39.146, rel=0.005)
+    assert 2 * np.hypot(*corners.T).min() == pytest.approx(9.4136, rel=0.02)
+    vanes = area(segments, diameter) - area(telescopes.elt(), diameter)
+    assert vanes == pytest.approx(6 * 0.4 * (19.5 - 4.9), rel=0.15)
+
+
 def test_keck_has_36_segments_of_0_9_m_and_its_published_area():
     diameter = telescopes.DIAMETERS["keck"]
     segments = lm.Segments.hexagonal(3, 0.003 / (0.5 * diameter))

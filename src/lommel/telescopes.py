@@ -1,4 +1,4 @@
-"""Apertures of telescopes from published dimensions: Hubble, James Webb, Keck, Subaru, VLT.
+"""Apertures of telescopes from published dimensions: ELT, Hubble, James Webb, Keck, Subaru, VLT.
 
 Each function returns a stop for :class:`lommel.Pupil` or :class:`lommel.Lens`, over the radius of its telescope's
 aperture; :data:`DIAMETERS` has that aperture in metres.
@@ -13,8 +13,45 @@ from operator import or_
 from lommel.base import validation
 from lommel.optics.aperture.shapes import Disc, Polygon, Segments, Shape
 
-DIAMETERS = {"hst": 2.4, "jwst": 6.603464, "keck": 10.9668, "subaru": 7.92, "vlt": 8.0}
+DIAMETERS = {"elt": 40.1758, "hst": 2.4, "jwst": 6.603464, "keck": 10.9668, "subaru": 7.92, "vlt": 8.0}
 """Diameter of the circle of each aperture, metres; of segmented mirrors that through their farthest corners."""
+
+
+def elt(*, vanes: bool = True) -> Segments:
+    """Return the aperture of the Extremely Large Telescope: 798 hexagons, corners cut, behind six vanes.
+
+    Parameters
+    ----------
+    vanes : bool, default True
+        Whether there are the vanes, 0.4 m wide, towards the corners that are cut.
+
+    Returns
+    -------
+    Segments
+        Over a radius of 20.09 m, that of the farthest corners; across the sides that are cut it is 39.05 m. Sides of
+        segments are parallel to x, 0.725 m long, 4 mm apart.
+
+    Raises
+    ------
+    TypeError
+        If `vanes` is not a truth value.
+
+    References
+    ----------
+    "The E-ELT Construction Proposal", European Southern Observatory (2011), figure 3.66, with the numbers of HCIPy,
+    E. Por et al., Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407. Later designs have wider vanes, and a
+    round stop at the secondary mirror.
+    """
+    radius = 0.5 * DIAMETERS["elt"]
+    pitch, size = (0.725 * math.sqrt(3.0) + 0.004) / radius, 0.725 / radius
+    # Rings 5 to 17, of which the corners are cut 15 rows from the axis.
+    places = [(a * math.sqrt(0.75), b + 0.5 * a, max(abs(a), abs(b), abs(a + b)))
+              for a in range(-17, 18) for b in range(-17, 18)]  # fmt: skip
+    rows = [(math.cos(t), math.sin(t)) for t in (math.pi / 6.0, math.pi / 2.0, 5.0 * math.pi / 6.0)]
+    kept = [(pitch * x, pitch * y) for x, y, ring in places
+            if 5 <= ring <= 17 and all(abs(x * c + y * s) < 15.25 for c, s in rows)]  # fmt: skip
+    segments = Segments(tuple(Polygon.regular(6, size, place) for place in kept))
+    return segments - _spokes(6, 0.4 / radius, math.pi / 6.0) if validation.truth("vanes", vanes) else segments
 
 
 def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
@@ -207,9 +244,9 @@ def _vaned(
     return Disc() - reduce(or_, blocked)
 
 
-def _spokes(count: int, width: float) -> Shape:
-    """Return so many vanes of a width from the axis, the first along x."""
-    turns = (2.0 * math.pi * k / count for k in range(count))
+def _spokes(count: int, width: float, first: float = 0.0) -> Shape:
+    """Return so many vanes of a width from the axis, the first at an angle."""
+    turns = (first + 2.0 * math.pi * k / count for k in range(count))
     return reduce(or_, (Polygon.strip((0.0, 0.0), (2.0 * math.cos(t), 2.0 * math.sin(t)), width) for t in turns))
 
 

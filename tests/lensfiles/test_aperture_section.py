@@ -198,7 +198,7 @@ def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
         ("[aperture.segments]\npiston = [0.1]\n", "segments needs rings or a telescope with segments"),
         ('[aperture]\ntelescope = "keck"\n[aperture.segments]\nrings = 2\n', "exactly one of them"),
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
-        ('[aperture]\ntelescope = "gtc"\n', "aperture.telescope (line 10): Input should be 'hst', 'jwst'"),
+        ('[aperture]\ntelescope = "gtc"\n', "aperture.telescope (line 10): Input should be 'elt', 'hst'"),
         ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston: must have one row for"),
         ("[aperture.segments]\nrings = 1\ngap = 0.7\n", "aperture.segments: gap must leave something"),
         ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file: must have one row"),

@@ -260,7 +260,7 @@ class ApertureSection(Section):
     ellipse: _Ellipse | None = None
     cat_eye: _CatEye | None = None
     mask: _Mask | None = None
-    telescope: Literal["hst", "jwst", "keck", "subaru", "vlt"] | None = None
+    telescope: Literal["elt", "hst", "jwst", "keck", "subaru", "vlt"] | None = None
     segments: _Segments | None = None
     clear: Annotated[list[_Part], Field(min_length=1)] | None = None
     blocked: Annotated[list[_Part], Field(min_length=1)] | None = None
@@ -269,9 +269,11 @@ class ApertureSection(Section):
     def _one_edge(self) -> ApertureSection:
         if self.ellipse is not None and self.cat_eye is not None:
             raise ValueError("takes one of ellipse and cat_eye, got both")
-        segmented = self.telescope in ("jwst", "keck")
+        segmented = self.telescope in ("elt", "jwst", "keck")
         if self.segments is not None and (self.segments.rings is None) != segmented:
-            raise ValueError("segments needs rings or a telescope with segments (jwst, keck): exactly one of them")
+            raise ValueError(
+                "segments needs rings or a telescope with segments (elt, jwst, keck): exactly one of them"
+            )
         if self.telescope is not None and not segmented and self.segments is not None:
             raise ValueError(f"takes one of segments and telescope, got telescope = {self.telescope!r}")
         return self

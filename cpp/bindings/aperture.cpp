@@ -107,7 +107,8 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
 void bindings::define_aperture(nb::module_& m) {
     nb::class_<lommel::RowRule>(m, "RowRule", "Quadrature over a region of ellipses and convex polygons within the unit disc.")
         .def_prop_ro("nodes", &nodes, nb::rv_policy::move, "x, y and weight of each node, shape (3, nodes).")
-        .def_prop_ro("weight", &lommel::RowRule::weight, "The sum of the weights: the area over pi.");
+        .def_prop_ro("weight", &lommel::RowRule::weight, "The sum of the weights: the area over pi.")
+        .def_prop_ro("lost", &lommel::RowRule::lost, "Bound on what misplaced edges do to integrals of what is at most 1.");
     m.def("row_rule", &row_rule, "ellipses"_a, "corners"_a, "counts"_a, "steps"_a, "degree"_a, "error"_a,
           "Return a rule that is off by at most an error for polynomials that are at most 1 on the unit disc.");
     m.def("row_samples", &row_samples, "y"_a, "counts"_a, "x"_a, "weights"_a, "phase"_a, "Return samples as such a rule.");

@@ -353,7 +353,10 @@ def pixel_values(
 
 
 RowRule = _core.RowRule
-"""Quadrature over a region of ellipses and polygons: `nodes`, shape (3, n), x, y and weight; `weight`, their sum."""
+"""Quadrature over a region of ellipses and polygons: `nodes`, shape (3, n), x, y and weight; `weight`, their sum.
+
+`lost` bounds what edges that are misplaced by rounding do to integrals of what is at most 1.
+"""
 
 
 def row_rule(
@@ -399,7 +402,7 @@ def row_images(
 ) -> tuple[Array, Array, Array]:
     """Return intensities (n, h, w), derivatives by the terms of `wanted` (k, n, h, w), and what sums lose of U (n,).
 
-    Of pupils on regions with `phases` (regions, 3), constant and by x and y; sums lose about `precision` of the weight.
+    Of pupils on regions with `phases` (regions, 3), constant and by x and y; sums lose about `precision` of weights.
     """
     count, factors = len(stack.edge), np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
     values, slopes, lost = (

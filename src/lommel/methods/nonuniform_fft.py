@@ -26,14 +26,14 @@ _SUMS = 0.25  # of the error of U, what sums may lose
 class NonuniformFFT(Method[Pupil]):
     r"""Gauss quadrature along the rows of the clear aperture, transformed onto the pixels by two non-uniform FFTs.
 
-    Supports every pupil of a lens: any wavefront, spiders, vignetting, stops of any shape, segments, masks, apodization.
+    Supports all pupils of a lens: any wavefront, spiders, vignetting, stops of any shape, segments, masks, apodized.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Bound on ``max|I - I_exact| / max I``, 1e-12 to below 0.1; max I is the largest value in the window, or what is
-        found on a coarse lattice over the whole blur. It is a contract: :class:`ToleranceError` is raised if the bound
-        cannot be brought below it. A mask is the sum of its samples.
+        Bound on ``max|I - I_exact| / max I``, 1e-12 to below 0.1; max I is the largest value in the window, or that
+        found on a coarse lattice over the whole blur. It is a contract: :class:`ToleranceError` is raised if it
+        cannot be met. A mask is the sum of its samples.
 
     Raises
     ------
@@ -45,9 +45,8 @@ class NonuniformFFT(Method[Pupil]):
     Lines of constant y cut the aperture in intervals. Gauss-Legendre rules along these, and across them between the
     places where edges meet, are off by a proven amount for every polynomial of a degree that is at most 1 on the unit
     disc; and a polynomial of that degree is proven to be close to the integrand there
-    (:func:`lommel.optics.aperture.opening.degree_needed`). Waves of the nodes of a row are added to a fine grid by the
-    taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of the kernel
-    and all roundings are bounded too. Derived in docs/certificate.md. Averages over pixels filter finer samples.
+    (:func:`lommel.optics.aperture.opening.degree_needed`). Waves of the nodes of a row are added to a fine grid by
+    the taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of it and all roundings are bounded too. Derived in docs/certificate.md. Averages over pixels filter finer samples.
 
     References
     ----------
@@ -139,6 +138,7 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     factor = max((n for n, _ in wanted.terms), default=0)
     if pupil.mask is None:
         phases = pupil.opening.phases
+        phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
         reach += float(np.hypot(phases[:, 1], phases[:, 2]).max())
         # Polynomials close to the integrand are at most 1 + aim by size, and so twice as far off.

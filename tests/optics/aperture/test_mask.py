@@ -1,11 +1,53 @@
-"""Masks sampled with several points in each cell."""
+"""Masks: where their samples lie, what they keep, and what is refused."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 import pytest
 
 import lommel as lm
+from lommel import Mask, Pupil
+
+
+def test_the_rows_of_a_mask_rise_with_y_and_its_columns_with_x():
+    mask = Mask([[0.1, 0.2], [0.3, 0.4]])
+    pupil = Pupil(mask=mask)
+    assert pupil.values([-0.5, 0.5, -0.5, 0.5], [-0.5, -0.5, 0.5, 0.5])[0].real.tolist() == [0.1, 0.2, 0.3, 0.4]
+    assert mask.at(np.array([-1.0, 1.0, 1.001]), np.array([-1.0, 1.0, 0.0])).tolist() == [0.1, 0.4, 0.0]
+    assert np.array_equal(Mask.sample(lambda x, y: 0.25 + 0.1 * (x > 0) + 0.2 * (y > 0), 2).values.round(3),
+                          [[0.25, 0.35], [0.45, 0.55]])  # fmt: skip
+
+
+def test_a_mask_keeps_values_of_its_own():
+    values = np.ones((3, 3))
+    mask = Mask(values)
+    values[:] = 0.0
+    assert mask.values.min() == 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        mask.values[0, 0] = 0.5
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "message"),
+    [
+        (lambda: Mask(np.zeros((4, 4))), ValueError, "values must not be 0 throughout"),
+        (lambda: Mask([[0.0, math.nan], [1.0, 1.0]]), ValueError, "values must be finite and >= 0, got nan"),
+        (lambda: Mask([[0.0, 1.01], [1.0, 1.0]]), ValueError, "values must have a modulus from 0 to 1, got 1.01"),
+        (lambda: Mask([[0.0, -0.1], [1.0, 1.0]]), ValueError, "values must be finite and >= 0, got -0.1"),
+        (lambda: Mask(np.ones((3, 4))), ValueError, r"values must be a square array .* got shape \(3, 4\)"),
+        (lambda: Mask(np.ones(9)), ValueError, r"values must be a square array .* got shape \(9,\)"),
+        (lambda: Mask([["a", "b"], ["c", "d"]]), TypeError, "values must hold real numbers"),
+        (lambda: Mask.sample(3, 8), TypeError, "function must be callable, got 3"),
+        (lambda: Mask.sample(lambda x, y: x, 1), ValueError, "side must be from 2 to 8192, got 1"),
+        (lambda: Mask(np.full((2, 2), 1.1j)), ValueError, "values must have a modulus from 0 to 1, got 1.1"),
+        (lambda: Mask([[1j, math.nan], [0, 0]]), ValueError, "values must be finite"),
+    ],
+)  # fmt: skip
+def test_what_is_no_mask_is_refused(make, error, message):
+    with pytest.raises(error, match=message):
+        make()
 
 
 def test_cells_are_means_of_their_points():

@@ -30,8 +30,11 @@ struct ComplexDisc {
     }
     friend ComplexDisc operator*(std::complex<double> a, ComplexDisc b) { return {a * b.centre, modulus(a) * b.radius}; }
     friend ComplexDisc operator*(double a, ComplexDisc b) { return {a * b.centre, std::abs(a) * b.radius}; }
-    // The principal root, for discs without 0.
+    // The principal root, which in discs that hold 0 is not continuous.
     ComplexDisc root() const {
+        if (modulus(centre) <= radius) {
+            return {0.0, std::sqrt(largest())};
+        }
         const double size = modulus(centre), re = std::sqrt(0.5 * std::max(0.0, size + centre.real()));
         const double im = std::sqrt(0.5 * std::max(0.0, size - centre.real()));
         return {{re, centre.imag() < 0.0 ? -im : im}, std::sqrt(size) - std::sqrt(std::max(0.0, size - radius))};
@@ -61,8 +64,9 @@ void each_corner(double eta, const At& at) {
 
 // The fewest nodes of a rule on [-1, 1] for an error, and whether singularities stood in the way of fewer. largest(eta, limit) bounds
 // the logarithm of a function on the ellipse around it with semi-axes cosh eta and sinh eta: from 1e300 on where there is no bound,
-// and where it is certainly above the limit (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3). What is
-// needed has one minimum over ln eta but for the slack of the bounds; it is sought downhill.
+// and where it is certainly above the limit (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, whose 64/15
+// holds from two nodes on, and 16/3 of one). What is needed has one minimum over ln eta but for the slack of the bounds; it is
+// sought downhill.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -71,7 +75,7 @@ struct GaussNodes {
     GaussNodes(double error, const Largest& largest) : count(none) {
         constexpr int etas = 16, patience = 2;
         const auto needed = [&](int k) {
-            const double eta = 0.02 * std::pow(1.5, k), known = std::log(64.0 / 15.0 / -std::expm1(-2.0 * eta) / error);
+            const double eta = 0.02 * std::pow(1.5, k), known = std::log(16.0 / 3.0 / -std::expm1(-2.0 * eta) / error);
             const double most = largest(eta, 2.0 * eta * count - known);
             return most < 1e300 ? std::max(1.0, std::ceil((known + most) / (2.0 * eta))) : none;
         };
@@ -170,7 +174,7 @@ class PanelMap {
                    linear(far / half, eta, s, std::sqrt(std::max(far, 0.0)), value);
         }
         const ComplexDisc u = 0.5 * (ComplexDisc{1.0, 0.0} + s);
-        if (near < 1e-13) {
+        if (near <= 0.0) {
             value = std::sqrt(length_) * u;
         } else {
             const std::complex<double> at(-1.0, 2.0 * std::sqrt(near / length_));
@@ -297,7 +301,7 @@ class SpanNodes {
                     const std::complex<double> x = middle + reach * s;
                     sum = std::max(sum, modulus(x - 1.0) + modulus(x + 1.0));
                 });
-                return degree_ * std::acosh(0.5 * sum) + 1e-9;
+                return degree_ * std::acosh(0.5 * sum) + 1e-8;
             });
             known = std::min(static_cast<std::size_t>(most.count),
                              static_cast<std::size_t>(0.5 * degree_) + 1);  // exact from there on
@@ -312,7 +316,7 @@ class SpanNodes {
     }
     static std::size_t cell(double x, bool up) {
         const double at = std::acos(std::min(1.0, std::max(-1.0, -x))) / 3.14159265358979323846 * (cells - 1);
-        return static_cast<std::size_t>(std::min<double>(cells - 1, up ? std::ceil(at - 1e-9) : std::floor(at + 1e-9)));
+        return static_cast<std::size_t>(std::min<double>(cells - 1, up ? std::ceil(at) : std::floor(at)));
     }
 
     double degree_, error_;

@@ -36,7 +36,9 @@ class ZernikeSum {
             const std::size_t k = static_cast<std::size_t>((terms[j].n - std::abs(terms[j].m)) / 2);
             order.terms.resize(std::max(order.terms.size(), k + 1));
             (terms[j].m < 0 ? order.terms[k].sine : order.terms[k].cosine) += edge[j];
+            const double n = terms[j].n;
             size_ += std::abs(edge[j]);
+            rounding_ += std::abs(edge[j]) * (6.0 * n * n + 8.0 * n + 8.0);
             ++count_;
         }
         for (std::size_t m = 0; m < orders_.size(); ++m) {
@@ -53,8 +55,10 @@ class ZernikeSum {
         }
     }
 
-    double size() const { return size_; }                             // of the sum, at most
-    double terms() const { return static_cast<double>(count_ + 2 * orders_.size()); }
+    double size() const { return size_; }  // of the sum, at most
+    // Bound on the error of the sum, in units of roundoff: a term changes by at most n^2 times the distance between two points
+    // (Markov's inequality on discs), of which x and y are off by a few roundings, and x^2 + y^2 too; recurrences lose no more.
+    double rounding() const { return rounding_ + static_cast<double>(count_ + 2 * orders_.size()) * size_; }
 
     template <class V>
     LOMMEL_INLINE V at(V x, V y) const {
@@ -87,7 +91,7 @@ class ZernikeSum {
         std::vector<Term> terms;
     };
     std::vector<Order> orders_;
-    double size_ = 0.0;
+    double size_ = 0.0, rounding_ = 0.0;
     std::size_t count_ = 0;
 };
 
@@ -117,6 +121,8 @@ class RowField {
                       {region.phase[0], region.phase[1] - window.step * half_x_, region.phase[2] - window.step * half_y_}};
             turned_ = std::max(turned_, std::abs(turn.phase[0]) + std::abs(turn.phase[1]) + std::abs(turn.phase[2]));
             weight_ += region.rule->weight();
+            lost_ += region.rule->lost();
+            samples_ = std::max(samples_, region.rule->largest_phase());
             for (const RowRule::Row& row : region.rule->rows()) {
                 rows_.push_back({&row, turns_.size()});
                 longest_ = std::max(longest_, row.count);
@@ -181,12 +187,13 @@ class RowField {
         });
         const double first = across_->error(static_cast<double>(along_)),
                      second = down_->error(static_cast<double>(across_rows_));
-        // Phases are sums of terms and of tilts, products of these and of what they are added to; places are off by two roundings,
+        // Phases are sums of terms, of tilts and of those of samples, and off by what these are; places are off by two roundings,
         // which turn the waves at the corners; a weight by eight, light by its exponent's.
         const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
                                                static_cast<double>(window_.width) + std::abs(half_x_));
-        const double turned = (phase.terms() + 8.0) * phase.size() + 8.0 * turned_ + 4.0 * reach + light.sensitivity() + 16.0;
-        return weight_ * (first + second + first * second + unit_roundoff * turned);
+        const double turned = phase.rounding() + 4.0 * phase.size() + 8.0 * turned_ + 4.0 * samples_ + 4.0 * reach +
+                              light.sensitivity() + 16.0 + (factor == nullptr ? 0.0 : factor->rounding());
+        return lost_ + weight_ * (first + second + first * second + unit_roundoff * turned);
     }
 
    private:
@@ -237,7 +244,7 @@ class RowField {
     std::vector<Turn> turns_;
     std::vector<Row> rows_;
     std::size_t longest_ = 0, along_ = 0, across_rows_ = 0;
-    double half_y_ = 0.0, half_x_ = 0.0, turned_ = 0.0, weight_ = 0.0;
+    double half_y_ = 0.0, half_x_ = 0.0, turned_ = 0.0, samples_ = 0.0, weight_ = 0.0, lost_ = 0.0;
 };
 
 }  // namespace lommel

@@ -28,8 +28,7 @@ inline void row_images(const std::vector<PhasedRule>& regions, const std::vector
         for (std::size_t j = 0; j < factors.size(); ++j) {
             const double one = 1.0;
             const ZernikeSum factor({factors[j]}, &one);
-            losses[p] =
-                std::max(losses[p], field.sum(phase, light, &factor, threads, g) + 8.0 * unit_roundoff * (factors[j].n + 4.0));
+            losses[p] = std::max(losses[p], field.sum(phase, light, &factor, threads, g));
             // U' = i G, and I' = 2 Re(conj(U) U').
             double* const slope = slopes + (j * pupils + p) * pixels;
             for (std::size_t i = 0; i < pixels; ++i) {

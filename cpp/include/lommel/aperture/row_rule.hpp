@@ -16,6 +16,7 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
+#include "lommel/limits.hpp"
 #include "lommel/special/legendre.hpp"
 
 namespace lommel {
@@ -58,7 +59,10 @@ class RowRule {
     const Doubles& x() const { return x_; }
     const Doubles& weights() const { return weights_; }
     double weight() const { return weight_; }  // their sum
+    // Bound on what edges do that are not where they should be, by rounding, to integrals of what is at most 1.
+    double lost() const { return lost_; }
     const Doubles& phase() const { return phase_; }  // of samples, or nothing
+    double largest_phase() const { return largest_phase_; }
     std::size_t panels() const { return panels_; }
     std::size_t bytes() const { return sizeof(Row) * rows_.capacity() + 8 * (x_.capacity() + weights_.capacity()); }
 
@@ -76,7 +80,11 @@ class RowRule {
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);
+    static double misplaced(const Side& side, double y);
     void finish() {
+        for (const double p : phase_) {
+            largest_phase_ = std::max(largest_phase_, std::abs(p));
+        }
         for (const double w : weights_) {
             weight_ += w;
         }
@@ -88,7 +96,7 @@ class RowRule {
 
     std::vector<Row> rows_;
     Doubles x_, weights_, phase_;
-    double weight_ = 0.0;
+    double weight_ = 0.0, lost_ = 0.0, largest_phase_ = 0.0;
     std::size_t panels_ = 0;
     std::map<std::size_t, std::shared_ptr<const GaussRule>> gauss_;
     SpanNodes spans_;
@@ -134,22 +142,38 @@ LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, d
 }
 
 LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
-    const std::vector<double> heights = region.heights();
+    // What is the same but for rounding becomes one height: between them rows of 2 at most are gained or lost.
+    constexpr double same = 4e-15, pi = 3.14159265358979323846;
+    std::vector<double> heights;
+    for (const double y : region.heights()) {
+        if (heights.empty() || y - heights.back() >= same) {
+            heights.push_back(y);
+        } else {
+            lost_ += 2.0 / pi * (y - heights.back());
+        }
+    }
     for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
         look();
         const double low = heights[k], high = heights[k + 1];
-        if (!(high - low > 1e-14)) {
-            continue;
-        }
         Panel panel{low, high, 0, clear_spans(region, 0.5 * (low + high))};
         if (panel.spans.empty()) {
             continue;
         }
         bool roots[2] = {false, false};
-        for (const auto& span : panel.spans) {
-            for (const Side& side : span) {
-                roots[0] = roots[0] || (side.k != 0.0 && std::abs(side.low - low) < 1e-13);
-                roots[1] = roots[1] || (side.k != 0.0 && std::abs(side.high - high) < 1e-13);
+        for (auto& span : panel.spans) {
+            for (Side& side : span) {
+                // An arc that begins at the end of a panel is moved to begin there exactly.
+                const double below = side.low - low, above = side.high - high;
+                if (side.k != 0.0 && std::abs(below) < 2.0 * same) {
+                    side.low = low;
+                    roots[0] = true;
+                    lost_ += 2.0 / pi * std::abs(below);
+                }
+                if (side.k != 0.0 && std::abs(above) < 2.0 * same) {
+                    side.high = high;
+                    roots[1] = true;
+                    lost_ += 2.0 / pi * std::abs(above);
+                }
             }
         }
         const double share = 0.25 * error / static_cast<double>(heights.size());
@@ -189,12 +213,13 @@ LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error
 LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int depth) {
     const int root = panel.root;
     const GaussNodes whole = needed(panel, degree, error);
-    if (whole.blocked && whole.count > few && depth < 40) {
+    if (whole.blocked && whole.count > few && depth < 64) {
         const double middle = 0.5 * (panel.low + panel.high);
         const Panel first{panel.low, middle, std::min(root, 0), panel.spans},
             second{middle, panel.high, std::max(root, 0), panel.spans};
         Panel tried[2] = {first, second};
-        if (needed(tried[0], degree, 0.5 * error).count + needed(tried[1], degree, 0.5 * error).count < 0.9 * whole.count) {
+        const double halves = needed(tried[0], degree, 0.5 * error).count + needed(tried[1], degree, 0.5 * error).count;
+        if (whole.count >= GaussNodes::none || halves < 0.9 * whole.count) {
             split(first, degree, 0.5 * error, depth + 1);
             split(second, degree, 0.5 * error, depth + 1);
             return;
@@ -204,6 +229,20 @@ LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int de
         throw LimitExceeded("the edges of the aperture cannot be resolved");
     }
     fill(panel, static_cast<std::size_t>(whole.count));
+}
+
+// How far a side may be from where it should be at y, by roundings of itself, of y, and of where it begins and ends.
+LOMMEL_ONCE double RowRule::misplaced(const Side& side, double y) {
+    const double below = std::max(0.0, y - side.low), above = std::max(0.0, side.high - y);
+    const double root = side.k == 0.0 ? 0.0 : std::abs(side.k) * std::sqrt(below * above);
+    const double off = unit_roundoff * (4.0 + std::abs(side.low) + std::abs(side.high));
+    // sqrt(d + off) - sqrt(d) is at most off / sqrt(d), and sqrt(off).
+    const auto moved = [&](double d, double other) {
+        return std::abs(side.k) * std::sqrt(other) * std::min(std::sqrt(off), off / std::sqrt(d + 1e-300));
+    };
+    const double arcs = side.k == 0.0 ? 0.0 : moved(below, above + off) + moved(above, below + off);
+    return arcs + unit_roundoff * (2.0 * std::abs(side.p) + 4.0 * std::abs(side.q * (y - side.origin)) +
+                                   4.0 * std::abs(side.q) + 6.0 * root);
 }
 
 LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
@@ -217,7 +256,9 @@ LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
         const std::size_t first = x_.size();
         for (const auto& span : panel.spans) {
             const double low = span[0].at(y), high = span[1].at(y), middle = 0.5 * (low + high), reach = 0.5 * (high - low);
+            lost_ += weight * (misplaced(span[0], y) + misplaced(span[1], y));
             if (!(reach > 0.0)) {
+                lost_ -= weight * 2.0 * reach;
                 continue;  // by rounding, at an end of the panel
             }
             const GaussRule& inner = gauss(spans_(low, high, half));

@@ -54,17 +54,19 @@ class Part {
     static std::vector<Point> crossings(const Part& a, const Part& b);
 
    private:
-    double square(Point at) const {  // 1 on an ellipse
-        const double u = at.x - centre_.x, v = at.y - centre_.y;
-        return u * (xx_ * u + 2.0 * xy_ * v) + yy_ * v * v;
+    // Of a vector from the centre: 1 on an ellipse.
+    double square(double x, double y) const {
+        const double u = (cosine_ * x + sine_ * y) / a_, v = (cosine_ * y - sine_ * x) / b_;
+        return u * u + v * v;
     }
+    double square(Point at) const { return square(at.x - centre_.x, at.y - centre_.y); }
     Point end(std::size_t i) const { return points_[(i + 1) % points_.size()]; }
     static void cross_round(const Part& a, const Part& b, std::vector<Point>& found);
     static void cross_line(const Part& a, Point p, Point q, std::vector<Point>& found);
 
     std::vector<Point> points_;  // none of an ellipse
     Point centre_{0.0, 0.0};
-    double ax_ = 0.0, ay_ = 0.0, bx_ = 0.0, by_ = 0.0, xx_ = 0.0, xy_ = 0.0, yy_ = 0.0, size_ = 0.0;
+    double a_ = 0.0, b_ = 0.0, cosine_ = 1.0, sine_ = 0.0, ax_ = 0.0, ay_ = 0.0, bx_ = 0.0, by_ = 0.0;
     double low_ = 0.0, high_ = 0.0;
 };
 
@@ -89,7 +91,7 @@ class Region {
         inside_ = inside;
         return clear();
     }
-    // The values of y, rising, at which the number of intervals or one of their sides changes.
+    // The values of y, rising, at which the number of intervals or one of their sides changes; some may be the same.
     std::vector<double> heights() const;
 
    private:
@@ -112,10 +114,10 @@ LOMMEL_ONCE Part Part::ellipse(Point centre, double a, double b, double angle) {
     part.ay_ = a * s;
     part.bx_ = -b * s;
     part.by_ = b * c;
-    part.xx_ = c * c / (a * a) + s * s / (b * b);
-    part.xy_ = c * s * (1.0 / (a * a) - 1.0 / (b * b));
-    part.yy_ = s * s / (a * a) + c * c / (b * b);
-    part.size_ = std::min(a, b);
+    part.a_ = a;
+    part.b_ = b;
+    part.cosine_ = c;
+    part.sine_ = s;
     const double half = std::hypot(part.ay_, part.by_);
     part.low_ = centre.y - half;
     part.high_ = centre.y + half;
@@ -143,7 +145,7 @@ LOMMEL_ONCE Part Part::polygon(std::vector<Point> points) {
 
 LOMMEL_ONCE double Part::outside(Point at) const {
     if (round()) {
-        return 0.5 * size_ * (square(at) - 1.0);
+        return 0.5 * std::min(a_, b_) * (square(at) - 1.0);
     }
     double most = -1e300;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -157,9 +159,10 @@ LOMMEL_ONCE double Part::outside(Point at) const {
 LOMMEL_ONCE std::array<Side, 2> Part::sides(double y) const {
     std::array<Side, 2> both;
     if (round()) {
-        const double half = 0.5 * (high_ - low_), rise = std::sqrt(xx_ * yy_ - xy_ * xy_) / xx_;
+        // y = ay cos t + by sin t; middles of chords lie on a line from the bottom to the top.
+        const double square = ay_ * ay_ + by_ * by_, lean = (ax_ * ay_ + bx_ * by_) / square, rise = a_ * b_ / square;
         for (std::size_t i = 0; i < 2; ++i) {
-            both[i] = {centre_.x, -xy_ / xx_, centre_.y, i == 0 ? -rise : rise, centre_.y - half, centre_.y + half};
+            both[i] = {centre_.x, lean, centre_.y, i == 0 ? -rise : rise, low_, high_};
         }
         return both;
     }
@@ -177,7 +180,7 @@ LOMMEL_ONCE std::vector<Point> Part::turning() const {
         return points_;
     }
     const double t = std::atan2(by_, ay_);
-    return {on(t), on(t + 3.14159265358979323846)};
+    return {{on(t).x, high_}, {on(t + 3.14159265358979323846).x, low_}};
 }
 
 LOMMEL_ONCE std::vector<Point> Part::crossings(const Part& a, const Part& b) {
@@ -186,7 +189,9 @@ LOMMEL_ONCE std::vector<Point> Part::crossings(const Part& a, const Part& b) {
         return found;
     }
     if (a.round() && b.round()) {
-        cross_round(a, b, found);
+        // Along the smaller of the two the square of the larger one is known best.
+        const bool small = std::max(a.a_, a.b_) <= std::max(b.a_, b.b_);
+        cross_round(small ? a : b, small ? b : a, found);
     } else if (a.round() || b.round()) {
         const Part &disc = a.round() ? a : b, &other = a.round() ? b : a;
         for (std::size_t i = 0; i < other.points_.size(); ++i) {
@@ -213,10 +218,11 @@ LOMMEL_ONCE std::vector<Point> Part::crossings(const Part& a, const Part& b) {
 
 LOMMEL_ONCE void Part::cross_line(const Part& a, Point p, Point q, std::vector<Point>& found) {
     const double dx = q.x - p.x, dy = q.y - p.y, x = p.x - a.centre_.x, y = p.y - a.centre_.y;
-    const double two = a.xx_ * dx * dx + 2.0 * a.xy_ * dx * dy + a.yy_ * dy * dy;
-    const double one = a.xx_ * x * dx + a.xy_ * (x * dy + y * dx) + a.yy_ * y * dy;
-    // The least of the square along the line, less 1, without cancellation.
-    const double across = x * dy - y * dx, least = (a.xx_ * a.yy_ - a.xy_ * a.xy_) * across * across / two;
+    const double u = (a.cosine_ * x + a.sine_ * y) / a.a_, du = (a.cosine_ * dx + a.sine_ * dy) / a.a_;
+    const double v = (a.cosine_ * y - a.sine_ * x) / a.b_, dv = (a.cosine_ * dy - a.sine_ * dx) / a.b_;
+    // The least of the square along the line, without cancellation.
+    const double two = du * du + dv * dv, one = u * du + v * dv, across = (x * dy - y * dx) / (a.a_ * a.b_);
+    const double least = across * across / two;
     if (least > 1.0) {
         return;
     }
@@ -271,7 +277,8 @@ LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Poi
             }
         }
         for (const Complex& root : z) {
-            if (std::abs(std::abs(root) - 1.0) < 1e-6) {
+            // Roots that are nearly multiple ones may be found beside the circle; a point too many does no harm.
+            if (std::abs(std::abs(root) - 1.0) < 1e-2) {
                 double t = std::arg(root);
                 for (int step = 0; step < 4; ++step) {
                     const Complex one = c[1] * std::polar(1.0, t), two = c[2] * std::polar(1.0, 2.0 * t);
@@ -357,8 +364,6 @@ LOMMEL_ONCE std::vector<double> Region::heights() const {
         }
     }
     std::sort(found.begin(), found.end());
-    const auto same = [](double a, double b) { return b - a < 4e-15; };
-    found.erase(std::unique(found.begin(), found.end(), same), found.end());
     return found;
 }
 #endif

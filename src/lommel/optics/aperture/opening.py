@@ -25,6 +25,7 @@ from lommel.special.disk import disk_overlap
 
 _SUB = 16  # points along each side of a cell at an edge
 _EXACT = 1e-14  # relative error of rules for measures
+_APART = 1e-10  # area over pi that segments may have in common, by rounding
 _STEP = 16  # degrees are rounded up to multiples of it, so that neighbours share their nodes
 MAX_DEGREE = 2**12
 """Highest degree of a quadrature rule."""
@@ -145,6 +146,8 @@ class Opening:
         validation.optional("spider", self.spider, Spider)
         validation.optional("vignetting", self.vignetting, Ellipse, CatEye)
         validation.optional("stop", self.stop, Shape, Segments)
+        if isinstance(self.stop, Segments):
+            _require_apart(self.stop.shapes)
 
     @property
     def circular(self) -> bool:
@@ -189,7 +192,7 @@ class Opening:
 
     def tilted_nodes(self, degree: int) -> Array:
         """Return the same at the nodes of :meth:`rule`, shape (3, nodes)."""
-        nodes = [rule.nodes for rule in self.rows(degree, _EXACT)]
+        nodes = [rule.nodes for rule in _exact_rows(self, degree)]
         x, y, _ = np.concatenate(nodes, axis=1)
         return _phased(np.repeat(self.phases, [part.shape[1] for part in nodes], axis=0), x, y)
 
@@ -244,7 +247,8 @@ class Opening:
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if that is too large.
 
-        Off by at most 1e-14 for polynomials that are at most 1 on the unit disc, and by rounding.
+        Off by at most 1e-14 of the clear area over pi for polynomials that are at most 1 on the unit disc, and by
+        rounding.
         """
         return _nodes(self, validation.integer("degree", degree, least=0, most=4 * MAX_DEGREE))
 
@@ -274,9 +278,40 @@ def _rows(opening: Opening, degree: int, power: int) -> tuple[engine.RowRule, ..
     return tuple(listed(region).rule(degree, 10.0**power / len(regions)) for region in regions)
 
 
+def _exact_rows(opening: Opening, degree: int) -> tuple[engine.RowRule, ...]:
+    """Return rules that are off by at most `_EXACT` of the clear area over pi."""
+    rules = opening.rows(degree, _EXACT)
+    area = sum(rule.weight for rule in rules)
+    return opening.rows(degree, _EXACT * area) if 0.0 < area < 0.1 else rules
+
+
+@lru_cache(maxsize=8)
+def _require_apart(shapes: tuple[Shape, ...]) -> None:
+    """Raise ValueError if segments overlap, or have no point within the rim."""
+    for i, part in enumerate(shapes):
+        if not listed(Disc() & part).rule(0, _APART).weight > 0.0:
+            raise ValueError(
+                "segments must have points within the unit disc; leave out "
+                f"shapes[{i}] = {validation.shown(part)}, which has none"
+            )
+    # Outlines are points on edges: an arc between two of them is farther out by less than a hundredth of its size.
+    boxes = np.array([[f(np.concatenate(part.outline(48)), axis=0) for f in (np.min, np.max)] for part in shapes])
+    wide = 0.01 * (boxes[:, 1] - boxes[:, 0])
+    low, high = boxes[:, 0] - wide, boxes[:, 1] + wide
+    for i, part in enumerate(shapes):
+        near = np.all((low[i] <= high[:i]) & (low[:i] <= high[i]), axis=-1)
+        for j in np.flatnonzero(near):
+            common = listed(Disc() & part & shapes[j]).rule(0, _APART).weight
+            if common > _APART:
+                raise ValueError(
+                    f"segments must not overlap, got shapes[{j}] and shapes[{i}] with an area of "
+                    f"{common * math.pi:.3g} in common"
+                )
+
+
 @lru_cache(maxsize=4)
 def _nodes(opening: Opening, degree: int) -> Rule:
-    x, y, weight = np.concatenate([rule.nodes for rule in opening.rows(degree, _EXACT)], axis=1)
+    x, y, weight = np.concatenate([rule.nodes for rule in _exact_rows(opening, degree)], axis=1)
     for array in (x, y, weight):
         array.flags.writeable = False
     return Rule(x, y, weight)

@@ -21,6 +21,7 @@ from lommel.core import engine
 
 MAX_VANES = 64
 _FAR = 1000.0
+_FARTHEST = _FAR + 1.0  # that such a disc may reach the aperture
 _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
 _BOTH, _EITHER, _WITHOUT = -1, -2, -3  # as the compiled core has them
@@ -134,7 +135,7 @@ def _point(name: str, value: Any) -> tuple[float, float]:
     pair = isinstance(value, tuple | list | np.ndarray)
     if not pair or validation.array(name, value).shape != (2,):
         raise TypeError(f"{name} must be a pair (x, y), got {validation.shown(value)}")
-    x, y = (validation.real(f"{name}[{i}]", part, least=-_FAR, most=_FAR) for i, part in enumerate(value))
+    x, y = (validation.real(f"{name}[{i}]", part, least=-_FARTHEST, most=_FARTHEST) for i, part in enumerate(value))
     return x, y
 
 

@@ -1,0 +1,331 @@
+"""Shapes and their combinations, segments, spiders, vignetting, and the pupils that have them."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import pickle
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+from lommel import CatEye, Disc, Ellipse, Mask, Polygon, Pupil, Segments, Spider, Wavefront
+from lommel.optics.aperture.shapes import Combined, shape_from_dict
+
+GRID = np.meshgrid(np.linspace(-1.1, 1.1, 45), np.linspace(-1.1, 1.1, 47))
+MASK = Mask.sample(lambda x, y: np.clip(0.2 + x * x + 0.5 * y, 0, 1), side=12)
+SHAPES = {
+    "spider": {"spider": Spider.equal(3, 0.1, 0.2)},
+    "ellipse": {"vignetting": Ellipse(0.9, 0.5, 0.3)},
+    "cat-eye": {"vignetting": CatEye((0.5, -0.2), 0.8)},
+    "mask": {"mask": MASK},
+    "stop": {"stop": (Polygon.regular(6, 0.9) | Disc(0.3, (0.5, 0.5))) - Ellipse(0.4, 0.2, 0.3, (-0.2, 0.1))},
+    "segments": {"stop": Segments.hexagonal(1, 0.05).phased(0.5, tip=[0, 1, 2, 3, 4, 5])},
+    "all": {"spider": Spider(0.05, [1.0]), "vignetting": CatEye((0.1, 0.3)), "mask": MASK, "obscuration": 0.2},
+}
+SHAPED = pytest.mark.parametrize("shape", SHAPES.values(), ids=list(SHAPES))
+
+
+def test_a_vane_runs_from_the_axis_in_its_direction_only():
+    pupil = Pupil(spider=Spider(0.2, [math.pi / 2]))
+    x, y = np.array([0.0, 0.0, 0.09, 0.11, 0.5]), np.array([0.5, -0.5, 0.5, 0.5, 0.0])
+    assert pupil.values(x, y)[0].tolist() == [0, 1, 0, 1, 1]
+
+
+def test_equal_vanes_are_at_equal_angles():
+    assert Spider.equal(3, 0.1, 0.5).angles == pytest.approx([0.5, 0.5 + 2 * math.pi / 3, 0.5 + 4 * math.pi / 3])
+
+
+def test_the_angle_of_an_ellipse_runs_from_columns_to_rows():
+    pupil = Pupil(vignetting=Ellipse(0.9, 0.3, math.pi / 4))
+    assert pupil.values([0.6, 0.6], [0.6, -0.6])[0].tolist() == [1, 0]
+
+
+def test_a_cat_eye_is_clear_where_both_circles_are():
+    x, y = GRID
+    clear = Pupil(vignetting=CatEye((0.5, -0.2), 0.8)).values(x, y)[0] != 0
+    assert np.array_equal(clear, (np.hypot(x, y) <= 1) & (np.hypot(x - 0.5, y + 0.2) <= 0.8))
+
+
+@SHAPED
+def test_the_pupil_function_is_the_product_of_all_that_is_in_the_way(shape):
+    x, y = GRID
+    wavefront = Wavefront(2.0, nonradial={(3, 1): 1.0})
+    pupil = Pupil(wavefront, apodization=0.7, **shape)
+    expected = Pupil(wavefront, apodization=0.7, obscuration=pupil.obscuration).values(x, y)
+    for name, part in shape.items():
+        if name == "mask":
+            expected = expected * part.at(x, y)
+        elif name == "stop":
+            expected = expected * (part.margin(x, y) >= 0)
+            if isinstance(part, Segments):
+                expected = expected * np.exp(1j * pupil.opening.phase(x, y))
+        elif name != "obscuration":
+            expected = expected * (part.margin(x, y) <= 0 if name == "spider" else part.margin(x, y) >= 0)
+    assert pupil.values(x, y) == pytest.approx(expected, abs=1e-15)
+
+
+@SHAPED
+@pytest.mark.parametrize("g", [0.0, 1.3])
+def test_area_amplitude_and_transmission_are_integrals_of_the_pupil_function(shape, g):
+    # The mask has 12 x 12 cells: the fine lattice has its cells in them.
+    n = 600
+    at = lm.optics.aperture.mask.cell_centers(n)
+    amplitude = np.abs(Pupil(Wavefront(2.0), apodization=g, **shape).values(at[None, :], at[:, None])[0])
+    bare = np.abs(Pupil(**shape).values(at[None, :], at[:, None])[0])
+    pupil = Pupil(Wavefront(2.0), apodization=g, **shape)
+    cell = 4 / (math.pi * n * n)
+    # A mask takes the apodization at the middle of its cells.
+    abs_ = 4e-3 if "mask" in shape and g else 6e-4
+    assert pupil.area == pytest.approx(bare.sum() * cell, abs=6e-4)
+    assert pupil.amplitude == pytest.approx(amplitude.sum() * cell, abs=abs_)
+    assert pupil.transmission == pytest.approx((amplitude**2).sum() * cell, abs=abs_)
+
+
+@SHAPED
+def test_a_shaped_pupil_survives_json_pickling_copies_and_indexing(shape):
+    pupil = Pupil(Wavefront([1.0, 2.0]), wavelength=5e-7, f_number=8.0, **shape)
+    assert Pupil.from_dict(json.loads(json.dumps(pupil.to_dict(), allow_nan=False))) == pupil
+    assert pickle.loads(pickle.dumps(pupil)) == copy.deepcopy(pupil) == pupil
+    assert hash(copy.deepcopy(pupil).opening) == hash(pupil.opening)
+    assert pupil != Pupil(pupil.wavefront, wavelength=5e-7, f_number=8.0)
+    assert pupil[1] == Pupil(Wavefront(2.0), wavelength=5e-7, f_number=8.0, **shape)
+    ideal = pupil.unaberrated()
+    assert (ideal.spider, ideal.vignetting, ideal.mask) == (pupil.spider, pupil.vignetting, pupil.mask)
+    assert ideal.wavefront == Wavefront()
+
+
+@SHAPED
+@pytest.mark.parametrize("suffix", [".tif", ".npy", ".npz", ".png"])
+def test_files_keep_the_aperture(shape, suffix, tmp_path):
+    answer = lm.psf(Pupil(Wavefront(1.0), **shape), 9, 0.5)
+    answer.save(tmp_path / f"a{suffix}")
+    loaded = lm.PSF.load(tmp_path / f"a{suffix}")
+    assert (loaded.pupil, loaded.method) == (answer.pupil, lm.NonuniformFFT())
+    assert np.abs(loaded.values - answer.values).max() <= 2e-5 * answer.values.max()
+
+
+@SHAPED
+def test_without_a_method_the_non_uniform_fft_is_taken_and_named(shape):
+    plan = lm.Plan(9, 0.5)
+    assert plan(Pupil(**shape)).method == lm.NonuniformFFT()
+    assert plan(Pupil(obscuration=0.3)).method == lm.NijboerZernike()
+    assert plan(Pupil(**shape)).values.dtype == np.float32
+
+
+def test_rays_that_are_stopped_do_not_widen_the_blur():
+    # |grad Phi| = 4 C_d rho; the ellipse reaches 0.8 at most, the cat's eye 0.3.
+    for vignetting, farthest in ((Ellipse(0.8, 0.4, 0.3), 0.8), (CatEye((0.1, 0.0), 0.2), 0.3)):
+        pupil = Pupil(Wavefront(10.0), vignetting=vignetting)
+        assert pupil.geometric_radius() == pytest.approx(40.0 * farthest / math.pi, rel=2e-3)
+    mask = Mask.sample(lambda x, y: np.hypot(x, y) < 0.5, 200)
+    assert Pupil(Wavefront(10.0), mask=mask).geometric_radius() == pytest.approx(20.0 / math.pi, rel=0.03)
+    one = np.zeros((64, 64))
+    one[33, 36] = 1.0
+    expected = 40.0 * math.hypot(9, 3) / 64 / math.pi
+    assert Pupil(Wavefront(10.0), mask=Mask(one)).geometric_radius() == pytest.approx(expected, rel=0.12)
+
+
+@given(st.floats(1e-6, 1.99), st.lists(st.floats(-10, 10), min_size=1, max_size=5))
+def test_a_spider_that_leaves_light_makes_a_pupil_and_any_other_is_refused(width, angles):
+    spider = Spider(width, angles)
+    points = np.random.default_rng(1).uniform(-1, 1, (2, 4000))
+    if (np.minimum(spider.margin(*points), 1 - np.hypot(*points)) > 0).any():
+        assert 0 < Pupil(spider=spider).area < 1
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "message"),
+    [
+        (lambda: Spider(0.0, [0.0]), ValueError, "width must be > 0 and < 2, got 0"),
+        (lambda: Spider(2.0, [0.0]), ValueError, "width must be > 0 and < 2, got 2"),
+        (lambda: Spider("thin", [0.0]), TypeError, "width must be a real number, got 'thin'"),
+        (lambda: Spider(0.1, []), ValueError, r"angles must be a sequence .* got \[\]"),
+        (lambda: Spider(0.1, 0.5), ValueError, "angles must be a sequence of 1 to 64 numbers, got 0.5"),
+        (lambda: Spider(0.1, [0.0] * 65), ValueError, r"angles must be .* shape \(65,\)"),
+        (lambda: Spider(0.1, [math.nan]), ValueError, "angles must be finite, got nan"),
+        (lambda: Spider(0.1, "up"), TypeError, "angles must hold real numbers, got 'up'"),
+        (lambda: Spider.equal(0, 0.1), ValueError, "count must be from 1 to 64, got 0"),
+        (lambda: Spider.equal(3, 0.1, math.inf), ValueError, "first must be finite, got inf"),
+        (lambda: Ellipse(1.1, 0.5), ValueError, "a must be > 0 and <= 1 radii of the aperture, got 1.1"),
+        (lambda: Ellipse(1.0, 0.0), ValueError, "b must be > 0 and <= 1 radii of the aperture, got 0"),
+        (lambda: Ellipse(1.0, 0.5, None), TypeError, "angle must be a real number, got None"),
+        (lambda: CatEye((1.5, 1.5)), ValueError, r"shift must be shorter than 1 \+ radius = 2, .* got \(1.5, 1.5\)"),
+        (lambda: CatEye(0.5), TypeError, r"shift must be a pair \(x, y\), got 0.5"),
+        (lambda: CatEye((0.5, math.nan)), ValueError, r"shift\[1\] must be finite, got nan"),
+        (lambda: CatEye((0.5, 0.0), 0.0), ValueError, "radius must be > 0"),
+        (lambda: Pupil(spider=0.1), TypeError, "spider must be of the type Spider, or None, got 0.1"),
+        (lambda: Pupil(vignetting=Spider(0.1, [1])), TypeError, "vignetting must be of the type Ellipse or"),
+        (lambda: Pupil(mask=np.ones((4, 4))), TypeError, "mask must be of the type Mask, or None, got array"),
+        (lambda: Pupil(spider=Spider.equal(2, 1.999), obscuration=0.1, vignetting=Ellipse(0.5, 0.5)), ValueError,
+         "spider, vignetting must leave part of the aperture clear, got spider=.* obscuration=0.1"),
+        (lambda: Pupil(obscuration=0.5, vignetting=CatEye((0.0, 0.1), 0.3)), ValueError,
+         "vignetting must leave part of the aperture clear"),
+        (lambda: Pupil(obscuration=0.5, mask=Mask.sample(lambda x, y: np.hypot(x, y) < 0.4, 32)), ValueError,
+         "mask must leave part of the aperture clear, got mask=Mask"),
+    ],
+)  # fmt: skip
+def test_what_is_no_aperture_is_refused_with_the_argument_and_what_is_allowed(make, error, message):
+    with pytest.raises(error, match=message):
+        make()
+
+
+@pytest.mark.parametrize("change", [{"name": "Square"}, {"name": None}, {"b": 2.0}, {"c": 1.0}])
+def test_a_damaged_description_is_refused(change):
+    description = Pupil(vignetting=Ellipse(0.5, 0.5)).to_dict()
+    description["vignetting"] |= change
+    with pytest.raises((ValueError, TypeError), match=r"name must be one of 'Disc', 'Ellipse'|b must be|'c'"):
+        Pupil.from_dict(description)
+
+
+numbers = st.floats(-1.2, 1.2)
+points = st.tuples(numbers, numbers)
+convex = (
+    st.builds(Disc, st.floats(1e-3, 2.0), points)
+    | st.builds(Ellipse, st.floats(1e-3, 1.0), st.floats(1e-3, 1.0), st.floats(-4, 4), points)
+    | st.builds(Polygon.regular, st.integers(3, 9), st.floats(1e-3, 1.5), points, st.floats(-4, 4))
+    | st.builds(Polygon.half_plane, st.floats(-4, 4), st.floats(-1, 1))
+    | st.builds(Spider.equal, st.integers(1, 5), st.floats(1e-3, 0.5), st.floats(-3, 3))
+)
+shapes = st.recursive(convex, lambda part: st.builds(Combined, st.sampled_from("|&-"), part, part), max_leaves=6)
+
+
+def inside(shape, x, y):
+    """Whether points lie in a shape, by the definition of each kind."""
+    if isinstance(shape, Combined):
+        first, second = inside(shape.first, x, y), inside(shape.second, x, y)
+        return {"|": first | second, "&": first & second, "-": first & ~second}[shape.kind]
+    if isinstance(shape, Disc):
+        return (x - shape.center[0]) ** 2 + (y - shape.center[1]) ** 2 < shape.radius**2
+    if isinstance(shape, Ellipse):
+        z = (x - shape.center[0] + 1j * (y - shape.center[1])) * np.exp(-1j * shape.angle)
+        return (z.real / shape.a) ** 2 + (z.imag / shape.b) ** 2 < 1
+    if isinstance(shape, Spider):
+        along = [(x + 1j * y) * np.exp(-1j * angle) for angle in shape.angles]
+        return np.any([(np.abs(z.imag) < shape.width / 2) & (z.real > 0) for z in along], axis=0)
+    corners = np.array(shape.corners) @ [1, 1j]
+    sides = np.roll(corners, -1) - corners
+    return np.all([((x + 1j * y - p) * np.conj(d)).imag > 0 for p, d in zip(corners, sides, strict=True)], axis=0)
+
+
+@given(shapes, st.floats(0, 7), st.integers(0, 2**32 - 1))
+def test_margin_is_a_lower_bound_on_the_distance_from_the_edge(shape, turn, seed):
+    x, y = np.random.default_rng(seed).uniform(-1.3, 1.3, (2, 40))
+    margin, clear = shape.margin(x, y), inside(shape, x, y)
+    assert np.array_equal((margin > 0)[np.abs(margin) > 1e-12], clear[np.abs(margin) > 1e-12])
+    # Nothing changes within the margin of a point.
+    for part in (0.3, 0.999):
+        there = inside(shape, x + part * margin * math.cos(turn), y + part * margin * math.sin(turn))
+        assert np.array_equal(there[np.abs(margin) > 1e-9], clear[np.abs(margin) > 1e-9])
+
+
+@given(shapes, st.floats(-4, 4), points, st.integers(0, 2**32 - 1))
+def test_what_is_moved_turned_or_written_is_the_same_shape(shape, angle, by, seed):
+    x, y = np.random.default_rng(seed).uniform(-1.3, 1.3, (2, 40))
+    here = shape.margin(x, y)
+    assert (
+        shape_from_dict(json.loads(json.dumps(shape.to_dict() | {"name": shape.to_dict().get("name", "Spider")})))
+        == shape
+    )
+    c, s = math.cos(angle), math.sin(angle)
+    assert shape.turned(angle).margin(c * x - s * y, s * x + c * y) == pytest.approx(here, abs=1e-11)
+    try:
+        moved = shape.moved(*by)
+    except NotImplementedError:
+        return  # vanes are about the axis
+    assert moved.margin(x + by[0], y + by[1]) == pytest.approx(here, abs=1e-11)
+
+
+def test_operators_make_unions_intersections_and_differences():
+    a, b = Disc(0.5), Polygon.regular(4, 0.6)
+    for made, kind in ((a | b, "|"), (a & b, "&"), (a - b, "-")):
+        assert made == Combined(kind, a, b)
+    with pytest.raises(TypeError, match="other must be a shape"):
+        a | 3
+
+
+def test_a_strip_a_half_plane_and_a_regular_polygon_are_where_they_should_be():
+    strip = Polygon.strip((0.0, 0.0), (0.0, 0.5), 0.2)
+    assert strip.margin(np.array([0.05, 0.2, 0.0]), np.array([0.25, 0.25, 0.6])) == pytest.approx([0.05, -0.1, -0.1])
+    half = Polygon.half_plane(math.pi / 2, 0.25)
+    assert half.margin(np.array([0.3, 0.3]), np.array([0.2, 0.3])) == pytest.approx([0.05, -0.05])
+    assert np.hypot(
+        *np.array(Polygon.regular(5, 0.7, (0.1, 0.2)).corners).T - np.array([[0.1], [0.2]])
+    ) == pytest.approx(0.7)
+    clockwise = Polygon(((0, 0), (0, 1), (1, 0)))
+    assert clockwise.margin(np.array(0.2), np.array(0.3)) == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize(("rings", "count"), [(1, 6), (2, 18), (3, 36)])
+@pytest.mark.parametrize("gap", [0.0, 0.02])
+def test_hexagonal_segments_reach_the_rim_and_leave_the_gap(rings, count, gap):
+    segments = Segments.hexagonal(rings, gap, angle=0.3)
+    corners = np.concatenate([part.corners for part in segments.shapes])
+    assert len(segments.shapes) == count
+    assert np.hypot(*corners.T).max() == pytest.approx(1.0, abs=1e-12)
+    apart = np.abs(segments.centers[:, None] - segments.centers).reshape(-1, 2)
+    pitch = np.sort(np.hypot(*apart.T))[count]
+    across = 2 * math.sqrt(0.75) * np.hypot(*(np.array(segments.shapes[0].corners[0]) - segments.centers[0]))
+    assert pitch - across == pytest.approx(gap, abs=1e-12)
+    area = count * math.sqrt(0.75) * across**2 / math.pi
+    assert Pupil(stop=segments).area == pytest.approx(area, rel=1e-12)
+    assert len(Segments.hexagonal(rings, gap, middle=True).shapes) == count + 1
+
+
+def test_segments_have_phases_about_their_centres():
+    segments = Segments(
+        (Polygon.regular(6, 0.3, (0.5, 0.1)), Disc(0.3, (-0.5, 0.0))),
+        piston=(0.4, 0.0),
+        tip=(2.0, 0.0),
+        tilt=(0.0, 3.0),
+    )
+    x, y = np.array([0.5, 0.6, -0.5, -0.5]), np.array([0.1, 0.1, 0.0, 0.1])
+    assert np.angle(Pupil(stop=segments).values(x, y)[0]) == pytest.approx([0.4, 0.6, 0.0, 0.3])
+    assert Pupil(stop=segments).unaberrated().values(x, y)[0].tolist() == [1, 1, 1, 1]
+    red = Pupil(stop=segments, wavelength=5e-7, f_number=8.0).in_light(1e-6)
+    assert np.angle(red.values(x, y)[0]) == pytest.approx([0.2, 0.3, 0.0, 0.15])
+    assert segments.phased(segments.piston, segments.tip, segments.tilt) == segments
+    assert shape_from_dict(json.loads(json.dumps(segments.to_dict()))) == segments
+    # Rays are turned by 3 radians a radius at most, over pi.
+    assert Pupil(stop=segments).geometric_radius() == pytest.approx(3.0 / math.pi)
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "message"),
+    [
+        (lambda: Disc(0.0), ValueError, "radius must be > 0"),
+        (lambda: Disc(math.nan), ValueError, "radius must be finite, got nan"),
+        (lambda: Disc(1.0, (math.nan, 0.0)), ValueError, r"center\[0\] must be finite, got nan"),
+        (lambda: Disc(1.0, 0.5), TypeError, r"center must be a pair \(x, y\), got 0.5"),
+        (lambda: Ellipse(0.5, 0.5, 0.0, (0, math.inf)), ValueError, r"center\[1\] must be finite"),
+        (lambda: Polygon(((0, 0), (1, 0))), ValueError, "corners must be 3 to 256 pairs"),
+        (lambda: Polygon(((0, 0), (1, 0), (2, 0))), ValueError, "corners must be those of a convex polygon"),
+        (lambda: Polygon(((0, 0), (1, 0), (0.2, 0.2), (0, 1))), ValueError, "corners must be those of a convex"),
+        (lambda: Polygon(((0, 0), (1, 1), (1, 0), (0, 1))), ValueError, "corners must be those of a convex polygon"),
+        (lambda: Polygon(((0, 0), (1, 0), (1, 0), (0, 1))), ValueError, "corners must be those of a convex polygon"),
+        (lambda: Polygon(tuple((math.cos(4 * k), math.sin(4 * k)) for k in range(5))), ValueError, "convex polygon"),
+        (lambda: Polygon(((0, 0), (1, math.nan), (0, 1))), ValueError, "corners must be finite, got nan"),
+        (lambda: Polygon(((0, 0), (2e3, 0), (0, 1))), ValueError, "corners must be within 1000 radii"),
+        (lambda: Polygon.strip((0, 0), (0, 0), 0.1), ValueError, "end must be apart from start"),
+        (lambda: Segments(()), ValueError, "shapes must be 1 to 4096 shapes"),
+        (lambda: Segments((Disc(), 3)), TypeError, r"shapes\[1\] must be a shape"),
+        (lambda: Segments((Disc(),), piston=(1.0, 2.0)), ValueError, r"piston must be one number a segment, 1"),
+        (lambda: Segments((Disc(),), tip=(math.nan,)), ValueError, "tip must be finite, got nan"),
+        (lambda: Segments.hexagonal(2, 0.5), ValueError, "gap must leave something of the segments"),
+        (lambda: Pupil(stop=Segments((Disc(0.5), Disc(0.5, (0.8, 0))))), ValueError,
+         r"segments must not overlap, got shapes\[0\] and shapes\[1\] with an area of 0.*in common"),
+        (lambda: Pupil(stop=Segments((Disc(0.5), Disc(0.3, (1.4, 0))))), ValueError,
+         r"segments must have points within the unit disc; leave out shapes\[1\] = Disc.*, which has none"),
+        (lambda: Pupil(stop=Disc(0.3) - Disc(0.5)), ValueError, "stop must leave part of the aperture clear"),
+        (lambda: Pupil(stop=Disc(0.3), obscuration=0.4), ValueError, "stop must leave part of the aperture clear"),
+        (lambda: Pupil(stop=Disc(0.1, (3.0, 0.0))), ValueError, "stop must leave part of the aperture clear"),
+        (lambda: Pupil(stop="round"), TypeError, "stop must be of the type Shape or Segments"),
+    ],
+)  # fmt: skip
+def test_what_is_no_shape_is_refused_with_what_was_given(make, error, message):
+    with pytest.raises(error, match=message):
+        make()

@@ -203,9 +203,8 @@ def phases(pupil: Pupil) -> Array:
     stop = pupil.stop
     if not isinstance(stop, Segments):
         return np.zeros((1, 3))
-    centres = np.array([np.concatenate(part.outline(48)).mean(axis=0) for part in stop.shapes])
     out = np.array([stop.piston, stop.tip, stop.tilt]).T
-    out[:, 0] -= (out[:, 1:] * centres).sum(axis=1)
+    out[:, 0] -= (out[:, 1:] * stop.centers).sum(axis=1)
     return out
 
 

@@ -46,7 +46,8 @@ class NonuniformFFT(Method[Pupil]):
     places where edges meet, are off by a proven amount for every polynomial of a degree that is at most 1 on the unit
     disc; and a polynomial of that degree is proven to be close to the integrand there
     (:func:`lommel.optics.aperture.opening.degree_needed`). Waves of the nodes of a row are added to a fine grid by
-    the taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of it and all roundings are bounded too. Derived in docs/certificate.md. Averages over pixels filter finer samples.
+    the taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of it and
+    all roundings are bounded too. Derived in docs/certificate.md, section 18. Averages over pixels filter samples.
 
     References
     ----------
@@ -137,7 +138,7 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
     reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
     factor = max((n for n, _ in wanted.terms), default=0)
     if pupil.mask is None:
-        phases = pupil.opening.phases
+        phases = pupil.opening.phases.copy()
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
         reach += float(np.hypot(phases[:, 1], phases[:, 2]).max())

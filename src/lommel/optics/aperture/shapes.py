@@ -468,13 +468,13 @@ class Spider(Shape):
         return Spider(self.width, tuple(each + angle for each in self.angles))
 
     def to_dict(self) -> Json:
-        """Return the vanes in plain types."""
-        return {"width": self.width, "angles": list(self.angles)}
+        """Return the vanes in plain types, with their name."""
+        return {"name": "Spider", "width": self.width, "angles": list(self.angles)}
 
     @classmethod
     def from_dict(cls, description: Mapping[str, Any]) -> Spider:
-        """Rebuild a spider from a `description` by :meth:`to_dict`."""
-        return cls(**description)
+        """Rebuild a spider from a `description` by :meth:`to_dict`, with or without its name."""
+        return cls(**{name: value for name, value in description.items() if name != "name"})
 
     def _listed(self, parts: list[Shape], steps: list[int]) -> None:
         for i, vane in enumerate(self.vanes()):

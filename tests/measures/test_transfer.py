@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.special import jv
 
 import lommel as lm
-from lommel.measures import overlap, transfer
+from lommel.measures import transfer
 from lommel.measures.overlap import autocorrelation
 from lommel.methods import ToleranceError
 

@@ -136,8 +136,7 @@ def test_white_light_of_any_aperture_takes_the_method_of_each_wavelength():
     for wave, weight in zip(WAVES, WEIGHTS, strict=True):
         part = lm.Pupil(550e-9 / wave * lm.Wavefront(1.0), spider=pupil.spider, wavelength=wave, f_number=4.0)
         exact += 0.25 * weight * lm.psf(part, (9, 8), 2e-6, dtype="float64").values
-    assert lm.peak_error(answer, exact) < 1e-6
-    assert answer.error_bound is None
+    assert lm.peak_error(answer, exact) < answer.error_bound <= 1e-6
     with pytest.raises(ValueError, match="Polychromatic sums NijboerZernike, which supports circular and annular"):
         lm.psf(pupil, 9, 2e-6, method=lm.Polychromatic(WAVES, WEIGHTS, lm.NijboerZernike()))
 
@@ -197,7 +196,9 @@ def test_white_light_of_every_pupil_is_within_the_tolerance_whatever_else_is_ask
         every = ("energy", "strehl", "peak")
         # All where they are cheap.
         for normalize in every if pupil.circular else every[turn : turn + 1]:
-            tol, dtype = ((1e-4, "float32"), (1e-6, "float32"), (1e-7, "float64"))[turn]
+            # Double precision holds no more of what is 1e4 times dimmer than the peak beside the window.
+            finest = 1e-7 if pupil.circular else 1e-6
+            tol, dtype = ((1e-4, "float32"), (1e-6, "float32"), (finest, "float64"))[turn]
             asked = {"normalize": normalize, "method": white, "tol": tol, "dtype": dtype}
             answer = lm.psf(pupil, (7, 9), 1.3e-6, integrate=integrate, center=center, **asked)
             known = answer.scale if normalize != "peak" else 1.0 / highest

@@ -64,9 +64,8 @@ void each_corner(double eta, const At& at) {
 
 // The fewest nodes of a rule on [-1, 1] for an error, and whether singularities stood in the way of fewer. largest(eta, limit) bounds
 // the logarithm of a function on the ellipse around it with semi-axes cosh eta and sinh eta: from 1e300 on where there is no bound,
-// and where it is certainly above the limit (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, whose 64/15
-// holds from two nodes on, and 16/3 of one). What is needed has one minimum over ln eta but for the slack of the bounds; it is
-// sought downhill.
+// and where it is certainly above the limit (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3; of one node
+// too). What is needed has one minimum over ln eta but for the slack of the bounds; it is sought downhill.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -75,7 +74,7 @@ struct GaussNodes {
     GaussNodes(double error, const Largest& largest) : count(none) {
         constexpr int etas = 16, patience = 2;
         const auto needed = [&](int k) {
-            const double eta = 0.02 * std::pow(1.5, k), known = std::log(16.0 / 3.0 / -std::expm1(-2.0 * eta) / error);
+            const double eta = 0.02 * std::pow(1.5, k), known = std::log(64.0 / 15.0 / -std::expm1(-2.0 * eta) / error);
             const double most = largest(eta, 2.0 * eta * count - known);
             return most < 1e300 ? std::max(1.0, std::ceil((known + most) / (2.0 * eta))) : none;
         };

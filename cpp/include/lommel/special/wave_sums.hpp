@@ -37,10 +37,11 @@ struct WaveKernel {
     }
 
     // Bound on the error of any sum over the sum of |a|, if each point of the grid is reached by that many waves at most: aliases
-    // (Poisson's formula); taps, and the roundings of sums of waves and of the transform; and places, turns off by three roundings.
+    // (Poisson's formula); taps, and the roundings of sums of waves and of the transform; and places, turns off by one rounding of 1.
+    // Those of the steps are the caller's.
     double error(double waves) const {
         const double weight = kernel.weight(), rounded = fft.rounding() + waves + 4.0;
-        const double places = 3.2 * 6.3 * static_cast<double>(side / 2 + 1);
+        const double places = 1.1 * 6.3 * static_cast<double>(side / 2 + 1);
         return kernel.aliases(omega(side / 2)) + gain.back() * (off_ + unit_roundoff * rounded * weight) +
                unit_roundoff * places;
     }

@@ -152,6 +152,10 @@ class RowRule:
     def weight(self) -> float:
         """The sum of the weights: the area over pi."""
 
+    @property
+    def lost(self) -> float:
+        """Bound on what misplaced edges do to integrals of what is at most 1."""
+
 def row_rule(ellipses: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], corners: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], counts: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], steps: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], degree: int, error: float) -> RowRule:
     """
     Return a rule that is off by at most an error for polynomials that are at most 1 on the unit disc.

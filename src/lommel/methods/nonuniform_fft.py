@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -72,10 +73,12 @@ class NonuniformFFT(Method[Pupil]):
         if wanted.terms and wanted.scale is None:
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         grid.require_one_axis()
-        return averaged_images(_sampled, pupil, grid, self.tol, wanted)
+        # Errors of averages are over the largest anywhere, as those of samples in a dark window need not be.
+        sample = partial(_sampled, everywhere=True) if grid.integrate else _sampled
+        return averaged_images(sample, pupil, grid, self.tol, wanted)
 
 
-def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Images:
     """Return samples of the flattened stack, with bounds over the peak below `tol` once they are stored."""
     if pupil.mask is not None and not pupil.mask.squares:
         needed, why = samples_needed(pupil, grid)
@@ -87,14 +90,14 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     if wanted.scale is None:
         room *= 0.49  # values divided by their own largest one are off by twice as much
     # Light spread evenly over a blur has about this field; where it gathers the peak is brighter.
-    bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items()))
+    bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
     elsewhere: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
     for _ in range(8):
         asked = max(0.45 * room * bright / pupil.amplitude, _LEAST)
         values, slopes, off, off_slopes = _sums(pupil, grid, asked, wanted)
         peak = values.max(axis=(1, 2))
         made, error = _judged(values, peak if elsewhere is None else np.maximum(peak, elsewhere), off, wanted)
-        if elsewhere is None and error > tol:
+        if elsewhere is None and (error > tol or (everywhere and float(peak.min()) < bright**2)):
             elsewhere = _elsewhere(pupil, max(asked, 1e-4 * bright / pupil.amplitude), wanted.threads)
             made, error = _judged(values, np.maximum(peak, elsewhere), off, wanted)
         if error <= tol or asked <= _LEAST:

@@ -111,7 +111,7 @@ def jwst(*, vanes: bool = True) -> Segments:
     -------
     Segments
         Over a radius of 3.301732 m, in the order A1 to A6, B1 to B6, C1 to C6; give them phases with
-        :meth:`Segments.phased`.
+        :meth:`lommel.Segments.phased`.
 
     Raises
     ------

@@ -11,8 +11,8 @@ import numpy as np
 import lommel as lm
 
 # %%
-# A stop is a union, intersection or difference of shapes. The holes of the mask in NIRISS on the James Webb Space
-# Telescope (Sivaramakrishnan et al. 2023, doi:10.1088/1538-3873/acaebd) are hexagons of 0.8 m, one in front of each of
+# A stop is a union, intersection or difference of shapes. Holes of the mask in NIRISS on the James Webb Space
+# Telescope (Sivaramakrishnan et al. 2023, doi:10.1088/1538-3873/acaebd) are hexagons of 0.8 m, each before one of
 # seven segments.
 
 radius = 0.5 * lm.telescopes.DIAMETERS["jwst"]

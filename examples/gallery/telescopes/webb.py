@@ -12,7 +12,7 @@ import lommel as lm
 
 # %%
 # ``lm.telescopes.jwst()`` is the aperture from the published corners of the segments, behind the three struts of
-# the secondary mirror. Each segment takes a piston, a tip and a tilt. Here at 2 micrometres with the pixels of NIRCam,
+# the secondary mirror. Each segment takes a piston, a tip and a tilt. Here at 2 micrometres, with pixels of NIRCam,
 # 31 mas or 18 micrometres.
 
 webb = lm.telescopes.jwst()

@@ -400,7 +400,7 @@ def row_samples(x: Array, y: Array, weight: Array, phase: Array | None = None) -
 def row_images(
     rules: Sequence[RowRule], phases: Array, stack: DiskStack, window: Window, precision: float, wanted: Wanted
 ) -> tuple[Array, Array, Array]:
-    """Return intensities (n, h, w), derivatives by the terms of `wanted` (k, n, h, w), and what sums lose of U (n,).
+    """Return intensities (n, h, w), derivatives by terms of `wanted` (k, n, h, w), and what sums lose of U (n,).
 
     Of pupils on regions with `phases` (regions, 3), constant and by x and y; sums lose about `precision` of weights.
     """

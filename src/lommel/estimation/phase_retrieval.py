@@ -231,8 +231,7 @@ def retrieve(
         As recorded, proportional to light but for the offset of `noise`. NaN, infinite and masked values are left
         out, and in images of integers the largest value of their type.
     pupil : Pupil
-        Circular or annular aperture, scale and initial wavefront, a single one. Spiders, vignetting and masks are not
-        supported yet.
+        Aperture, scale and initial wavefront, a single one. Phases of segments and masks are known and fixed.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
     noise : Noise
@@ -363,10 +362,15 @@ def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
         raise TypeError("retrieve does not support microscope pupils (ObjectivePupil) yet; pass a Pupil")
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, shared by all images, got a stack of shape {pupil.shape}")
-    if not pupil.circular:
+    if not pupil.circular and "obscuration" in unknowns.pupil:
         raise ValueError(
-            "retrieve does not support spiders, vignetting, masks or stops yet; pass a pupil with a circular or "
-            "annular aperture"
+            'also must be without "obscuration" where the aperture is not circular or annular: it has no derivatives '
+            "by it; measure the obscuration from an image out of focus"
+        )
+    if (pupil.segmented or pupil.phase_mask) and "wavelength" in unknowns.pupil:
+        raise ValueError(
+            'also must be without "wavelength" for a pupil with phases of segments or of a mask, which has no '
+            "derivatives by it"
         )
     if pupil.wavelength is None and {"f_number", "wavelength"} & {*unknowns.pupil}:
         raise ValueError(f"also must be without {unknowns.pupil[0]} where pupil has no wavelength and f_number")

@@ -2,8 +2,8 @@ r"""Averages over the aperture: rms wavefront error, Strehl ratio, centroid and 
 
 All are integrals over the clear aperture. On discs and annuli these are in polar coordinates, by Gauss-Legendre nodes
 in ``t = rho^2`` and equal steps in theta; on others by the rule of :meth:`lommel.Pupil.rule`, where segments add
-their phases. An average over theta is even in rho, hence smooth in t: convergence is spectral. Polynomials of the phase
-are exact with finitely many nodes; oscillating integrands are refined until the result converges.
+their phases. An average over theta is even in rho, hence smooth in t: convergence is spectral. Polynomials of the
+phase are exact with finitely many nodes; oscillating integrands are refined until the result converges.
 """
 
 from __future__ import annotations

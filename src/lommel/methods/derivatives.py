@@ -1,8 +1,8 @@
 r"""Images and the derivatives of :mod:`lommel.methods.derivative_names`, each with a proven error bound.
 
 Radially symmetric phases of circular and annular pupils are differentiated by the radial series, which also gives
-the derivatives with respect to position and scale; all others by the chordal rule. Polychromatic derivatives are sums
-over the wavelengths.
+the derivatives with respect to position and scale; others of these apertures by the chordal rule, those of all other
+apertures by the quadrature along rows. Polychromatic derivatives are sums over the wavelengths.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, parts
 from lommel.methods.method import Method, storing, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.pixels.averaging import Taps, blocks, filtered_by, finer, least_average, sloping, weighed
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.opening import degree_needed
@@ -287,12 +288,11 @@ def engines(
 ) -> tuple[Method, Method]:
     """Return what makes images, and what makes their derivatives at each wavelength."""
     if not pupil.circular:
-        raise ValueError(
-            "derivatives are available of round apertures only; with a spider, vignetting or a mask take "
-            "differences, as (psf(a + h) - psf(a - h)) / (2 h)"
-        )
+        _require_other(pupil, names, sums)
     engine, radial = single_light(method), pupil.radial and all(map(_radial, sums))
-    if engine is None:
+    if engine is None and not pupil.circular:
+        engine = NonuniformFFT(tol)
+    elif engine is None:
         engine = NijboerZernike(tol) if radial else ChordalGauss(tol)
     elif isinstance(engine, NijboerZernike) and not radial:
         listed = ", ".join(map(repr, names))
@@ -300,20 +300,41 @@ def engines(
             f"derivatives by {listed} are not available from NijboerZernike, which has those by radially symmetric "
             "terms and by shifts, of pupils that are radially symmetric too; use ChordalGauss, or name no method"
         )
-    elif not isinstance(engine, NijboerZernike | ChordalGauss):
+    elif not isinstance(engine, NijboerZernike | ChordalGauss | NonuniformFFT):
         raise ValueError(
-            f"derivatives are not available from {type(engine).__name__}; use NijboerZernike or ChordalGauss, or "
-            "name no method"
+            f"derivatives are not available from {type(engine).__name__}; use NijboerZernike, ChordalGauss or "
+            "NonuniformFFT, or name no method"
         )
     return (method if isinstance(method, Polychromatic) else engine), engine
 
 
-def _rule_of_terms(method: Method | None, pupil: Pupil, names: Sequence[Name], tol: float) -> ChordalGauss | None:
-    """Return the chordal rule if it has all the derivatives itself, by different Zernike terms, else None."""
-    if len({*names}) < len(names) or str in map(type, names) or not pupil.circular:
+def _require_other(pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts]) -> None:
+    """Raise ValueError for derivatives that apertures which are not circular do not have."""
+    differences = "take differences, (psf(a + h) - psf(a - h)) / (2 h)"
+    for name, each in zip(names, sums, strict=True):
+        if each.obscuration:
+            raise ValueError(f"derivatives by {name!r} are those of circular and annular apertures; {differences}")
+        if each.unknown and pupil.segmented:
+            raise ValueError(
+                f"derivatives by {name!r} are those of apertures whose segments are in phase; {differences}"
+            )
+        if pupil.mask is not None and pupil.mask.squares and (name in SHIFTS or np.any(each.scaling)):
+            raise ValueError(
+                f"derivatives by {name!r} are not those of a mask with squares=True, whose cells spread light about "
+                f"the axis; {differences}"
+            )
+
+
+def _rule_of_terms(
+    method: Method | None, pupil: Pupil, names: Sequence[Name], tol: float
+) -> ChordalGauss | NonuniformFFT | None:
+    """Return a rule that has all the derivatives itself, by different Zernike terms, else None."""
+    if len({*names}) < len(names) or str in map(type, names):
         return None
     if method is not None:
-        return method if isinstance(method, ChordalGauss) else None
+        return method if isinstance(method, ChordalGauss | NonuniformFFT) else None
+    if not pupil.circular:
+        return NonuniformFFT(tol)
     return None if pupil.radial and all(map(_radial_key, cast("Sequence[Term]", names))) else ChordalGauss(tol)
 
 

@@ -13,6 +13,7 @@ from lommel.core.answers import Declined, Images, Intensities, Slopes, Wanted, n
 from lommel.core.engine import row_images
 from lommel.methods.matrix_fourier import samples_needed
 from lommel.methods.method import Method, once_stored, painted, relative_error, storing
+from lommel.methods.moment_rule import field_sums, moment_rule, worth
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.aperture.opening import degree_needed
@@ -49,13 +50,15 @@ class NonuniformFFT(Method[Pupil]):
     (:func:`lommel.optics.aperture.opening.degree_needed`). Waves of the nodes of a row are added to a fine grid by
     the taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of it and
     all roundings are bounded too. Derived in docs/certificate.md, section 18. Averages over pixels filter samples.
+    Small windows of many fields (stacks, derivatives) are products of matrices with a rule of the disc that has the
+    moments of the aperture (:mod:`lommel.methods.moment_rule`).
 
     References
     ----------
-    L. N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: the bound on Gauss's rule.
-    M. Lundin, "The extremal PSH for the complement of convex, symmetric subsets of R^N", Michigan Math. J. 32, 197
+    Lloyd N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: the bound on Gauss's rule.
+    Magnus Lundin, "The extremal PSH for the complement of convex, symmetric subsets of R^N", Michigan Math. J. 32, 197
     (1985), doi:10.1307/mmj/1029003186: how fast polynomials grow off the disc.
-    A. Dutt and V. Rokhlin, "Fast Fourier transforms for nonequispaced data", SIAM J. Sci. Comput. 14, 1368 (1993),
+    Alok Dutt and V. Rokhlin, "Fast Fourier transforms for nonequispaced data", SIAM J. Sci. Comput. 14, 1368 (1993),
     doi:10.1137/0914081.
     """
 
@@ -144,11 +147,19 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
         phases = pupil.opening.phases.copy()
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
-        reach += float(np.hypot(phases[:, 1], phases[:, 2]).max())
+        steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
         # Polynomials close to the integrand are at most 1 + aim by size, and so twice as far off.
         aim = 0.3 * error * amplitude
+        missed = 1.1 * aim + (1.0 + aim) * aim
         degree = degree_needed(terms, reach, pupil.illumination, aim) + factor
-        rules, missed = pupil.opening.rows(degree, aim), 1.1 * aim + (1.0 + aim) * aim
+        if worth(math.prod(pupil.shape) * (1 + len(wanted.terms)), grid, degree, factor, error):
+            # The waves of segments are within the error of a polynomial, which multiplies those of this degree.
+            more = degree_needed([], steepest, pupil.illumination, aim, power=0.0) if steepest else 0
+            rule = moment_rule(pupil.opening, degree, degree + more, aim)
+            values, slopes, lost = field_sums(rule, pupil, grid, wanted.terms)
+            off, off_slopes = np.tile((missed + 1.1 * aim + lost)[:, None], len(values))
+            return values, slopes, off, off_slopes
+        rules = pupil.opening.rows(degree_needed(terms, reach + steepest, pupil.illumination, aim) + factor, aim)
     else:
         phases, rules, missed = np.zeros((1, 3)), pupil.samples, 0.0
     window = window_of(pupil, grid)

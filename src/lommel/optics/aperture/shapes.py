@@ -403,7 +403,7 @@ class Spider(Shape):
     """Straight vanes from the axis to the edge of the aperture, as of the spider of a secondary mirror.
 
     All have one width and start at the axis. For others, such as vanes that miss the axis or differ in width,
-    subtract :meth:`Polygon.strip` from a stop: ``Pupil(stop=Disc() - Polygon.strip((0.1, 0), (2, 1), 0.01))``.
+    subtract :meth:`lommel.Polygon.strip` from a stop: ``Pupil(stop=Disc() - Polygon.strip((0.1, 0), (2, 1), 0.01))``.
 
     A vane blocks the half strip ``abs(across) < width / 2, along > 0`` of its direction; two opposite ones make a
     bar across the aperture. Where vanes overlap, near the axis, light is blocked once.

@@ -5,7 +5,6 @@ import { DIRECTED, WHITE } from "./fields.js";
 import { furtherTerms } from "./state.js";
 
 const TURN = 2 * Math.PI;
-const FARTHEST = 1000; // waves of defocus
 
 // The state with defocus in waves and the working f-number: as lm.Lens(...).pupil(object_distance) has them.
 export function focused(state) {
@@ -18,11 +17,6 @@ export function focused(state) {
   const sensor = 1 / (1 / focal - 1 / focus_distance);
   const diameter = focal / state.f_number;
   const defocus = ((1 / sensor - 1 / focal + 1 / object_distance) * (0.5 * diameter) ** 2) / (2e-9 * wavelength);
-  if (Math.abs(defocus) > FARTHEST) {
-    throw new RangeError(
-      `the defocus at these distances is ${Math.round(defocus)} waves, beyond the page's ${FARTHEST}: stop down, or bring focus and object together`,
-    );
-  }
   return { ...state, focus: "waves", defocus, f_number: sensor / diameter };
 }
 

@@ -256,6 +256,7 @@ export class View {
     if (parts.includes("code")) this.settled = undefined;
     if (parts.includes("psf")) this.stage.clear();
     this.drawNumbers();
+    this.say();
   }
 
   // Shortcuts of the page around are not meant for what is typed here.
@@ -582,19 +583,20 @@ export class View {
   // Sentences about the pictures are renewed when nothing moves.
   say() {
     const { page, state, shown } = this;
-    if (!shown?.psf || !shown.measures) return;
-    const said = psfSaid(state, shown.psf, shown.measures);
+    const none = (what) => `${what}: not computed for this setting.`;
+    const said = shown.psf && shown.measures ? psfSaid(state, shown.psf, shown.measures) : none("Point spread function");
     if (this.settled) page.code.textContent = this.settled.psf.python;
     page.psf.setAttribute("aria-label", this.compare.shown === "difference" ? `Difference, B minus A. B: ${said}` : said);
-    if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
+    if (!shown.wavefront) page.wavefront.setAttribute("aria-label", none("Wavefront over the pupil"));
+    else if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
     const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";
     const { width, height, reduced = 1 } = shown.picture ?? {};
     const pitch = `a sensor with pixels of ${short(sensorOf(state, { reduced }).pixel)} micrometres`;
-    page.recorded.setAttribute("aria-label", `${name}, blurred as ${pitch} records it.`);
+    page.recorded.setAttribute("aria-label", shown.recorded ? `${name}, blurred as ${pitch} records it.` : none(name));
     page.recorded.title = reduced > 1 ? `Reduced to ${width} × ${height} pixels, of ${short(sensorOf(state, { reduced }).pixel, 3)} µm each` : "";
     const titles = { profile: "Profile", energy: "Encircled energy", mtf: "MTF" };
     for (const [key, { node, shown: curves }] of Object.entries(page.plots))
-      if (curves) node.setAttribute("aria-label", plotSaid(titles[key], curves.x, curves.curves));
+      node.setAttribute("aria-label", !curves ? none(titles[key]) : (key === "mtf" && shown.measures?.mtf.refused) || plotSaid(titles[key], curves.x, curves.curves));
     clearTimeout(this.telling);
     this.telling = setTimeout(() => (page.said.textContent = said), 700);
   }

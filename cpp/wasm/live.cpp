@@ -127,6 +127,11 @@ void psf(std::size_t side, double step, bool integrate, double tol, float* out, 
     numbers[2] = sum;
 }
 
+// About how many seconds psf() takes with `cut`.
+EXPORT(cut_seconds) double cut_seconds(std::size_t side, double step, bool integrate) {
+    return live::cut_seconds(light, {side, step, integrate});
+}
+
 // What is to be asked of circles, up to `reach` in v.
 EXPORT(set_circles) void set_circles(double reach, double error) { circles = live::Circles(light, reach, error); }
 

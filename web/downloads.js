@@ -4,7 +4,7 @@ import { crc32 } from "./checksum.js";
 import { describedPsf } from "./description.js";
 import { FIELDS } from "./fields.js";
 import { figureOf } from "./figures.js";
-import { short } from "./plots.js";
+import { rounded, short } from "./plots.js";
 import { errorsOf, numbersSaid, stated } from "./sentences.js";
 import { DEFAULTS, toText } from "./state.js";
 
@@ -59,8 +59,13 @@ export function csvText(state, { psf, measures }) {
   const places = Math.min(12, Math.max(0, Math.floor(-Math.log10(error || 1e-12))));
   const proven = (values) => Array.from(values, (value) => String(Math.max(0, Number(value.toFixed(places)))));
   const columns = Object.entries(HEADS).flatMap(([name, heads]) => {
-    const { r, f, mean, reference, share, x, y, limit, pixel_x, pixel_y } = measures[name];
-    const parts = { profile: [r, proven(mean ?? []), reference], energy: [r, proven(share ?? []), reference], mtf: [f, x, y, limit, pixel_x, pixel_y] }[name];
+    const { r, f, mean, reference, share, ...mtf } = measures[name];
+    const known = (values) => Array.from(values ?? [], (value) => rounded(value, mtf.error));
+    const parts = {
+      profile: [r, proven(mean ?? []), reference],
+      energy: [r, proven(share ?? []), reference],
+      mtf: [f, ...[mtf.x, mtf.y, mtf.limit, mtf.pixel_x, mtf.pixel_y].map(known)],
+    }[name];
     return heads.map((head, index) => [head, parts[index]]);
   });
   const rows = Math.max(...columns.map(([, values]) => values.length));

@@ -12,6 +12,7 @@ const QUALITY = {
   settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, nodes: 10, grids: [[64, 0.5, 600], [48, 0.5, 150]], price: 4e7 },
 };
 const DEAREST = 1.3e8; // nodes of all transfer functions of a state: about a second
+const DEAREST_CUT = 7e7; // where the light on circles has them, too
 const LONGEST = 1.6; // seconds that quadrature along rows may take for an image
 
 const STOPS = [1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64, 90];
@@ -62,7 +63,8 @@ export class Engine {
     const window = stepOf(state, fineReach(state));
     const cut = state.vanes || beyondCircles(state);
     const reach = cut ? this.core.call("cut_reach", window) : window;
-    const circles = (cut ? this.cutCircles : this.wholeCircles).call(this, state, reach, radii, error);
+    const dear = this.contrastAt(state, quality, QUALITY[quality].price).cost > DEAREST_CUT;
+    const circles = cut ? this.cutCircles(state, reach, radii, dear) : this.wholeCircles(state, reach, radii, error);
     // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
     const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;
     const edge = Math.min(reach, stepOf(state, 0.5 * side * pixel));
@@ -76,7 +78,7 @@ export class Engine {
       within: summed ? null : circles.within(edge),
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
-      mtf: withPixel(state, this.contrast(stated, quality)),
+      mtf: withPixel(state, this.contrast(stated, quality, cut)),
     };
   }
 
@@ -118,12 +120,12 @@ export class Engine {
   }
 
   // The same of one with vanes, for which no error is proven; between radii shares are cubics, whose slopes the means are.
-  cutCircles(state, reach, radii) {
+  cutCircles(state, reach, radii, keep) {
     const { core } = this;
     const v = evenly(radii, reach);
     const [lit, plain] = [1, 0].map((aberrated) => {
       const out = core.room("numbers", Float64Array, 2 * radii);
-      const area = core.call("on_cut_circles", core.put("points", v), radii, aberrated, out, out + 8 * radii);
+      const area = core.call("on_cut_circles", core.put("points", v), radii, aberrated, aberrated && keep ? 1 : 0, out, out + 8 * radii);
       const both = core.view(out, Float64Array, 2 * radii);
       return { mean: both.slice(0, radii), share: both.slice(radii), area };
     });
@@ -300,26 +302,30 @@ export class Engine {
     return [both.slice(0, v.length), both.slice(v.length)];
   }
 
-  // The MTF, by samples of the transfer function so dense that between them polynomials have it.
-  contrast(stated, quality) {
+  // The MTF, by samples of the transfer function so dense that between them polynomials have it. `kept`: where it would take too long,
+  // from the light on circles, with a bound on the error.
+  contrast(stated, quality, kept = false) {
     const { core } = this;
     const { nodes, price } = QUALITY[quality];
     const state = focused(stated);
     const end = Math.max(...linesOf(state).map(([stretch]) => stretch));
-    let { samples, at, cost } = this.contrastAt(state, quality, price);
-    if (cost > DEAREST) {
-      const none = Float64Array.of(NaN, NaN);
-      const cheap = (given) => this.contrastAt(focused(given), "settled", DEAREST).cost <= DEAREST;
-      const refused = `No MTF: it would take too long. ${advice(stated, cheap)}`;
-      return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };
-    }
+    const { samples, at, cost } = this.contrastAt(state, quality, price);
     const count = samples.length;
     const out = core.room("numbers", Float64Array, 5 * count);
-    core.call("contrast", at, count, nodes, out, out + 16 * count, out + 32 * count);
+    const near = kept && cost > DEAREST_CUT;
+    let error = cost > DEAREST ? 1 : 0;
+    if (near) error = core.call("near_contrast", at, count, out, out + 16 * count, out + 32 * count);
+    if (error > 0.01) {
+      const none = Float64Array.of(NaN, NaN);
+      const cheap = (given) => this.contrastAt(focused(given), "settled", DEAREST).cost <= DEAREST_CUT;
+      const refused = `No MTF: it would take too long. ${advice(stated, cheap, 1)}`;
+      return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };
+    }
+    if (!near) core.call("contrast", at, count, nodes, out, out + 16 * count, out + 32 * count);
     const [x, y] = [0, 1].map((k) => core.view(out + 16 * count * k, Float64Array, 2 * count).slice());
     const limit = core.view(out + 32 * count, Float64Array, count).slice();
     const made = interpolated(samples, x, y, limit);
-    return { ...made, f: made.f.map((over) => over * cutoff(state)) };
+    return { ...made, error, f: made.f.map((over) => over * cutoff(state)) };
   }
 
   // Frequencies of samples, of as dense a grid as costs less than `price`, and where they are in memory.
@@ -410,8 +416,8 @@ function least(list, fits) {
   return list[low];
 }
 
-// Up to two changes of a state, in words, after which it fits the time.
-function advice(state, fits) {
+// Up to `most` changes of a state, in words, after which it fits the time.
+function advice(state, fits, most = 2) {
   const scaled = (keys) => SHARES.map((share) => [`to ${100 * share} %`, Object.fromEntries(keys.map((key) => [key, state[key] * share]))]);
   const aberrations = ["spherical", ...DIRECTED.map(({ name }) => name)].filter((key) => state[key]);
   const lists = [];
@@ -420,6 +426,7 @@ function advice(state, fits) {
   if (state.view === "averaged") lists.push(["choose “finely sampled”", [["", { view: "fine" }]]]);
   const choices = lists.length;
   if (state.focus === "distances") lists.push(["stop down", STOPS.filter((stop) => stop > state.f_number).map((stop) => [`to f/${stop}`, { f_number: stop }])]);
+  if (state.focus === "distances") lists.push(["set the object distance to the focus distance", [["", { object_distance: state.focus_distance }]]]);
   else if (state.defocus) lists.push(["reduce the defocus", scaled(["defocus"])]);
   if (aberrations.length) lists.push(["reduce the aberrations", scaled(aberrations)]);
   if (aberrations.length && state.focus === "waves") lists.push(["reduce defocus and aberrations", scaled(["defocus", ...aberrations])]);
@@ -429,7 +436,7 @@ function advice(state, fits) {
   for (let k = -1; k < choices && !found.length; k++) {
     const [first, [[, base]]] = k < 0 ? ["", [["", {}]]] : lists[k];
     for (const [name, changes] of lists) {
-      if (name === first || found.length === 2) continue;
+      if (name === first || found.length === (k < 0 ? most : 1)) continue;
       const helps = least(changes, ([, change]) => fits({ ...state, ...base, ...change }));
       if (helps) found.push([first && `${first} and`, name, helps[0]].filter(Boolean).join(" "));
     }
@@ -519,7 +526,7 @@ function interpolated(samples, x, y, limit) {
       if (moved % PARTS) f[moved] = least;
     }
   }
-  const real = f.map((at, i) => weightsAt(at, interval(i)).reduce((sum, [j, weight]) => sum + weight * limit[j], 0));
+  const real = f.map((at, i) => Math.max(0, weightsAt(at, interval(i)).reduce((sum, [j, weight]) => sum + weight * limit[j], 0)));
   return { f, x: curve(x), y: curve(y), limit: real };
 }
 

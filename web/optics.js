@@ -12,7 +12,8 @@ export function focused(state) {
   const { focal_length, focus_distance, object_distance, wavelength } = state;
   const focal = focal_length * 1e-3;
   if (focus_distance <= focal) {
-    throw new RangeError(`the focus distance must exceed the focal length of ${focal_length} mm, and is ${focus_distance} m`);
+    const [length, distance] = [focal_length, focus_distance].map((value) => Number(value.toPrecision(6)));
+    throw new RangeError(`the focus distance must exceed the focal length of ${length} mm, and is ${distance} m`);
   }
   const sensor = 1 / (1 / focal - 1 / focus_distance);
   const diameter = focal / state.f_number;

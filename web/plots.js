@@ -32,6 +32,11 @@ export function short(value, digits = 4) {
   return rounded && Math.abs(rounded) < 1e-3 ? rounded.toExponential() : String(rounded);
 }
 
+// A value to the decimals that an error leaves.
+export function rounded(value, error) {
+  return error > 0 && Number.isFinite(value) ? Number(value.toFixed(Math.max(0, Math.floor(-Math.log10(error))))) : value;
+}
+
 export class Plot {
   constructor(title) {
     this.axes = svg("g", { class: "axes" });
@@ -156,7 +161,7 @@ export class Plot {
   values(at) {
     const said = new Map();
     for (const curve of this.shown.curves) {
-      const value = short(read(curve, at), 3);
+      const value = short(rounded(read(curve, at), this.shown.error), 3);
       said.set(value, [...(said.get(value) ?? []), curve.name]);
     }
     return [...said].map(([value, names]) => `${names.join(", ").replace("x with pixel, y", "x, y")} ${value}`).join("; ");

@@ -9,7 +9,7 @@ import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { layout, UNNAMED } from "./layout.js";
 import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { STAR, testPicture } from "./pictures.js";
-import { niceTop, read, short, svg } from "./plots.js";
+import { niceTop, read, rounded, short, svg } from "./plots.js";
 import { PRESETS } from "./presets.js";
 import { differenceSaid, numbersSaid, plotSaid, psfSaid, wavefrontSaid } from "./sentences.js";
 import { FIELDS } from "./fields.js";
@@ -431,8 +431,9 @@ export class View {
   // The state that a part answers, looking as the controls say.
   stateOf(part) {
     const { state } = this;
-    const own = (key) => matters(part, key, state) && this.of[part];
-    return Object.fromEntries(Object.keys(state).map((key) => [key, (own(key)?.state ?? state)[key]]));
+    const asked = this.of[part]?.state;
+    const own = (key) => asked && (matters(part, key, state) || matters(part, key, asked));
+    return Object.fromEntries(Object.keys(state).map((key) => [key, (own(key) ? asked : state)[key]]));
   }
 
   draw(part = this.shown) {
@@ -555,14 +556,15 @@ export class View {
     const nyquist = (500 / state.pixel) * frequency.factor;
     const last = end(mtf, frequency.factor);
     const there = (x, y) => {
-      const [a, b] = [x, y].map((curve) => short(read({ x: mtf.f, y: curve }, nyquist / frequency.factor), 3));
+      const [a, b] = [x, y].map((curve) => short(rounded(read({ x: mtf.f, y: curve }, nyquist / frequency.factor), mtf.error), 3));
       return a === b ? a : `x ${a}, y ${b}`;
     };
-    const contrast = nyquist > last ? "beyond the diffraction limit" : `MTF ${there(mtf.x, mtf.y)}, with pixel ${there(mtf.pixel_x, mtf.pixel_y)}`;
+    const contrast = nyquist > last ? "beyond the diffraction limit" : `MTF ${there(mtf.x, mtf.y)}, with pixel ${there(mtf.pixel_x, mtf.pixel_y)}${mtf.error ? `, ± ${Math.ceil(1e3 * mtf.error) / 1e3}` : ""}`;
     page.plots.mtf.draw({
       x: { unit: frequency.name, label: frequency.name, top: last },
       y: { top: 1 },
       curves: curves(mtf, frequency.factor, MTF_CURVES, held?.mtf),
+      error: Math.max(mtf.error, held?.mtf.error ?? 0),
       mark: { at: nyquist, name: "Nyquist", said: mtf.refused ?? `Nyquist ${short(nyquist, 3)} ${frequency.name}: ${contrast}` },
     });
   }

@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include "lommel/measures/overlap.hpp"
@@ -322,7 +323,7 @@ class CutPupil {
         panels(f, turns, least, density, [&](double middle, double half, const Pieces& pieces) {
             const double count = static_cast<double>(pieces.count * pieces.nodes);
             found[0] += count;
-            for (const double t : {-0.8, -0.3, 0.3, 0.8}) {
+            for (const double t : {-0.92, -0.38, 0.38, 0.92}) {
                 for (const Interval& part : shared(middle + half * t, f)) {
                     found[1] += 0.25 * count * price(part.high - part.low);
                 }
@@ -503,6 +504,24 @@ class CutField {
     static constexpr double step = 1.5;
     static std::size_t side(double reach) { return 2 * (static_cast<std::size_t>(reach / step) + taps / 2 + 1) + 1; }
 
+    // Sums of the intensity along columns and along rows, at samples whose transforms are the transfer function: `step` is below
+    // what its band takes.
+    std::array<std::vector<double>, 2> sums() const {
+        const int far = static_cast<int>(half_) - static_cast<int>(taps / 2) - 1;
+        std::array<std::vector<double>, 2> found;
+        found.fill(std::vector<double>(static_cast<std::size_t>(2 * far + 1), 0.0));
+        lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (int y = -far; y <= far; ++y) {
+                for (int x = -far; x <= far; ++x) {
+                    const double value = intensity(isa, step * x, step * y);
+                    found[0][static_cast<std::size_t>(x + far)] += value;
+                    found[1][static_cast<std::size_t>(y + far)] += value;
+                }
+            }
+        });
+        return found;
+    }
+
     // The mean on a circle. The intensity there has no finer waves than 2 v around it.
     double mean(double v) const {
         const std::size_t places = 6 + static_cast<std::size_t>(turn_ * (0.38 * v + 3.0));
@@ -583,15 +602,19 @@ inline double cut_reach(const Light& light, double reach) {
         const double far = reach * widest;
         const std::size_t side = CutField::side(far);
         const double rings = 2.0 * lines * 100e-9 * far * far;
-        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 0.8 || far < 50.0) {
+        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 1.1 || far < 50.0) {
             return reach;
         }
     }
 }
 
+// Sums of the light of each line along columns and along rows, over all of it.
+using CutSums = std::vector<std::array<std::vector<double>, 2>>;
+
 // On circles about the axis at radii in v of the reference, from 0 on, each larger than the one before: the mean over the peak without
 // aberration, and the share of all light within. Returns the clear area over that of the disk.
-inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares) {
+inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares,
+                          CutSums* sums) {
     std::fill_n(means, count, 0.0);
     std::fill_n(shares, count, 0.0);
     double brightest = 0.0, area = 1.0;
@@ -607,6 +630,14 @@ inline double cut_circles(const Light& light, bool lit, const double* v, std::si
             area = pupil.area();
             field.reset();
             field = std::make_unique<CutField>(pupil, v[count - 1] * widest, !lit);
+        }
+        if (sums != nullptr) {
+            sums->push_back(field->sums());
+            for (std::vector<double>& axis : sums->back()) {
+                for (double& value : axis) {
+                    value *= CutField::step * CutField::step / (12.566370614359172 * area);
+                }
+            }
         }
         brightest += line.weight() * area * area;
         double energy = 0.0;
@@ -643,6 +674,38 @@ inline void cut_contrast(const Light& light, const double* f, std::size_t count,
         }
     }
     std::transform(flat.begin(), flat.end(), limit, [](std::complex<double> sum) { return std::abs(sum); });
+}
+
+// The same from the light that cut_circles() found. Returns how much is missing of all light, which no value is off by more than.
+inline double near_contrast(const Light& light, const CutSums& sums, const double* f, std::size_t count,
+                            std::complex<double>* x, std::complex<double>* y, double* limit) {
+    std::complex<double>* const curves[2] = {x, y};
+    std::fill_n(x, count, 0.0);
+    std::fill_n(y, count, 0.0);
+    std::fill_n(limit, count, 0.0);
+    double found = 0.0;
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        const Line& line = light.lines[k];
+        CutPupil plain(light, line.stretch, 0.0, false);
+        found += line.share * std::accumulate(sums[k][0].begin(), sums[k][0].end(), 0.0);
+        for (std::size_t i = 0; i < count && f[i] < line.stretch; ++i) {
+            const double turn = 2.0 * CutField::step * f[i] / line.stretch;
+            const std::complex<double> each = std::polar(1.0, turn);
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                const std::vector<double>& light_at = sums[k][axis];
+                double re = 0.0, im = 0.0;  // Horner's rule
+                for (std::size_t j = light_at.size(); j-- > 0;) {
+                    const double before = re;
+                    re = re * each.real() - im * each.imag() + light_at[j];
+                    im = before * each.imag() + im * each.real();
+                }
+                const double middle = -turn * static_cast<double>(light_at.size() / 2);
+                curves[axis][i] += line.share * std::complex<double>(re, im) * std::polar(1.0, middle);
+            }
+            limit[i] += line.share * plain.contrast(f[i] / line.stretch, 2).real();
+        }
+    }
+    return std::abs(1.0 - found);
 }
 
 // About how many nodes cut_contrast() takes, by those at three frequencies in the line where they are most.

@@ -288,6 +288,20 @@ def test_pictures_that_are_not_computed_say_so(visit: Callable[..., Any]) -> Non
     assert not set(names) & {a.split(":")[0] for a, b in zip(after, before, strict=True) if a == b}
 
 
+def test_a_lens_at_distances_is_left_for_one_in_waves(visit: Callable[..., Any]) -> None:
+    """Of the answers on the page the focal length stays that of their own lens, until the new ones come."""
+    page = visit("/mounted#side=64&focus=distances&focus_distance=1&object_distance=2&focal_length=50")
+    page.locator(".notice").evaluate(
+        """(node) => { window.told = []; new MutationObserver(() => node.textContent && told.push(node.textContent))
+        .observe(node, { childList: true, characterData: true, subtree: true }); }"""
+    )
+    page.evaluate("live.set({ focus: 'waves', focal_length: 20000, defocus: 1, length_unit: 'lambdaN' })")
+    rest(page)
+    assert page.evaluate("told") == []
+    assert page.locator(".notice").is_hidden()
+    assert page.evaluate("live.result().state.focal_length") == 20000
+
+
 def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=COUNTING)
     page.evaluate("made[0].dispatchEvent(new ErrorEvent('error', { message: 'it died', cancelable: true }))")

@@ -13,6 +13,7 @@ const QUALITY = {
 };
 const DEAREST = 1.3e8; // nodes of all transfer functions of a state: about a second
 const DEAREST_CUT = 7e7; // where the light on circles has them, too
+const MISSING = 0.01; // error that an MTF from the light on circles may have
 const LONGEST = 1.6; // seconds that quadrature along rows may take for an image
 
 const STOPS = [1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64, 90];
@@ -312,10 +313,10 @@ export class Engine {
     const { samples, at, cost } = this.contrastAt(state, quality, price);
     const count = samples.length;
     const out = core.room("numbers", Float64Array, 5 * count);
-    const near = kept && cost > DEAREST_CUT;
-    let error = cost > DEAREST ? 1 : 0;
-    if (near) error = core.call("near_contrast", at, count, out, out + 16 * count, out + 32 * count);
-    if (error > 0.01) {
+    let near = kept && cost > DEAREST_CUT;
+    let error = near ? core.call("near_contrast", at, count, out, out + 16 * count, out + 32 * count) : 0;
+    if (near && !(error < MISSING) && cost < DEAREST) [near, error] = [false, 0];
+    if (near ? !(error < MISSING) : cost > DEAREST) {
       const none = Float64Array.of(NaN, NaN);
       const cheap = (given) => this.contrastAt(focused(given), "settled", DEAREST).cost <= DEAREST_CUT;
       const refused = `No MTF: it would take too long. ${advice(stated, cheap, 1)}`;

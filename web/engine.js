@@ -3,7 +3,7 @@ import { COLOURS, DIRECTED } from "./fields.js";
 import { counted } from "./noise.js";
 import { changed, DEFAULTS } from "./state.js";
 import {
-  clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, rayReach, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
+  centroidOf, clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, rayReach, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
 } from "./optics.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
@@ -71,16 +71,24 @@ export class Engine {
     const edge = Math.min(reach, stepOf(state, 0.5 * side * pixel));
     const { v, mean, reference, share, flat, area, radius } = circles;
     const r = v.map((at) => lengthOf(state, at));
-    return {
+    const made = {
       strehl: mean[0],
       strehl_error: circles.error,
       unaberrated: (area * brightness(state) * stepOf(state, pixel) ** 2) / (4 * Math.PI), // value of a pixel at the peak
-      d80: radius < 0 ? null : 2 * lengthOf(state, radius),
+      d80_axis: radius < 0 ? null : 2 * lengthOf(state, radius),
       within: summed ? null : circles.within(edge),
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
       mtf: withPixel(state, this.contrast(stated, quality, cut)),
     };
+    const centroid = centroidOf(state);
+    if (Math.hypot(...centroid) < 1e-6) return { ...made, d80: made.d80_axis };
+    if (cut && quality === "drag") return { ...made, d80: NaN }; // as long again
+    // About the centroid: the same circles of an image that is moved onto the axis.
+    this.light(state, centroid.map((at) => -at));
+    if (!cut) this.core.call("set_circles", reach, error);
+    const about = cut ? sharesOf(state, v, this.cutLight(v, 1)).radius : this.core.call("radius_of", 0.8, reach);
+    return { ...made, d80: about < 0 ? null : 2 * lengthOf(state, about) };
   }
 
   // Mean intensities and encircled energies up to a radius in v, of a pupil without vanes.
@@ -120,30 +128,19 @@ export class Engine {
     });
   }
 
-  // The same of one with vanes, for which no error is proven; between radii shares are cubics, whose slopes the means are.
+  // The same of one with vanes, for which no error is proven.
   cutCircles(state, reach, radii, keep) {
-    const { core } = this;
     const v = evenly(radii, reach);
-    const [lit, plain] = [1, 0].map((aberrated) => {
-      const out = core.room("numbers", Float64Array, 2 * radii);
-      const area = core.call("on_cut_circles", core.put("points", v), radii, aberrated, aberrated && keep ? 1 : 0, out, out + 8 * radii);
-      const both = core.view(out, Float64Array, 2 * radii);
-      return { mean: both.slice(0, radii), share: both.slice(radii), area };
-    });
-    const slope = (i) => 0.5 * lit.area * brightness(state) * lit.mean[i] * v[i] * v[1];
-    const within = (at) => {
-      const i = Math.max(0, Math.min(radii - 2, Math.floor(at / v[1])));
-      const t = at / v[1] - i;
-      const [low, high, first, last] = [lit.share[i], lit.share[i + 1], slope(i), slope(i + 1)];
-      return low + t * (first + t * (3 * (high - low) - 2 * first - last + t * (2 * (low - high) + first + last)));
-    };
-    let [low, radius] = [0, lit.share[radii - 1] < 0.8 ? -1 : reach];
-    for (let i = 0; radius > 0 && i < 40; i++) {
-      const middle = 0.5 * (low + radius);
-      if (within(middle) < 0.8) low = middle;
-      else radius = middle;
-    }
-    return { v, mean: lit.mean, reference: plain.mean, share: lit.share, flat: plain.share, error: null, radius, within, area: lit.area };
+    const [lit, plain] = [1, 0].map((aberrated) => this.cutLight(v, aberrated, aberrated && keep ? 1 : 0));
+    return { v, mean: lit.mean, reference: plain.mean, share: lit.share, flat: plain.share, error: null, ...sharesOf(state, v, lit), area: lit.area };
+  }
+
+  cutLight(v, aberrated, keep = 0) {
+    const { core } = this;
+    const out = core.room("numbers", Float64Array, 2 * v.length);
+    const area = core.call("on_cut_circles", core.put("points", v), v.length, aberrated, keep, out, out + 8 * v.length);
+    const both = core.view(out, Float64Array, 2 * v.length);
+    return { mean: both.slice(0, v.length), share: both.slice(v.length), area };
   }
 
   maps(given, side) {
@@ -345,8 +342,8 @@ export class Engine {
     return found;
   }
 
-  light(state) {
-    const terms = termsOf(state);
+  light(state, moved) {
+    const terms = termsOf(state, moved);
     const lines = linesOf(state);
     const { core } = this;
     core.call(
@@ -460,6 +457,25 @@ function withPixel({ pixel }, mtf) {
   const turn = (f) => Math.PI * f * pixel * 1e-3;
   const of = (curve) => curve.map((contrast, i) => (i ? Math.abs((contrast * Math.sin(turn(mtf.f[i]))) / turn(mtf.f[i])) : contrast));
   return { ...mtf, pixel_x: of(mtf.x), pixel_y: of(mtf.y) };
+}
+
+// The light within a radius in v, and the radius of 80 % of it, or -1: between radii shares are cubics, whose slopes the means are.
+function sharesOf(state, v, { mean, share, area }) {
+  const last = v.length - 1;
+  const slope = (i) => 0.5 * area * brightness(state) * mean[i] * v[i] * v[1];
+  const within = (at) => {
+    const i = Math.max(0, Math.min(last - 1, Math.floor(at / v[1])));
+    const t = at / v[1] - i;
+    const [low, high, first, end] = [share[i], share[i + 1], slope(i), slope(i + 1)];
+    return low + t * (first + t * (3 * (high - low) - 2 * first - end + t * (2 * (low - high) + first + end)));
+  };
+  let [low, radius] = [0, share[last] < 0.8 ? -1 : v[last]];
+  for (let i = 0; radius > 0 && i < 40; i++) {
+    const middle = 0.5 * (low + radius);
+    if (within(middle) < 0.8) low = middle;
+    else radius = middle;
+  }
+  return { within, radius };
 }
 
 // Of all lines, over that of the reference.

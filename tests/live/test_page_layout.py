@@ -22,7 +22,7 @@ def test_the_header_is_as_high_with_a_changed_lens_and_with_a_held(visit: Callab
     box(page, "coma").fill("0.4")
     page.keyboard.press("Enter")
     rest(page)
-    assert page.locator("h1.name").inner_text() == "A lens, changed"
+    assert page.locator("h1.name").inner_text() == "Changed from: A lens"
     assert page.evaluate(TOP) == high
     for mode in ("flicker", "difference"):
         page.get_by_label("How to compare").select_option(mode)

@@ -211,7 +211,7 @@ export class Controls {
       const said = termsSaid(state);
       const rest = said.length - SAID;
       this.termsRow.hidden = !said.length;
-      this.terms.textContent = `Further Zernike terms: ${said.slice(0, SAID).join(", ")}${rest > 0 ? `, and ${rest} smaller` : ""} waves rms`;
+      this.terms.textContent = `Further Zernike terms: ${said.slice(0, SAID).join(", ")} waves rms${rest > 0 ? `, and ${rest} smaller` : ""}`;
       this.terms.title = this.terms.dataset.also = said.length ? `${said.join(", ")} waves rms.` : "";
     }
     for (const { spec, box } of this.rows.values())
@@ -294,7 +294,7 @@ export class Play {
     this.button.textContent = `${this.running ? "❚❚" : "▶"} ${does}${does === "Step" ? ":" : ""} ${name}`;
     this.button.setAttribute("aria-label", `${does} ${name}`);
     const steps = "one step each time, since your system asks for reduced motion";
-    this.button.title = does === "Step" ? `Step: ${steps}` : `${does} (Escape stops): run the slider used last through its range`;
+    this.button.title = does === "Step" ? `Step: ${steps}` : `${does} ${name} (Escape stops): run the slider used last through its range`;
   }
 
   press() {

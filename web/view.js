@@ -513,10 +513,13 @@ export class View {
     const { factor, name } = frequencyUnit(state);
     const perRadius = (1000 / state.pixel) * factor * (STAR.spokes / (2 * Math.PI));
     const marks = [];
+    let last = Infinity;
     for (let f = niceTop(perRadius / STAR.radius); perRadius / f > 16; f = niceTop(1.01 * f)) {
       const x = STAR.middle[0] + perRadius / f;
       const y = STAR.middle[1];
       const r = perRadius / f;
+      if (last - r < 26) continue; // their numbers would overlap
+      last = r;
       marks.push(svg("path", { d: `M${x - r * 0.134} ${y - r / 2}A${r} ${r} 0 0 1 ${x - r * 0.134} ${y + r / 2}` }), svg("text", { x, y: y + 4 }, short(f, 2)));
     }
     page.rings.replaceChildren(...marks, svg("text", { x: 380, y: 282, "text-anchor": "end" }, name));

@@ -4,8 +4,8 @@ import { saveCsv, savePng, saveTiff } from "./downloads.js";
 import { ownPicture } from "./pictures.js";
 import { decodedText, MOST_BYTES, readFile, SUFFIXES } from "./lensfiles.js";
 import { PRESETS } from "./presets.js";
-import { changed, DEFAULTS, toText } from "./state.js";
 import { psfSaid } from "./sentences.js";
+import { sayBeside } from "./words.js";
 
 const PICTURE = /\.(png|jpe?g|webp|gif|bmp|avif|svg)$/i; // of files that say no type
 
@@ -97,9 +97,11 @@ export function actions(view) {
       view.draw();
     },
     turn: () => view.compare.swap(),
-    link: () => {
-      const text = toText(changed(DEFAULTS, view.state), view.start);
-      return copy(view.page.link, location.href.split("#")[0] + (text ? `#${text}` : ""));
+    link: async () => {
+      const { page, state } = view;
+      const text = view.linkText();
+      await copy(page.link, location.href.split("#")[0] + (text ? `#${text}` : ""));
+      if (state.picture === "own") sayBeside(page.node, page.tip, page.link, "Your own picture is not in the link.");
     },
     python: () => (view.shown?.psf ? copy(view.page.python, (view.settled ?? view.shown).psf.python) : undefined),
     png: () => save(() => savePng(view.figure())),

@@ -3,7 +3,8 @@
 import { el, menu, unique } from "./dom.js";
 import { short } from "./plots.js";
 import { FIELDS } from "./fields.js";
-import { LENGTH_UNITS, WAVES_UNITS, wavesUnit } from "./units.js";
+import { furtherTerms } from "./state.js";
+import { LENGTH_UNITS, WAVES_UNITS, wavesUnit, withUnit } from "./units.js";
 
 // [title, rows or pairs of a size and its direction], in the order of FIELDS. lommel.page.state lists the contents of rows.
 const GROUPS = [];
@@ -21,6 +22,18 @@ const BELOW = {
   Wavefront: [["rays", "Rays", { off: "not shown", on: "over the image" }]],
   Sensor: [["noise", "Noise", { off: "none", on: "photons and read noise" }]],
 };
+
+const SAID = 3; // terms without sliders, of which all are said in words that are clicked
+const TERM_NAMES = {
+  "1,1": "tilt x", "1,-1": "tilt y", "2,0": "defocus", "2,2": "astigmatism 0°", "2,-2": "astigmatism 45°", "3,1": "coma x", "3,-1": "coma y",
+  "3,3": "trefoil 0°", "3,-3": "trefoil 30°", "4,0": "spherical", "4,4": "tetrafoil 0°", "4,-4": "tetrafoil 22.5°", "6,0": "second spherical",
+};
+
+// "tilt y (Z1^-1) 0.3", the largest first.
+const termsSaid = ({ zernike }) =>
+  furtherTerms(zernike)
+    .sort(([, , a], [, , b]) => Math.abs(b) - Math.abs(a))
+    .map(([n, m, c]) => `${TERM_NAMES[`${n},${m}`] ? `${TERM_NAMES[`${n},${m}`]} (Z${n}^${m})` : `Z${n}^${m}`} ${short(c, 3)}`);
 
 const SIDEWAYS = 6; // px that a finger moves before a slider follows it
 const PAUSE = 700; // ms without a change that end a gesture of the keyboard
@@ -195,10 +208,11 @@ export class Controls {
     for (const row of this.rows.values()) this.show(row, state, row.spec.waves ? waves : { factor: 1, name: row.spec.unit });
     for (const [key, node] of Object.entries(this.menus)) node.value = state[key];
     if (this.terms) {
-      const count = state.zernike.split(";").filter(Boolean).length;
-      this.termsRow.hidden = !count;
-      this.terms.textContent = `Further Zernike terms: ${count}`;
-      this.terms.title = state.zernike;
+      const said = termsSaid(state);
+      const rest = said.length - SAID;
+      this.termsRow.hidden = !said.length;
+      this.terms.textContent = `Further Zernike terms: ${said.slice(0, SAID).join(", ")} waves rms${rest > 0 ? `, and ${rest} smaller` : ""}`;
+      this.terms.title = this.terms.dataset.also = said.length ? `${said.join(", ")} waves rms.` : "";
     }
     for (const { spec, box } of this.rows.values())
       box.closest("[data-row]").hidden = spec.when.length > 0 && !spec.when.some(([key, ...values]) => values.includes(state[key]));
@@ -218,7 +232,7 @@ export class Controls {
     // What is typed stays until the typing is over.
     if (this.edited !== box) box.value = box.matches(":focus") ? short(value * factor, 12) : text;
     row.unit.textContent = name;
-    slider.setAttribute("aria-valuetext", `${text} ${spec.waves ? name : spec.said}`.trim());
+    slider.setAttribute("aria-valuetext", withUnit(text, spec.waves ? name : spec.said).trim());
     const said = spec.waves ? `${row.name}, ${name}` : [row.name, spec.said].filter(Boolean).join(", ");
     if (box.getAttribute("aria-label") !== said) box.setAttribute("aria-label", said);
   }
@@ -276,11 +290,11 @@ export class Play {
   show() {
     if (!this.key) return;
     const { name } = this.controls.rows.get(this.key);
-    const does = this.running ? "Pause" : this.still.matches ? "Step" : "Play";
-    this.button.textContent = `${this.running ? "❚❚" : "▶"} ${does === "Step" ? "Step: " : ""}${name}`;
+    const does = this.running ? "Pause" : this.still.matches ? "Step" : "Move";
+    this.button.textContent = `${this.running ? "❚❚" : "▶"} ${does}${does === "Step" ? ":" : ""} ${name}`;
     this.button.setAttribute("aria-label", `${does} ${name}`);
     const steps = "one step each time, since your system asks for reduced motion";
-    this.button.title = does === "Step" ? `Step: ${steps}` : `${does} (Escape stops): run the slider used last through its range`;
+    this.button.title = does === "Step" ? `Step: ${steps}` : `${does} ${name} (Escape stops): run the slider used last through its range`;
   }
 
   press() {

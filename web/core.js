@@ -41,7 +41,7 @@ export class Core {
 
   // Where a block of at least so many numbers of a kind begins.
   room(name, kind, length) {
-    return this.call("room", BLOCKS.indexOf(name), Math.max(1, length) * kind.BYTES_PER_ELEMENT);
+    return this.call("room", BLOCKS.indexOf(name), Math.max(1, length) * kind.BYTES_PER_ELEMENT) >>> 0; // above 2 GB, too
   }
 
   // The address of a block that holds these numbers.

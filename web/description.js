@@ -2,7 +2,7 @@
 
 import { crc32 } from "./checksum.js";
 import { WHITE } from "./fields.js";
-import { focused, linesOf, termsOf, unitOfLength, vanesOf } from "./optics.js";
+import { focused, linesOf, pythonFloat, termsOf, unitOfLength, vanesOf } from "./optics.js";
 
 // JSON as Python writes it, with keys in order and the digits of its floats, so that checksums agree.
 export function pythonJson(value, sorted) {
@@ -15,18 +15,11 @@ export function pythonJson(value, sorted) {
   return JSON.stringify(value);
 }
 
-// A float of Python: never without a dot or an exponent, whose sign and two digits it always has.
 class Float {
   constructor(value) {
-    const [digits, power] = value.toExponential().split("e").map((part, index) => (index ? Number(part) : part));
-    const sign = power < 0 ? "-" : "+";
-    if (value !== 0 && (power < -4 || power >= 16)) this.text = `${digits}e${sign}${String(Math.abs(power)).padStart(2, "0")}`;
-    else this.text = Number.isInteger(value) ? `${value}.0` : decimal(value, power);
+    this.text = pythonFloat(value);
   }
 }
-
-const decimal = (value, power) => (power < 0 ? value.toFixed(Math.min(100, digitsOf(value) - 1 - power)) : String(value));
-const digitsOf = (value) => value.toExponential().split("e")[0].replace(/[-.]/g, "").length;
 
 export function describedPsf(given, psf) {
   const state = focused(given);

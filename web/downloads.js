@@ -36,6 +36,8 @@ export function savePng(given) {
   figureOf(given).toBlob(async (blob) => saveBlob(await withText(blob, "Description", toText(given.state) || "defaults"), "lommel-psf.png"));
 }
 
+const MTF_PLACES = 6;
+
 const HEADS = {
   profile: ["radius (um)", "profile", "profile unaberrated"],
   energy: ["radius (um)", "encircled energy", "encircled energy unaberrated"],
@@ -51,21 +53,25 @@ export function csvText(state, { psf, measures }) {
     ...Object.keys(FIELDS).map((key) => `# ${key}=${state[key]}${state[key] === DEFAULTS[key] ? "" : " *"}`),
     `# strehl_on_axis=${number("strehl")}`,
     `# largest_value=${number("largest")}`,
-    `# diameter_80_percent_um=${measures.d80 === null ? "" : short(measures.d80)}`,
+    `# diameter_80_percent_about_centroid_um=${measures.d80 === null ? "" : short(measures.d80)}`,
+    `# diameter_80_percent_about_axis_um=${measures.d80_axis === null ? "" : short(measures.d80_axis)}`,
     `# light_in_window_percent=${number("inside")}`,
     `# proven_error_over_peak=${psf.bound === null ? "" : stated(psf.bound, 0, 2)}`,
     `# proven_error_of_profile_and_energy=${measures.strehl_error === null ? "" : stated(error, 0, 2)}`,
   ];
-  const places = Math.min(12, Math.max(0, Math.floor(-Math.log10(error || 1e-12))));
-  const proven = (values) => Array.from(values, (value) => String(Math.max(0, Number(value.toFixed(places)))));
+  const places = (values, digits) => Array.from(values ?? [], (value) => (Number.isNaN(value) ? "" : Math.max(0, Number(value.toFixed(digits)))));
+  const proven = (values) => places(values, Math.min(12, Math.max(0, Math.floor(-Math.log10(error || 1e-12)))));
+  const lengths = (values) => Array.from(values ?? [], (value) => Number(value.toPrecision(8)));
   const columns = Object.entries(HEADS).flatMap(([name, heads]) => {
-    const { r, f, mean, reference, share, x, y, limit, pixel_x, pixel_y } = measures[name];
-    const parts = { profile: [r, proven(mean ?? []), reference], energy: [r, proven(share ?? []), reference], mtf: [f, x, y, limit, pixel_x, pixel_y] }[name];
+    const { r, f, mean, reference, share, ...mtf } = measures[name];
+    const circles = [lengths(r), proven(mean ?? share), proven(reference)];
+    const known = (values) => places(values, mtf.error > 0 ? Math.floor(-Math.log10(mtf.error)) : MTF_PLACES);
+    const parts = name === "mtf" ? [lengths(f), ...[mtf.x, mtf.y, mtf.limit, mtf.pixel_x, mtf.pixel_y].map(known)] : circles;
     return heads.map((head, index) => [head, parts[index]]);
   });
   const rows = Math.max(...columns.map(([, values]) => values.length));
   const lines = [columns.map(([head]) => head).join(",")];
-  for (let i = 0; i < rows; i++) lines.push(columns.map(([, values]) => (i < values.length && !Number.isNaN(values[i]) ? values[i] : "")).join(","));
+  for (let i = 0; i < rows; i++) lines.push(columns.map(([, values]) => values[i] ?? "").join(","));
   return [...said, ...lines, ""].join("\r\n");
 }
 

@@ -1,9 +1,9 @@
 // From a state of the page to its answers. Runs in a Worker, or where there is none on the page itself.
-import { COLOURS } from "./fields.js";
+import { COLOURS, DIRECTED } from "./fields.js";
 import { counted } from "./noise.js";
 import { changed, DEFAULTS } from "./state.js";
 import {
-  clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, rayReach, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
+  centroidOf, clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, rayReach, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
 } from "./optics.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
@@ -12,7 +12,12 @@ const QUALITY = {
   settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, nodes: 10, grids: [[64, 0.5, 600], [48, 0.5, 150]], price: 4e7 },
 };
 const DEAREST = 1.3e8; // nodes of all transfer functions of a state: about a second
+const DEAREST_CUT = 7e7; // where the light on circles has them, too
+const MISSING = 0.01; // error that an MTF from the light on circles may have
+const LONGEST = 1.6; // seconds that quadrature along rows may take for an image
 
+const STOPS = [1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64, 90];
+const SHARES = [0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1];
 const RINGS = 10; // of rays
 
 export class Engine {
@@ -25,6 +30,7 @@ export class Engine {
     const begin = performance.now();
     const stated = changed(DEFAULTS, given);
     const state = focused(stated);
+    this.refuse(stated, quality);
     const { side, pixel, tol } = asked(state, quality);
     const values = new Float32Array(side * side);
     const [proven, peak, sum, area] = this.image(state, side, pixel, state.view === "averaged", tol, values);
@@ -43,35 +49,46 @@ export class Engine {
   measures(given, quality = "settled") {
     const state = focused(changed(DEFAULTS, given));
     const { side, pixel, tol } = asked(state, quality);
-    if (this.seen?.key !== keyOf(state, side, pixel, tol)) this.psf(state, quality);
+    if (this.seen?.key !== keyOf(state, side, pixel, tol)) this.psf(given, quality);
     return completed(this.curves(given, quality), this.seen);
   }
 
   // The measures that the image is not needed for; completed() adds the others.
   curves(given, quality = "settled") {
-    const state = focused(changed(DEFAULTS, given));
+    const stated = changed(DEFAULTS, given);
+    const state = focused(stated);
+    this.refuse(stated, quality);
     const { side, pixel } = asked(state, quality);
     const { error, radii } = QUALITY[quality];
     this.light(state);
     const window = stepOf(state, fineReach(state));
     const cut = state.vanes || beyondCircles(state);
     const reach = cut ? this.core.call("cut_reach", window) : window;
-    const circles = (cut ? this.cutCircles : this.wholeCircles).call(this, state, reach, radii, error);
+    const dear = this.contrastAt(state, quality, QUALITY[quality].price).cost > DEAREST_CUT;
+    const circles = cut ? this.cutCircles(state, reach, radii, dear) : this.wholeCircles(state, reach, radii, error);
     // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
     const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;
     const edge = Math.min(reach, stepOf(state, 0.5 * side * pixel));
     const { v, mean, reference, share, flat, area, radius } = circles;
     const r = v.map((at) => lengthOf(state, at));
-    return {
+    const made = {
       strehl: mean[0],
       strehl_error: circles.error,
       unaberrated: (area * brightness(state) * stepOf(state, pixel) ** 2) / (4 * Math.PI), // value of a pixel at the peak
-      d80: radius < 0 ? null : 2 * lengthOf(state, radius),
+      d80_axis: radius < 0 ? null : 2 * lengthOf(state, radius),
       within: summed ? null : circles.within(edge),
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
-      mtf: withPixel(state, this.contrast(state, quality)),
+      mtf: withPixel(state, this.contrast(stated, quality, cut)),
     };
+    const centroid = centroidOf(state);
+    if (Math.hypot(...centroid) < 1e-6) return { ...made, d80: made.d80_axis };
+    if (cut && quality === "drag") return { ...made, d80: NaN }; // as long again
+    // About the centroid: the same circles of an image that is moved onto the axis.
+    this.light(state, centroid.map((at) => -at));
+    if (!cut) this.core.call("set_circles", reach, error);
+    const about = cut ? sharesOf(state, v, this.cutLight(v, 1)).radius : this.core.call("radius_of", 0.8, reach);
+    return { ...made, d80: about < 0 ? null : 2 * lengthOf(state, about) };
   }
 
   // Mean intensities and encircled energies up to a radius in v, of a pupil without vanes.
@@ -111,30 +128,19 @@ export class Engine {
     });
   }
 
-  // The same of one with vanes, for which no error is proven; between radii shares are cubics, whose slopes the means are.
-  cutCircles(state, reach, radii) {
-    const { core } = this;
+  // The same of one with vanes, for which no error is proven.
+  cutCircles(state, reach, radii, keep) {
     const v = evenly(radii, reach);
-    const [lit, plain] = [1, 0].map((aberrated) => {
-      const out = core.room("numbers", Float64Array, 2 * radii);
-      const area = core.call("on_cut_circles", core.put("points", v), radii, aberrated, out, out + 8 * radii);
-      const both = core.view(out, Float64Array, 2 * radii);
-      return { mean: both.slice(0, radii), share: both.slice(radii), area };
-    });
-    const slope = (i) => 0.5 * lit.area * brightness(state) * lit.mean[i] * v[i] * v[1];
-    const within = (at) => {
-      const i = Math.max(0, Math.min(radii - 2, Math.floor(at / v[1])));
-      const t = at / v[1] - i;
-      const [low, high, first, last] = [lit.share[i], lit.share[i + 1], slope(i), slope(i + 1)];
-      return low + t * (first + t * (3 * (high - low) - 2 * first - last + t * (2 * (low - high) + first + last)));
-    };
-    let [low, radius] = [0, lit.share[radii - 1] < 0.8 ? -1 : reach];
-    for (let i = 0; radius > 0 && i < 40; i++) {
-      const middle = 0.5 * (low + radius);
-      if (within(middle) < 0.8) low = middle;
-      else radius = middle;
-    }
-    return { v, mean: lit.mean, reference: plain.mean, share: lit.share, flat: plain.share, error: null, radius, within, area: lit.area };
+    const [lit, plain] = [1, 0].map((aberrated) => this.cutLight(v, aberrated, aberrated && keep ? 1 : 0));
+    return { v, mean: lit.mean, reference: plain.mean, share: lit.share, flat: plain.share, error: null, ...sharesOf(state, v, lit), area: lit.area };
+  }
+
+  cutLight(v, aberrated, keep = 0) {
+    const { core } = this;
+    const out = core.room("numbers", Float64Array, 2 * v.length);
+    const area = core.call("on_cut_circles", core.put("points", v), v.length, aberrated, keep, out, out + 8 * v.length);
+    const both = core.view(out, Float64Array, 2 * v.length);
+    return { mean: both.slice(0, v.length), share: both.slice(v.length), area };
   }
 
   maps(given, side) {
@@ -172,13 +178,15 @@ export class Engine {
 
   // Planes of linear light, one after the other, as the sensor's pixels record them.
   blur(given, picture, width, height, quality = "drag") {
-    const state = focused(changed(DEFAULTS, given));
+    const stated = changed(DEFAULTS, given);
+    const state = focused(stated);
     const size = width * height;
     const count = Math.floor(picture.length / size);
     const side = 2 * spreadReach(state, Math.min(width, height)) + 1;
     const { core } = this;
     // Averages would take hundreds of samples across each pixel, or all of a very large spot.
-    const coarse = largestStep(state, state.pixel) > 200 || (beyondSeries(state, true) && !state.vanes);
+    const coarse = largestStep(state, state.pixel) > 200 || (beyondSeries(state, true) && !state.vanes) || this.tooLong(state, side, state.pixel, true);
+    if (coarse) this.refuse({ ...stated, view: "fine" }, "drag");
     if (coarse) core.put("values", this.binned(state, side));
     else this.image(state, side, state.pixel, true, QUALITY[quality].tol);
     const noisy = (light) => (state.noise === "on" ? this.noisy(light, state) : light);
@@ -234,8 +242,7 @@ export class Engine {
         const white = state.light === "white";
         const weights = white ? core.put("weights", Float64Array.from(COLOURS.flat())) : 0;
         const colours = white ? core.room("colours", Float32Array, 3 * side * side) : 0;
-        const cut = state.vanes || beyondSeries(state, integrate) ? 1 : 0;
-        core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, asked, out, numbers, weights, colours, cut);
+        core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, asked, out, numbers, weights, colours, alongRows(state, integrate) ? 1 : 0);
       } catch (error) {
         // Large aberrations leave rounding errors above the tolerance; the bound says by how much.
         if (asked < 1e-3 && error.message === "tolerance not met") continue;
@@ -244,6 +251,23 @@ export class Engine {
       copy?.set(core.view(out, Float32Array, side * side));
       return core.view(numbers, Float64Array, 4).slice();
     }
+  }
+
+  // Whether an image would take longer than the page waits.
+  tooLong(state, side, pixel, integrate) {
+    if (unevenSlope(state) > (state.light === "white" ? 1250 : 3100) || slopeOf(state) > 3100) return true;
+    if (!alongRows(state, integrate)) return false;
+    this.light(state);
+    return this.core.call("cut_seconds", side, stepOf(state, pixel), integrate ? 1 : 0) > LONGEST;
+  }
+
+  refuse(stated, quality) {
+    const late = (given, of) => {
+      const state = focused(given);
+      const { side, pixel } = asked(state, of);
+      return this.tooLong(state, side, pixel, state.view === "averaged");
+    };
+    if (late(stated, quality)) throw new RangeError(`it would take too long. ${advice(stated, (given) => !late(given, "settled"))}`);
   }
 
   // Averages over pixels that are much larger than a fine view's: each of its pixels is within one of them, or two in a row.
@@ -276,34 +300,50 @@ export class Engine {
     return [both.slice(0, v.length), both.slice(v.length)];
   }
 
-  // The MTF, by samples of the transfer function so dense that between them polynomials have it.
-  contrast(state, quality) {
+  // The MTF, by samples of the transfer function so dense that between them polynomials have it. `kept`: where it would take too long,
+  // from the light on circles, with a bound on the error.
+  contrast(stated, quality, kept = false) {
     const { core } = this;
-    const { nodes, grids, price } = QUALITY[quality];
+    const { nodes, price } = QUALITY[quality];
+    const state = focused(stated);
     const end = Math.max(...linesOf(state).map(([stretch]) => stretch));
-    const wide = 2 * rayReach(state); // radians of the transfer function over the cutoff, at most
-    let samples, at;
-    for (const grid of grids) {
-      samples = frequencies(end, wide, ...grid);
-      at = core.put("points", samples);
-      if (core.call("contrast_price", at, samples.length) < price) break;
-    }
-    if (core.call("contrast_price", at, samples.length) > DEAREST) {
-      const none = Float64Array.of(NaN, NaN);
-      const refused = "No MTF: aberrations this large would take too long. Stop down, or reduce them.";
-      return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };
-    }
+    const { samples, at, cost } = this.contrastAt(state, quality, price);
     const count = samples.length;
     const out = core.room("numbers", Float64Array, 5 * count);
-    core.call("contrast", at, count, nodes, out, out + 16 * count, out + 32 * count);
+    let near = kept && cost > DEAREST_CUT;
+    let error = near ? core.call("near_contrast", at, count, out, out + 16 * count, out + 32 * count) : 0;
+    if (near && !(error < MISSING) && cost < DEAREST) [near, error] = [false, 0];
+    if (near ? !(error < MISSING) : cost > DEAREST) {
+      const none = Float64Array.of(NaN, NaN);
+      const cheap = (given) => this.contrastAt(focused(given), "settled", DEAREST).cost <= DEAREST_CUT;
+      const refused = `No MTF: it would take too long. ${advice(stated, cheap, 1)}`;
+      return { f: Float64Array.of(0, end * cutoff(state)), x: none, y: none, limit: none, refused };
+    }
+    if (!near) core.call("contrast", at, count, nodes, out, out + 16 * count, out + 32 * count);
     const [x, y] = [0, 1].map((k) => core.view(out + 16 * count * k, Float64Array, 2 * count).slice());
     const limit = core.view(out + 32 * count, Float64Array, count).slice();
     const made = interpolated(samples, x, y, limit);
-    return { ...made, f: made.f.map((over) => over * cutoff(state)) };
+    return { ...made, error, f: made.f.map((over) => over * cutoff(state)) };
   }
 
-  light(state) {
-    const terms = termsOf(state);
+  // Frequencies of samples, of as dense a grid as costs less than `price`, and where they are in memory.
+  contrastAt(state, quality, price) {
+    const { core } = this;
+    const wide = 2 * rayReach(state); // radians of the transfer function over the cutoff, at most
+    const end = Math.max(...linesOf(state).map(([stretch]) => stretch));
+    this.light(state);
+    let found;
+    for (const grid of QUALITY[quality].grids) {
+      const samples = frequencies(end, wide, ...grid);
+      const at = core.put("points", samples);
+      found = { samples, at, cost: core.call("contrast_price", at, samples.length) };
+      if (found.cost < price) break;
+    }
+    return found;
+  }
+
+  light(state, moved) {
+    const terms = termsOf(state, moved);
     const lines = linesOf(state);
     const { core } = this;
     core.call(
@@ -327,19 +367,16 @@ export function completed({ unaberrated, within, ...curves }, { peak, sum }) {
 // A fine view has fewer pixels of the same field while something is dragged; where the pupil is radial and the light of one
 // wavelength nothing is won by it.
 function asked(state, quality) {
-  const steepest = state.light === "white" ? 1250 : 3100;
-  const waves = (slope) => Math.floor(slope / (4 * Math.PI));
-  if (unevenSlope(state) > steepest) {
-    throw new RangeError(
-      `this takes as long as ${waves(unevenSlope(state))} waves of defocus, and the limit for wavefronts that are not radial is ` +
-        `${waves(steepest)}${state.light === "white" ? " in white light" : ""}: stop down, or reduce the defocus`,
-    );
-  }
   const slow = state.light === "white" || termsOf(state).some(([, m]) => m !== 0);
   const { tol, side: most } = QUALITY[slow ? quality : "settled"];
   let side = state.view === "fine" ? Math.min(most, state.side) : state.side;
-  // Quadrature along rows is paid for by the window: of the sensor's pixels those in the fine window.
-  if ((state.vanes || beyondSeries(state, state.view === "averaged")) && state.view !== "fine") side = Math.min(side, Math.max(64, 2 * Math.ceil(fineReach(state) / state.pixel)));
+  // Images without symmetry are paid for by the window: of the sensor's pixels those in the fine window, or near the axis. Averages
+  // far from it are not computed.
+  const rows = alongRows(state, state.view === "averaged");
+  if ((rows && state.view !== "fine") || (unevenSlope(state) && state.view === "sampled")) {
+    const near = rows ? 0 : 2 * Math.floor((state.light === "white" ? 800 : 2400) / largestStep(state, state.pixel));
+    side = Math.min(side, Math.max(64, near, 2 * Math.ceil(fineReach(state) / state.pixel)));
+  }
   return { side, pixel: pixelOf(state, side), tol };
 }
 
@@ -347,15 +384,63 @@ function keyOf(state, side, pixel, tol) {
   return JSON.stringify([termsOf(state), linesOf(state), state.obscuration, vanesOf(state), state.vane_width, state.view === "averaged", stepOf(state, pixel), side, tol]);
 }
 
-// Radians of the phase of a pupil without symmetry, over the radius, in the line where they are most.
+// Radians of the phase over the radius, in the line where they are most; of a pupil without symmetry alone.
+function slopeOf(state) {
+  return rayReach(state) * Math.max(...linesOf(state).map(([stretch]) => stretch));
+}
+
 function unevenSlope(state) {
-  const uneven = termsOf(state).some(([, m]) => m !== 0);
-  return uneven ? rayReach(state) * Math.max(...linesOf(state).map(([stretch]) => stretch)) : 0;
+  return termsOf(state).some(([, m]) => m !== 0) ? slopeOf(state) : 0;
 }
 
 // Whether the series of the image would take seconds, or more terms than there are.
 function beyondSeries(state, integrate) {
   return unevenSlope(state) > (state.light === "white" ? 500 : integrate ? 800 : 1500);
+}
+
+// Whether the image is made by quadrature along rows.
+function alongRows(state, integrate) {
+  return state.vanes > 0 || beyondSeries(state, integrate);
+}
+
+// The first of a list that fits, where all after it do.
+function least(list, fits) {
+  let [low, high] = [0, list.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (fits(list[middle])) high = middle;
+    else low = middle + 1;
+  }
+  return list[low];
+}
+
+// Up to `most` changes of a state, in words, after which it fits the time.
+function advice(state, fits, most = 2) {
+  const scaled = (keys) => SHARES.map((share) => [`to ${100 * share} %`, Object.fromEntries(keys.map((key) => [key, state[key] * share]))]);
+  const aberrations = ["spherical", ...DIRECTED.map(({ name }) => name)].filter((key) => state[key]);
+  const lists = [];
+  if (state.light === "white") lists.push(["choose one wavelength", [["", { light: "mono" }]]]);
+  if (state.vanes) lists.push(["remove the vanes", [["", { vanes: 0 }]]]);
+  if (state.view === "averaged") lists.push(["choose “finely sampled”", [["", { view: "fine" }]]]);
+  const choices = lists.length;
+  if (state.focus === "distances") lists.push(["stop down", STOPS.filter((stop) => stop > state.f_number).map((stop) => [`to f/${stop}`, { f_number: stop }])]);
+  if (state.focus === "distances") lists.push(["set the object distance to the focus distance", [["", { object_distance: state.focus_distance }]]]);
+  else if (state.defocus) lists.push(["reduce the defocus", scaled(["defocus"])]);
+  if (aberrations.length) lists.push(["reduce the aberrations", scaled(aberrations)]);
+  if (aberrations.length && state.focus === "waves") lists.push(["reduce defocus and aberrations", scaled(["defocus", ...aberrations])]);
+  if (state.zernike) lists.push(["remove the further Zernike terms", [["", { zernike: "" }]]]);
+  // One of them; otherwise a choice and one of the others.
+  const found = [];
+  for (let k = -1; k < choices && !found.length; k++) {
+    const [first, [[, base]]] = k < 0 ? ["", [["", {}]]] : lists[k];
+    for (const [name, changes] of lists) {
+      if (name === first || found.length === (k < 0 ? most : 1)) continue;
+      const helps = least(changes, ([, change]) => fits({ ...state, ...base, ...change }));
+      if (helps) found.push([first && `${first} and`, name, helps[0]].filter(Boolean).join(" "));
+    }
+  }
+  const said = found.join(", or ") || "reduce the aberrations";
+  return `${said[0].toUpperCase()}${said.slice(1)}.`;
 }
 
 function beyondCircles(state) {
@@ -372,6 +457,25 @@ function withPixel({ pixel }, mtf) {
   const turn = (f) => Math.PI * f * pixel * 1e-3;
   const of = (curve) => curve.map((contrast, i) => (i ? Math.abs((contrast * Math.sin(turn(mtf.f[i]))) / turn(mtf.f[i])) : contrast));
   return { ...mtf, pixel_x: of(mtf.x), pixel_y: of(mtf.y) };
+}
+
+// The light within a radius in v, and the radius of 80 % of it, or -1: between radii shares are cubics, whose slopes the means are.
+function sharesOf(state, v, { mean, share, area }) {
+  const last = v.length - 1;
+  const slope = (i) => 0.5 * area * brightness(state) * mean[i] * v[i] * v[1];
+  const within = (at) => {
+    const i = Math.max(0, Math.min(last - 1, Math.floor(at / v[1])));
+    const t = at / v[1] - i;
+    const [low, high, first, end] = [share[i], share[i + 1], slope(i), slope(i + 1)];
+    return low + t * (first + t * (3 * (high - low) - 2 * first - end + t * (2 * (low - high) + first + end)));
+  };
+  let [low, radius] = [0, share[last] < 0.8 ? -1 : v[last]];
+  for (let i = 0; radius > 0 && i < 40; i++) {
+    const middle = 0.5 * (low + radius);
+    if (within(middle) < 0.8) low = middle;
+    else radius = middle;
+  }
+  return { within, radius };
 }
 
 // Of all lines, over that of the reference.
@@ -439,7 +543,7 @@ function interpolated(samples, x, y, limit) {
       if (moved % PARTS) f[moved] = least;
     }
   }
-  const real = f.map((at, i) => weightsAt(at, interval(i)).reduce((sum, [j, weight]) => sum + weight * limit[j], 0));
+  const real = f.map((at, i) => Math.max(0, weightsAt(at, interval(i)).reduce((sum, [j, weight]) => sum + weight * limit[j], 0)));
   return { f, x: curve(x), y: curve(y), limit: real };
 }
 

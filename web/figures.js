@@ -6,7 +6,7 @@ import { FIELDS } from "./fields.js";
 import { DEFAULTS } from "./state.js";
 import { numbersSaid, withMinus } from "./sentences.js";
 import { short } from "./plots.js";
-import { wavesUnit } from "./units.js";
+import { wavesUnit, withUnit } from "./units.js";
 
 const PANEL = 1024;
 const PADDING = 48;
@@ -29,7 +29,7 @@ export function settingsSaid(state) {
     if (key.endsWith("_angle") && !state[key.slice(0, -6)]) continue;
     const unit = row?.waves ? waves.name : row?.unit ?? "";
     const number = typeof value === "number" ? withMinus(short(value * (row?.waves ? waves.factor : 1))) : "";
-    said.push(key === "zernike" ? "further Zernike terms" : `${(row?.name ?? row?.label ?? key).toLowerCase()} ${number}${unit === "°" ? "" : " "}${unit}`.trim());
+    said.push(key === "zernike" ? "further Zernike terms" : `${(row?.name ?? row?.label ?? key).toLowerCase()} ${unit === "°" ? `${number}°` : withUnit(number, unit)}`.trim());
   }
   return said.join(", ");
 }

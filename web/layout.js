@@ -104,26 +104,26 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
 
   const plot = (key, text, legend, held = [["held", "A"]]) => {
     const made = (page.plots[key] = new Plot(text));
-    const keys = [...held, ...legend].map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
+    const keys = [...held, ...legend].map(([kind, text, b = ""]) => el("span", { class: `key ${kind}` }, el("span", { class: "b" }, b), text));
     const caption = el("figcaption", {}, title(key, text), el("span", { class: "legend" }, ...keys));
-    return el("figure", { class: "curve" }, caption, made.node, made.readout);
+    return el("figure", { class: `curve ${key}` }, caption, made.node, made.readout);
   };
   const plots = el(
     "div",
     { class: "plots" },
-    plot("profile", "Profile", [["main", "mean over angle"], ["limit", "unaberrated"]]),
-    plot("energy", "Encircled energy", [["main", "share of light"], ["limit", "unaberrated"]]),
+    plot("profile", "Profile", [["main", "mean over angle", "B: "], ["limit", "unaberrated"]]),
+    plot("energy", "Encircled energy", [["main", "share of light", "B: "], ["limit", "unaberrated"]]),
     plot(
       "mtf",
       "MTF",
-      [["main", "x"], ["second", "y"], ["main pixel", "x with pixel"], ["second pixel", "y with pixel"], ["limit", "limit"]],
+      [["main", "x", "B "], ["second", "y", "B "], ["limit pixel", "with pixel"], ["limit", "limit"]],
       [["held", "A x"], ["held second", "A y"]],
     ),
   );
 
   page.preset = el("select", { "aria-label": "Preset", "data-key": "preset", onchange: () => actions.preset(page.preset.value) });
   const names = presets.map((preset, index) => el("option", { value: String(index) }, preset.name));
-  page.preset.append(el("option", { value: "" }, "Presets: real lenses …"), ...names);
+  page.preset.append(el("option", { value: "" }, "Presets …"), ...names);
   // One line high, so that nothing moves as it comes and goes; unfolded it lies over what is below.
   page.source = el("details", { class: "source note", hidden: true }, el("summary"));
   page.hint = el("p", { class: "note" }, "Drag a slider, or type a number; double-click for the default. Click any word, or “?”, for its meaning.");
@@ -145,7 +145,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
   const files = el(
     "span",
     { class: "group files", role: "group", "aria-label": "Save" },
-    button("link", "Copy link", "An address that restores everything", actions.link),
+    button("link", "Copy link", "An address that restores all but a picture of your own", actions.link),
     button("python", "Copy as Python", "The call of lommel that makes the same array", actions.python),
     button("png", "PNG", "The point spread function as it is seen", actions.png),
     button("csv", "CSV", "Profile, encircled energy and MTF", actions.csv),

@@ -1,6 +1,7 @@
 // Lessons for class: each sets a state of the page, names what to try in it, and has a question with its answer.
 
 import { el, menu } from "./dom.js";
+import { PRESETS } from "./presets.js";
 import { changed, DEFAULTS } from "./state.js";
 
 const MATHML = "http://www.w3.org/1998/Math/MathML";
@@ -32,8 +33,8 @@ const W040 = () => sub("W", "040");
 const near = (value, wanted, by) => Math.abs(value - wanted) <= by;
 
 // `controls` are the rows that matter, `shows` the pictures and curves beside the PSF. A step is done, in any order, when its
-// condition holds of the state, the measures and the range of defocus since another was done last. Formulas are made when they are shown: scripts that use the engine alone have no
-// document.
+// condition holds of the state, the measures, the range of defocus since another was done last, and where a curve is pointed at, by its
+// name. Formulas are made when they are shown: scripts that use the engine alone have no document.
 const LESSONS = {
   airy: {
     title: "Airy pattern",
@@ -44,7 +45,7 @@ const LESSONS = {
     shows: ["profile", "energy"],
     steps: [
       ["Above the picture, set “square root” to “logarithm” and count the rings. Point at the profile: where is the first zero?",
-        (now) => now.stretch === "log"],
+        (now, _, went, read) => now.stretch === "log" && read.profile > 0],
       [`Set lengths to micrometres and drag the f-number beyond 8. The window follows the pattern: watch the scale bar, not the
         size of the disk.`, (now) => now.length_unit === "um" && now.f_number >= 8],
       ["Drag the obscuration to 0.33, as in a mirror telescope. What happens to disk and rings?",
@@ -118,7 +119,7 @@ const LESSONS = {
     steps: [
       ["Drag defocus to 2 waves and follow one white spoke of the star inwards, through the first grey ring.",
         (now) => near(Math.abs(now.defocus), 2, 0.1)],
-      ["Set lengths to λN and point at the MTF: where are its first minima? They are zeros: grey rings. Marks on the star give the frequency, which rises inwards.", (now) => now.length_unit === "lambdaN"],
+      ["Set lengths to λN and point at the MTF: where are its first minima? They are zeros: grey rings. Marks on the star give the frequency, which rises inwards.", (now, _, went, read) => now.length_unit === "lambdaN" && read.mtf > 0],
       ["Drag defocus to 3 waves. Where do the grey rings go?", (now) => near(Math.abs(now.defocus), 3, 0.1)],
     ],
     question: "Between the first two grey rings the spokes can be counted. Has the lens resolved them?",
@@ -133,11 +134,11 @@ const LESSONS = {
     title: "Hubble, 1990",
     text: `The mirror of the Hubble Space Telescope was polished to a wrong shape: 8 waves of spherical aberration. Only its focus could
       be changed from the ground. Here it starts at the focus that puts the most light within a radius of 0.1″.`,
-    state: { defocus: -5.33, spherical: 8.14, f_number: 24, obscuration: 0.33, pixel: 15, focal_length: 57600, length_unit: "arcsec", picture: "points" },
+    state: { ...PRESETS.find(({ name }) => name.startsWith("Hubble")).state, pixel: 15, length_unit: "arcsec", picture: "points" },
     controls: ["defocus", "spherical"],
     shows: ["picture", "energy"],
     steps: [
-      ["Point at the curve of encircled energy: which share of the light is within a radius of 0.1″?", (now) => now.defocus !== -5.33],
+      ["Point at the curve of encircled energy: which share of the light is within a radius of 0.1″?", (now, _, went, read) => now.length_unit === "arcsec" && near(read.energy, 0.1, 0.03)],
       ["Drag defocus from −1 to −10. Can you get more light into that radius, or a Strehl ratio of 0.2?",
         (now, _, went) => went.low < -9 && went.high > -2],
       ["Set spherical and defocus to 0: the mirror as designed, and the effect of the corrective optics of 1993.",
@@ -250,7 +251,7 @@ export class Lessons {
       el("p", {}, lesson.text),
       el("ol", {}, ...this.steps),
       el("p", { class: "question" }, lesson.question),
-      el("details", {}, ...answer, el("p", { class: "note" }, `Source: ${lesson.source}`)),
+      el("details", { ontoggle: ({ target }) => target.open && target.scrollIntoView({ block: "nearest" }) }, ...answer, el("p", { class: "note" }, `Source: ${lesson.source}`)),
       this.all,
     );
   }
@@ -277,16 +278,16 @@ export class Lessons {
   }
 
   // Marks a step as done once a settled state, which has measures, meets its condition; others are passed through.
-  check(state, measures) {
+  check(state, measures, read) {
     if (!this.name) return;
     const { low, high } = (this.went ??= { low: state.defocus, high: state.defocus });
     this.went = { low: Math.min(low, state.defocus), high: Math.max(high, state.defocus) };
     if (!measures) return;
-    const done = this.steps.filter((step, k) => step.className !== "done" && LESSONS[this.name].steps[k][1](state, measures, this.went));
+    const done = this.steps.filter((step, k) => step.className !== "done" && LESSONS[this.name].steps[k][1](state, measures, this.went, read));
     for (const step of done) {
       step.className = "done";
       step.append(el("span", { class: "unseen" }, " (done)"));
     }
-    if (done.length) this.went = null;
+    if (done.length) this.went = { low: state.defocus, high: state.defocus };
   }
 }

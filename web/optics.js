@@ -5,7 +5,6 @@ import { DIRECTED, WHITE } from "./fields.js";
 import { furtherTerms } from "./state.js";
 
 const TURN = 2 * Math.PI;
-const FARTHEST = 1000; // waves of defocus
 
 // The state with defocus in waves and the working f-number: as lm.Lens(...).pupil(object_distance) has them.
 export function focused(state) {
@@ -13,16 +12,12 @@ export function focused(state) {
   const { focal_length, focus_distance, object_distance, wavelength } = state;
   const focal = focal_length * 1e-3;
   if (focus_distance <= focal) {
-    throw new RangeError(`the focus distance must exceed the focal length of ${focal_length} mm, and is ${focus_distance} m`);
+    const [length, distance] = [focal_length, focus_distance].map((value) => Number(value.toPrecision(6)));
+    throw new RangeError(`the focus distance must exceed the focal length of ${length} mm, and is ${distance} m`);
   }
   const sensor = 1 / (1 / focal - 1 / focus_distance);
   const diameter = focal / state.f_number;
   const defocus = ((1 / sensor - 1 / focal + 1 / object_distance) * (0.5 * diameter) ** 2) / (2e-9 * wavelength);
-  if (Math.abs(defocus) > FARTHEST) {
-    throw new RangeError(
-      `the defocus at these distances is ${Math.round(defocus)} waves, beyond the page's ${FARTHEST}: stop down, or bring focus and object together`,
-    );
-  }
   return { ...state, focus: "waves", defocus, f_number: sensor / diameter };
 }
 
@@ -98,8 +93,8 @@ function radialOf({ n, m }, rho) {
   return { over, slope };
 }
 
-// Zernike terms [n, m, radians at the edge].
-export function termsOf(given) {
+// Zernike terms [n, m, radians at the edge], with a tilt by which the image moves: x and y in v.
+export function termsOf(given, [x, y] = [0, 0]) {
   const state = focused(given);
   const { defocus, spherical } = state;
   const terms = new Map();
@@ -110,7 +105,40 @@ export function termsOf(given) {
     add(n, m, along);
     if (m) add(n, -m, across);
   }
+  add(1, 1, x / TURN);
+  add(1, -1, y / TURN);
   return [...terms.values()].filter(([, , c]) => c !== 0);
+}
+
+const RADII = 64;
+const PARTS_OF_ARC = 32;
+
+// The centroid of the light, x and y in v: the mean gradient of the phase over the clear aperture, by Gauss's rule in the
+// area, and Simpson's between vanes.
+export function centroidOf(given) {
+  const state = focused(given);
+  if (!further(state).some(({ m }) => m) && !state.vanes) return [0, 0];
+  const slope = slopes(state);
+  const arcs = Math.max(1, state.vanes);
+  const inner = state.obscuration ** 2;
+  let [area, x, y] = [0, 0, 0];
+  for (let i = 0; i < RADII; i++) {
+    const share = (2 * Math.floor(i / 2) + 1 + (i % 2 ? 1 : -1) / Math.sqrt(3)) / RADII;
+    const rho = Math.sqrt(inner + (1 - inner) * share);
+    const hidden = state.vanes ? Math.asin(Math.min(1, (0.5 * state.vane_width) / rho)) : 0;
+    const step = (TURN / arcs - 2 * hidden) / PARTS_OF_ARC;
+    for (let k = 0; step > 0 && k < arcs * (PARTS_OF_ARC + 1); k++) {
+      const part = k % (PARTS_OF_ARC + 1);
+      const theta = (state.vanes ? (state.vane_angle * Math.PI) / 180 : 0) + (TURN * Math.floor(k / (PARTS_OF_ARC + 1))) / arcs + hidden + part * step;
+      const weight = step * (part % PARTS_OF_ARC ? (part % 2 ? 4 : 2) : 1);
+      const [outward, around] = slope(rho, theta);
+      const [c, s] = [Math.cos(theta), Math.sin(theta)];
+      area += weight;
+      x += weight * (outward * c - around * s);
+      y += weight * (outward * s + around * c);
+    }
+  }
+  return [x / area, y / area];
 }
 
 // Waves at points of the pupil, rho and theta; 0 in the middle.
@@ -226,5 +254,14 @@ export function pythonOf(state, side, pixel) {
 // A number of another unit as Python writes it in metres, to the last digit.
 function metres(value, exponent) {
   const [digits, power] = value.toExponential().split("e");
-  return String(Number(`${digits}e${Number(power) + exponent}`));
+  return pythonFloat(Number(`${digits}e${Number(power) + exponent}`));
+}
+
+// A float of Python: never without a dot or an exponent, whose sign and two digits it always has.
+export function pythonFloat(value) {
+  const [digits, power] = value.toExponential().split("e").map((part, index) => (index ? Number(part) : part));
+  const sign = power < 0 ? "-" : "+";
+  if (value !== 0 && (power < -4 || power >= 16)) return `${digits}e${sign}${String(Math.abs(power)).padStart(2, "0")}`;
+  if (Number.isInteger(value)) return `${value}.0`;
+  return power < 0 ? value.toFixed(Math.min(100, digits.replace(/[-.]/g, "").length - 1 - power)) : String(value);
 }

@@ -4,6 +4,8 @@ import { powerOfTen } from "./draw.js";
 import { unitAfter } from "./units.js";
 
 const SVG = "http://www.w3.org/2000/svg";
+const SNAP = 4; // pixels
+const LEAST = 1e-6; // below which curves are not read
 const MARGIN = { left: 40, right: 10, top: 8, bottom: 34 };
 
 export function svg(name, attributes = {}, ...children) {
@@ -32,6 +34,11 @@ export function short(value, digits = 4) {
   return rounded && Math.abs(rounded) < 1e-3 ? rounded.toExponential() : String(rounded);
 }
 
+// A value to the decimals that an error leaves.
+export function rounded(value, error) {
+  return error > 0 && Number.isFinite(value) ? Number(value.toFixed(Math.max(0, Math.floor(-Math.log10(error))))) : value;
+}
+
 export class Plot {
   constructor(title) {
     this.axes = svg("g", { class: "axes" });
@@ -41,7 +48,7 @@ export class Plot {
     this.cursor = svg("line", { class: "cursor", visibility: "hidden" });
     this.mark = svg("g", { class: "mark", visibility: "hidden" }, svg("line"), svg("text"));
     const inside = svg("clipPath", { id: this.clip }, this.window);
-    const said = { class: "plot", role: "img", "aria-label": title };
+    const said = { class: "plot", role: "img", "aria-label": title, tabindex: 0, "data-lm-suppress-shortcuts": "true" };
     this.node = svg("svg", said, inside, this.axes, this.mark, this.curves, this.cursor);
     this.readout = document.createElement("output");
     this.readout.className = "readout";
@@ -52,8 +59,9 @@ export class Plot {
     this.shown = null;
     this.watch = new ResizeObserver(() => this.measure());
     this.watch.observe(this.node);
-    this.node.addEventListener("pointermove", (event) => this.point(event));
-    this.node.addEventListener("pointerleave", () => this.leave());
+    for (const name of ["pointermove", "pointerdown"]) this.node.addEventListener(name, (event) => this.point(event));
+    for (const name of ["pointerleave", "blur"]) this.node.addEventListener(name, () => this.leave());
+    this.node.addEventListener("keydown", (event) => this.step(event));
   }
 
   destroy() {
@@ -141,7 +149,31 @@ export class Plot {
     const { x } = this.shown;
     const at = ((event.clientX - box.left - MARGIN.left) / (box.width - MARGIN.left - MARGIN.right)) * x.top;
     if (at < 0 || at > x.top) return this.leave();
-    return this.tell(at);
+    return this.tell(this.snapped(at));
+  }
+
+  // By arrow keys.
+  step(event) {
+    const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (event.key === "Escape") this.leave();
+    if (!by || !this.shown) return;
+    event.preventDefault();
+    const { top } = this.shown.x;
+    const at = (this.pointed ?? 0.5 * top) + by * (event.shiftKey ? 0.1 : 0.02) * top;
+    this.tell(this.snapped(Math.min(top, Math.max(0, at))));
+  }
+
+  // A least value of a curve within a few pixels, so that zeros can be read, or else the place itself.
+  snapped(at) {
+    let reach = (SNAP / (this.width - MARGIN.left - MARGIN.right)) * this.shown.x.top;
+    let found = at;
+    for (const { x, y } of this.shown.curves) {
+      for (let i = 1; i < x.length - 1; i++) {
+        if (!(y[i] < y[i - 1] && y[i] <= y[i + 1] && Math.abs(x[i] - at) < reach)) continue;
+        [found, reach] = [x[i], Math.abs(x[i] - at)];
+      }
+    }
+    return found;
   }
 
   tell(at) {
@@ -149,24 +181,25 @@ export class Plot {
     for (const name of ["x1", "x2"]) this.cursor.setAttribute(name, this.across(at));
     this.cursor.setAttribute("visibility", "visible");
     this.readout.textContent = `${short(at, 3)}${unitAfter(this.shown.x.unit)}: ${this.values(at)}`;
-    delete this.readout.dataset.rest;
+    this.told?.();
   }
 
-  // Curves of one value are named together: "x, y 0.5; limit 0.61".
+  // Curves of one value are named together: "x, y 0.5; limit 0.61; x, y with pixel 0.4".
   values(at) {
     const said = new Map();
-    for (const curve of this.shown.curves) {
-      const value = short(read(curve, at), 3);
-      said.set(value, [...(said.get(value) ?? []), curve.name]);
+    for (const { name, ...curve } of this.shown.curves) {
+      const value = rounded(read(curve, at), this.shown.error);
+      const text = !this.shown.error && value < LEAST ? "< 1e-6" : short(value, 3);
+      const [, first, end = ""] = /^(.*?)( with pixel)?$/.exec(name);
+      said.set(end + text, { text: `${end} ${text}`, names: [...(said.get(end + text)?.names ?? []), first] });
     }
-    return [...said].map(([value, names]) => `${names.join(", ").replace("x with pixel, y", "x, y")} ${value}`).join("; ");
+    return [...said.values()].map(({ text, names }) => names.join(", ") + text).join("; ");
   }
 
   leave() {
     this.pointed = undefined;
     this.cursor.setAttribute("visibility", "hidden");
     this.readout.textContent = this.readout.title = this.shown?.mark?.said ?? "";
-    this.readout.dataset.rest = "";
   }
 }
 

@@ -1,7 +1,7 @@
 // What is said in words: numbers beside the pictures, read-outs, and sentences for those who do not see these.
 
 import { short } from "./plots.js";
-import { lengthUnit, unitAfter, wavesUnit } from "./units.js";
+import { lengthUnit, unitAfter, wavesUnit, withUnit } from "./units.js";
 
 // A value in at most four digits, none of them below its proven error: "0.1234", "1.2e-4", "< 3e-7".
 export function stated(value, error = 0, digits = 4) {
@@ -56,7 +56,7 @@ export function numbersSaid(state, psf, measures) {
     said.strehl = { text: ratioSaid(measures.strehl, strehl), value: measures.strehl, error: strehl };
     said.largest = { text: ratioSaid(measures.peak_strehl, largest), value: measures.peak_strehl, error: largest };
     const least = 2 * measures.energy.r.at(-1) * factor; // where the curve ends
-    said.d80 = { text: `${measures.d80 === null ? `more than ${short(least, 2)}` : short(wide)}${unitAfter(name)}`, value: wide, error: 0, unit: name };
+    if (!Number.isNaN(measures.d80)) said.d80 = { text: `${measures.d80 === null ? `more than ${short(least, 2)}` : short(wide)}${unitAfter(name)}`, value: wide, error: 0, unit: name };
     said.inside = { text: percentSaid(measures.inside, inside), value: 100 * measures.inside, error: 100 * inside, unit: "points" };
   }
   if (psf) {
@@ -104,14 +104,14 @@ export function valueSaid(state, psf, measures, column, row) {
 
 export function wavefrontSaid(state, seen) {
   const { factor, name } = wavesUnit(state);
-  return `${short((seen.high - seen.low) * factor, 3)} ${name} P–V, ${short(seen.rms * factor, 3)} rms`;
+  return `${withUnit(short((seen.high - seen.low) * factor, 3), name)} P–V, ${short(seen.rms * factor, 3)} rms`;
 }
 
 export function waveSaid(state, wavefront, side, column, row) {
   const waves = wavefront[row * side + column];
   const place = [column, row].map((at) => withMinus(short((2 * at + 1) / side - 1, 2))).join(", ");
   const { factor, name } = wavesUnit(state);
-  return `x, y = ${place} of the radius: ${waves === waves ? `${withMinus(stated(waves * factor, 0, 3))} ${name}` : "no light"}`;
+  return `x, y = ${place} of the radius: ${waves === waves ? withUnit(withMinus(stated(waves * factor, 0, 3)), name) : "no light"}`;
 }
 
 export function plotSaid(title, x, curves) {

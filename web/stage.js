@@ -10,9 +10,15 @@ export const RAYS_SAID = "rays (geometrical optics)";
 
 // Of the sensor's pixels, the middle that holds most light, in steps so that it does not breathe.
 function cropOf({ view }, { psf: { side, pixel }, measures }) {
-  if (view === "fine" || !measures?.d80) return side;
-  const wanted = 2 ** (Math.ceil(2 * Math.log2((4 * measures.d80) / pixel)) / 2);
+  if (view === "fine" || !measures?.d80_axis) return side;
+  const wanted = 2 ** (Math.ceil(2 * Math.log2((4 * measures.d80_axis) / pixel)) / 2);
   return Math.min(side, Math.max(16, 2 * Math.round(wanted / 2)));
+}
+
+// Width of the field that holds nearly all light, micrometres.
+function fieldOf(held) {
+  const { energy } = held.measures;
+  return Math.min(cropOf(held.state, held) * held.psf.pixel, 2.2 * (energy.r[energy.share.findIndex((share) => share > 0.98)] ?? Infinity));
 }
 
 // What is drawn of an answer: electrons where there is noise, else fractions of the light.
@@ -22,13 +28,16 @@ const density = (image) => largest(image.values) / image.pixel ** 2;
 // Draw the PSF of a state, and that of a held one, on canvases {now, held, bar}; return what they are of:
 // {field, crop, ticks, label, panels}. mode: "one", "beside", "flicker" or "difference"; shared: one scale for both.
 export function compose(canvases, { state, shown, held = null, mode = "one", shared = true }) {
-  const crop = cropOf(state, shown);
   const { psf } = shown;
+  const one = !held || mode === "difference";
+  // Both are drawn over a field that holds what is to be seen of either.
+  const least = cropOf(state, shown);
+  const crop = one ? least : Math.max(least, 2 * Math.ceil(fieldOf(held) / (2 * psf.pixel)));
   const field = crop * psf.pixel;
   const map = mapOf(state);
   const middle = axisOf(crop);
   const found = { field, crop, middle, panels: [{ name: held ? "B" : "", canvas: canvases.now, state, shown }] };
-  if (held && mode === "difference") {
+  if (held && one) {
     const top = Math.max(density(psf), density(held.psf));
     const values = difference(psf, held.psf, crop, top);
     const reach = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
@@ -40,15 +49,20 @@ export function compose(canvases, { state, shown, held = null, mode = "one", sha
   const old = held && imageOf(held);
   const both = old && shared && Boolean(psf.counts) === Boolean(held.psf.counts);
   const top = both ? Math.max(density(image), density(old)) * image.pixel ** 2 : largest(image.values);
-  drawPsf(canvases.now, image, { map, stretch: state.stretch, crop, top });
-  if (old) {
-    const own = cropOf(held.state, held);
-    const of = map === TRUE_COLOUR && !old.colour ? "gray" : map;
+  const draw = (canvas, of, answer, shownImage, brightest) => {
+    const own = cropOf(of, answer);
+    const colours = map === TRUE_COLOUR && !shownImage.colour ? "gray" : map;
+    const look = { map: colours, stretch: state.stretch, crop: own, top: brightest };
+    if (own === crop && answer === shown) return drawPsf(canvas, shownImage, look);
     const plain = (canvases.scratch ??= document.createElement("canvas"));
-    drawPsf(plain, old, { map: of, stretch: state.stretch, crop: own, top: both ? (top * old.pixel ** 2) / image.pixel ** 2 : largest(old.values) });
-    const ground = `rgb(${colour(of === TRUE_COLOUR ? "gray" : of, 0).join()})`;
-    const smooth = held.state.view === "fine";
-    drawAtScale(canvases.held, plain, { ratio: (own * old.pixel) / field, side: Math.max(512, crop), from: axisOf(own), to: middle, ground, smooth });
+    drawPsf(plain, shownImage, look);
+    const ground = `rgb(${colour(colours === TRUE_COLOUR ? "gray" : colours, 0).join()})`;
+    const ratio = (own * shownImage.pixel) / field;
+    return drawAtScale(canvas, plain, { ratio, side: Math.max(512, own), from: axisOf(own), to: middle, ground, smooth: of.view === "fine" });
+  };
+  draw(canvases.now, state, shown, image, top);
+  if (old) {
+    draw(canvases.held, held.state, held, old, both ? (top * old.pixel ** 2) / image.pixel ** 2 : largest(old.values));
     found.panels.unshift({ name: "A", canvas: canvases.held, state: held.state, shown: held });
   }
   const point = both ? "the brightest point of A and B" : old ? "the brightest point of each" : "the brightest point";
@@ -195,6 +209,8 @@ export class Stage {
     const { state, shown, held, mode } = this.given;
     const middle = Math.floor(this.drawn.crop / 2);
     const [across, down] = [column - middle, row - middle];
+    const half = shown.psf.side / 2;
+    if (Math.min(across, down) < -half || Math.max(across, down) >= half) return "beyond the window of B";
     const said = valueSaid(state, shown.psf, shown.measures, across, down);
     if (!held || mode !== "difference") return said;
     return `B: ${said}`;

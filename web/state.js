@@ -50,6 +50,9 @@ export function fromText(text) {
   return change;
 }
 
+// The name of a lens in the fragment of a link.
+export const nameIn = (text) => decoded(/[#&]name=([^&]*)/.exec(text)?.[1] ?? "").slice(0, 200);
+
 function decoded(text) {
   try {
     return decodeURIComponent(text);

@@ -13,6 +13,9 @@ export function wavesUnit({ waves_unit, wavelength }) {
   }[waves_unit];
 }
 
+// A number and its unit: "1 wave", "2 waves".
+export const withUnit = (text, name) => `${text} ${name === "waves" && /^[-−]?1$/.test(text) ? "wave" : name}`;
+
 // After a number; seconds of arc follow without a space.
 export const unitAfter = (name) => (name === "″" ? name : ` ${name}`);
 

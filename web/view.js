@@ -9,16 +9,16 @@ import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { layout, UNNAMED } from "./layout.js";
 import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { STAR, testPicture } from "./pictures.js";
-import { niceTop, read, short, svg } from "./plots.js";
+import { niceTop, read, rounded, short, svg } from "./plots.js";
 import { PRESETS } from "./presets.js";
 import { differenceSaid, numbersSaid, plotSaid, psfSaid, wavefrontSaid } from "./sentences.js";
 import { FIELDS } from "./fields.js";
 import { Stage } from "./stage.js";
-import { changed, DEFAULTS, fromText, History, toText } from "./state.js";
+import { changed, DEFAULTS, fromText, History, nameIn, toText } from "./state.js";
 import { styleText } from "./style.js";
 import { followTheme } from "./theme.js";
 import { sayBeside } from "./words.js";
-import { frequencyUnit, lengthUnit } from "./units.js";
+import { frequencyUnit, lengthUnit, unitAfter } from "./units.js";
 
 const SETTLE = 150; // ms after the last change
 const LINK = 250;
@@ -43,7 +43,7 @@ const BESIDE_PUPIL = new Set([...LOOKS_OF_PUPIL, "focal_length", "f_number", "wa
 
 // Those by which a lens is not known.
 const BESIDE_LENS = new Set([...LOOKS, "view", "side"]);
-const sameLens = (a, b) => Object.keys(FIELDS).every((key) => BESIDE_LENS.has(key) || a[key] === b[key]);
+const sameLens = (a, b) => Object.keys(FIELDS).every((key) => BESIDE_LENS.has(key) || key === "pixel" || a[key] === b[key]);
 
 const FINISHED = ["hold", "python", "png", "csv", "tiff"]; // buttons that act on settled answers
 const CANVASES = { psf: ["psf"], wavefront: ["wavefront", "fringes"], recorded: ["recorded"] };
@@ -85,6 +85,7 @@ export class View {
     this.history = new History();
     this.lenses = PRESETS.map((preset) => ({ ...preset, state: changed(DEFAULTS, preset.state) }));
     if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.given });
+    if (url) this.nameFromLink();
     const set = (change, moving, gesture) => this.set(change, moving, gesture);
     const level = Math.min(5, Math.max(1, Number(heading) || 2));
     const say = (node, text) => sayBeside(this.page.node, this.page.tip, node, text);
@@ -104,6 +105,7 @@ export class View {
     this.parts = partsOf(this.page);
     this.play = new Play({ controls: this.controls, button: this.page.play, set, state: () => this.state });
     lessons.show(asked);
+    for (const plot of Object.values(this.page.plots)) plot.told = () => "busy" in this.host.dataset || this.checkLesson();
     this.compare = new Compare(this.page);
     this.stage = new Stage(this.page, MAP_SIDE);
     this.host = el("div", { class: "lommel-live-host", "data-lm-suppress-shortcuts": "true", "data-busy": true });
@@ -130,7 +132,9 @@ export class View {
     this.unfollow = followTheme(this.page.node, theme);
     this.fromLink = () => {
       const change = fromText(location.hash);
-      if (Object.keys(change).length) this.set({ ...this.start, ...change }); // else it leads to a heading of the page
+      if (!Object.keys(change).length) return; // it leads to a heading of the page
+      this.set({ ...this.start, ...change });
+      this.nameFromLink();
     };
     if (url) addEventListener("hashchange", this.fromLink);
     // Back to the lesson before, or to none.
@@ -170,6 +174,8 @@ export class View {
   // Changes of one gesture, such as a drag, are one step back.
   set(change, moving = false, gesture = "") {
     const before = this.state;
+    // Spikes of vanes are as faint as 1e-3 of the brightest point.
+    if (change.vanes > 0 && !before.vanes && !("stretch" in change)) change = { ...change, stretch: "log" };
     // Photons are counted by pixels of the sensor.
     if (change.noise === "on" && before.noise === "off" && before.view === "fine" && !("view" in change)) change = { ...change, view: "averaged" };
     if (this.apply(changed(before, change), moving)) this.history.note(before, gesture);
@@ -256,6 +262,7 @@ export class View {
     if (parts.includes("code")) this.settled = undefined;
     if (parts.includes("psf")) this.stage.clear();
     this.drawNumbers();
+    this.say();
   }
 
   // Shortcuts of the page around are not meant for what is typed here.
@@ -313,9 +320,13 @@ export class View {
     this.named = state;
     const exact = this.lenses.find((lens) => sameLens(lens.state, state));
     if (exact || sameLens(this.start, state)) this.lens = exact;
-    page.name.textContent = exact ? exact.name : this.lens ? `${this.lens.name}, changed` : this.lessons.heading || UNNAMED;
+    this.exact = exact;
+    // A lens without aberration that is changed is any lens.
+    const from = this.lens && this.lens.name !== PRESETS[0].name ? `Changed from: ${this.lens.name}` : "";
+    page.name.textContent = exact ? exact.name : from || this.lessons.heading || UNNAMED;
     page.name.title = page.name.textContent; // the heading is cut where there is no room
     page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
+    page.preset.title = page.preset.selectedOptions[0].text;
     const said = exact ? [exact.left_out && `Left out here: ${exact.left_out}.`, exact.source].filter(Boolean).join(" ") : "";
     page.source.hidden = !said;
     page.source.firstChild.textContent = said;
@@ -352,13 +363,18 @@ export class View {
     this.watch = undefined;
     this.look();
     if (this.stopped) return;
-    this.lessons.check(this.state, this.settled?.measures);
+    this.checkLesson();
     this.play.follow();
     this.say();
     // The first wavefront without symmetry makes tables, which take longest: before anybody waits for them.
     const other = { ...DEFAULTS, coma: 0.1, astigmatism: 0.1 };
     const warm = () => ["psf", "measures"].forEach((method) => this.client.call(method, other, "drag").catch(() => {}));
     this.warming ??= setTimeout(warm, 400);
+  }
+
+  checkLesson() {
+    const read = Object.entries(this.page.plots).map(([key, { pointed }]) => [key, pointed]);
+    this.lessons.check(this.state, this.settled?.measures, Object.fromEntries(read));
   }
 
   // The state of a lesson, or none, which leaves what is there.
@@ -430,8 +446,9 @@ export class View {
   // The state that a part answers, looking as the controls say.
   stateOf(part) {
     const { state } = this;
-    const own = (key) => matters(part, key, state) && this.of[part];
-    return Object.fromEntries(Object.keys(state).map((key) => [key, (own(key)?.state ?? state)[key]]));
+    const asked = this.of[part]?.state;
+    const own = (key) => asked && (matters(part, key, state) || matters(part, key, asked));
+    return Object.fromEntries(Object.keys(state).map((key) => [key, (own(key) ? asked : state)[key]]));
   }
 
   draw(part = this.shown) {
@@ -496,10 +513,13 @@ export class View {
     const { factor, name } = frequencyUnit(state);
     const perRadius = (1000 / state.pixel) * factor * (STAR.spokes / (2 * Math.PI));
     const marks = [];
+    let last = Infinity;
     for (let f = niceTop(perRadius / STAR.radius); perRadius / f > 16; f = niceTop(1.01 * f)) {
       const x = STAR.middle[0] + perRadius / f;
       const y = STAR.middle[1];
       const r = perRadius / f;
+      if (last - r < 26) continue; // their numbers would overlap
+      last = r;
       marks.push(svg("path", { d: `M${x - r * 0.134} ${y - r / 2}A${r} ${r} 0 0 1 ${x - r * 0.134} ${y + r / 2}` }), svg("text", { x, y: y + 4 }, short(f, 2)));
     }
     page.rings.replaceChildren(...marks, svg("text", { x: 380, y: 282, "text-anchor": "end" }, name));
@@ -518,18 +538,19 @@ export class View {
   drawPlots() {
     const { page, shown, compare } = this;
     const state = this.stateOf("measures");
-    const { profile, energy, mtf } = shown.measures;
+    const { profile, energy, mtf, d80, d80_axis } = shown.measures;
     const held = compare.held?.measures;
     const unit = lengthUnit(state);
     const scaled = (x, factor) => x.map((value) => value * factor);
     const curves = (table, factor, list, old) => {
       const x = scaled(table[Object.keys(table)[0]], factor);
-      const now = list.map(([kind, name, key]) => ({ kind, name, x, y: table[key] }));
       // Of A the curves that have a meaning without its sensor.
       const lasting = (old ? list : []).filter(([kind]) => kind === "main" || kind === "second");
+      const named = (which, name) => (lasting.length > 1 ? `${which} ${name}` : which);
+      const now = list.map(([kind, name, key]) => ({ kind, name: lasting.some(([one]) => one === kind) ? named("B", name) : name, x, y: table[key] }));
       const before = lasting.map(([kind, name, key]) => ({
         kind: kind === "main" ? "held" : "held second",
-        name: lasting.length > 1 ? `A ${name}` : "A",
+        name: named("A", name),
         x: scaled(old[Object.keys(old)[0]], factor),
         y: old[key],
       }));
@@ -548,20 +569,22 @@ export class View {
       x: { ...radius, top: end(energy, unit.factor) },
       y: { top: 1 },
       curves: curves(energy, unit.factor, [["main", "light", "share"], ["limit", "unaberrated", "reference"]], held?.energy),
+      mark: { said: d80_axis === d80 || !(d80_axis > 0) ? "" : `80 % about the axis: ${short(d80_axis * unit.factor)}${unitAfter(unit.name)} wide` },
     });
     const frequency = frequencyUnit(state);
     // Of the sensor: half a cycle in each pixel.
     const nyquist = (500 / state.pixel) * frequency.factor;
     const last = end(mtf, frequency.factor);
-    const there = (x, y) => {
-      const [a, b] = [x, y].map((curve) => short(read({ x: mtf.f, y: curve }, nyquist / frequency.factor), 3));
-      return a === b ? a : `x ${a}, y ${b}`;
+    const there = (x, y, names = ["x ", "y "]) => {
+      const [a, b] = [x, y].map((curve) => short(rounded(read({ x: mtf.f, y: curve }, nyquist / frequency.factor), mtf.error), 3));
+      return a === b ? a : `${names[0]}${a}, ${names[1]}${b}`;
     };
-    const contrast = nyquist > last ? "beyond the diffraction limit" : `MTF ${there(mtf.x, mtf.y)}, with pixel ${there(mtf.pixel_x, mtf.pixel_y)}`;
+    const contrast = nyquist > last ? "beyond the diffraction limit" : `MTF ${there(mtf.x, mtf.y)}; with pixel ${there(mtf.pixel_x, mtf.pixel_y, ["", ""])}${mtf.error ? `, ± ${Math.ceil(1e3 * mtf.error) / 1e3}` : ""}`;
     page.plots.mtf.draw({
       x: { unit: frequency.name, label: frequency.name, top: last },
       y: { top: 1 },
       curves: curves(mtf, frequency.factor, MTF_CURVES, held?.mtf),
+      error: Math.max(mtf.error, held?.mtf.error ?? 0),
       mark: { at: nyquist, name: "Nyquist", said: mtf.refused ?? `Nyquist ${short(nyquist, 3)} ${frequency.name}: ${contrast}` },
     });
   }
@@ -582,19 +605,20 @@ export class View {
   // Sentences about the pictures are renewed when nothing moves.
   say() {
     const { page, state, shown } = this;
-    if (!shown?.psf || !shown.measures) return;
-    const said = psfSaid(state, shown.psf, shown.measures);
+    const none = (what) => `${what}: not computed for this setting.`;
+    const said = shown.psf && shown.measures ? psfSaid(state, shown.psf, shown.measures) : none("Point spread function");
     if (this.settled) page.code.textContent = this.settled.psf.python;
     page.psf.setAttribute("aria-label", this.compare.shown === "difference" ? `Difference, B minus A. B: ${said}` : said);
-    if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
+    if (!shown.wavefront) page.wavefront.setAttribute("aria-label", none("Wavefront over the pupil"));
+    else if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
     const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";
     const { width, height, reduced = 1 } = shown.picture ?? {};
     const pitch = `a sensor with pixels of ${short(sensorOf(state, { reduced }).pixel)} micrometres`;
-    page.recorded.setAttribute("aria-label", `${name}, blurred as ${pitch} records it.`);
+    page.recorded.setAttribute("aria-label", shown.recorded ? `${name}, blurred as ${pitch} records it.` : none(name));
     page.recorded.title = reduced > 1 ? `Reduced to ${width} × ${height} pixels, of ${short(sensorOf(state, { reduced }).pixel, 3)} µm each` : "";
     const titles = { profile: "Profile", energy: "Encircled energy", mtf: "MTF" };
     for (const [key, { node, shown: curves }] of Object.entries(page.plots))
-      if (curves) node.setAttribute("aria-label", plotSaid(titles[key], curves.x, curves.curves));
+      node.setAttribute("aria-label", !curves ? none(titles[key]) : (key === "mtf" && shown.measures?.mtf.refused) || plotSaid(titles[key], curves.x, curves.curves));
     clearTimeout(this.telling);
     this.telling = setTimeout(() => (page.said.textContent = said), 700);
   }
@@ -604,8 +628,21 @@ export class View {
     if (this.page.notice.textContent !== text) this.page.notice.textContent = text;
   }
 
+  // The fragment of a link, with the name of a lens that is not among the presets.
+  linkText() {
+    const { exact } = this;
+    const own = exact && exact.state !== this.given && !PRESETS.some(({ name }) => name === exact.name);
+    return [toText(this.state, this.start), own && `name=${encodeURIComponent(exact.name)}`].filter(Boolean).join("&");
+  }
+
+  nameFromLink() {
+    const name = nameIn(location.hash);
+    if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.state });
+    this.named = undefined;
+  }
+
   writeLink() {
-    const text = toText(this.state, this.start);
+    const text = this.linkText();
     try {
       history.replaceState(history.state, "", text ? `#${text}` : location.pathname + location.search);
     } catch {

@@ -10,7 +10,11 @@ export const NUMBERS = {
     "The brightest value of the image over the unaberrated peak. Averages over pixels are lower than the intensity at a point, so " +
       "with “averaged by pixels” it can be below the Strehl ratio.",
   ],
-  d80: ["80 % diameter", "Diameter of the circle around the axis that contains 80 % of the light."],
+  d80: [
+    "80 % diameter",
+    "Diameter of the circle around the centroid of the light that contains 80 % of it, as `lommel info` has it. The curve of encircled " +
+      "energy is about the axis.",
+  ],
   inside: ["Light in the window", "Share of all light from the pupil that falls within the computed window."],
   bound: ["Proven error", "Upper bound on the error of every value shown, over the unaberrated peak: mathematically proven, not estimated."],
   time: ["Time", "Computing time of the last point spread function on this machine."],
@@ -85,7 +89,7 @@ export function explainOnClick(node) {
     const about = word && meaning(word.dataset.word);
     if (!about) return;
     event.preventDefault(); // a label would move the focus
-    sayBeside(node, tip, word, about);
+    sayBeside(node, tip, word, [word.dataset.also, about].filter(Boolean).join(" "));
   });
   return tip;
 }

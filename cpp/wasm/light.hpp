@@ -73,7 +73,7 @@ Proof sampled(const Light& light, const std::vector<double>& edge, const lommel:
 struct Averages {
     static constexpr double single = 2e-7;  // tolerance from which on samples are stored in single precision
     static constexpr std::size_t at_once = std::size_t{1} << 23,
-                                 most = std::size_t{1} << 24;  // samples, at most of all lines together
+                                 most = std::size_t{1} << 23;  // samples, at most of all lines together
 
     const Light& light;
     const std::vector<double>& edge;

@@ -37,6 +37,7 @@ namespace {
 
 live::Light light;
 live::Circles circles;
+live::CutSums sums;
 std::unique_ptr<lommel::Convolution> convolution;
 
 constexpr std::size_t blocks = 10;
@@ -127,6 +128,11 @@ void psf(std::size_t side, double step, bool integrate, double tol, float* out, 
     numbers[2] = sum;
 }
 
+// About how many seconds psf() takes with `cut`.
+EXPORT(cut_seconds) double cut_seconds(std::size_t side, double step, bool integrate) {
+    return live::cut_seconds(light, {side, step, integrate});
+}
+
 // What is to be asked of circles, up to `reach` in v.
 EXPORT(set_circles) void set_circles(double reach, double error) { circles = live::Circles(light, reach, error); }
 
@@ -134,9 +140,19 @@ EXPORT(set_circles) void set_circles(double reach, double error) { circles = liv
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
 // At radii in v by quadrature along rows, with aberrations or without: means over the peak without aberration, and shares of all light
-// within. Returns the clear area.
-EXPORT(on_cut_circles) double on_cut_circles(const double* v, std::size_t count, bool lit, double* means, double* shares) {
-    return live::cut_circles(light, lit, v, count, means, shares);
+// within. Returns the clear area. `keep`: what near_contrast() takes.
+EXPORT(on_cut_circles)
+double on_cut_circles(const double* v, std::size_t count, bool lit, bool keep, double* means, double* shares) {
+    if (keep) {
+        sums.clear();
+    }
+    return live::cut_circles(light, lit, v, count, means, shares, keep ? &sums : nullptr);
+}
+
+// The OTF as contrast() has it, from the light within the last circles that were kept. Returns the share of the light that is missing.
+EXPORT(near_contrast)
+double near_contrast(const double* f, std::size_t count, std::complex<double>* x, std::complex<double>* y, double* limit) {
+    return live::near_contrast(light, sums, f, count, x, y, limit);
 }
 
 // The largest radius in v, up to `reach`, that on_cut_circles() should be called for.

@@ -7,7 +7,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
-#include <stdexcept>
+#include <numeric>
 #include <vector>
 
 #include "lommel/measures/overlap.hpp"
@@ -44,17 +44,16 @@ class CutPupil {
     // About how long field() takes of all lines, in WebAssembly on a laptop.
     double seconds(std::size_t side, double step) const {
         const double far = static_cast<double>(side / 2) * step;
-        return seconds(rows_to(far), side, far);
+        const auto price = [&](double length) { return 10.0 + dense * length * (overlap_.slope() + far); };
+        const std::array<double, 2> found = counts(0.0, turns_to(far), 10.0, dense, price);
+        return lines_ * (80e-9 * found[1] + 30e-9 * found[0] * static_cast<double>(side));
     }
 
     // The field at columns and rows of a square window about the axis, real and imaginary parts in turn; or what `kernel` then
     // interpolates to the field.
     std::vector<float> field(std::size_t side, double step, const lommel::GriddingKernel* kernel = nullptr) const {
         const double far = static_cast<double>(side / 2) * step, slope = overlap_.slope() + far;
-        const std::vector<Row> all = rows_to(far);
-        if (!(seconds(all, side, far) < 1.6)) {
-            throw std::domain_error("these aberrations would take the page too long: smaller ones, or a larger f-number");
-        }
+        const std::vector<Row> all = rows(0.0, turns_to(far), 10.0, dense);
         const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
         const lommel::WaveKernel kernel_of(side);
         lommel::WaveSums waves(kernel_of);
@@ -108,14 +107,9 @@ class CutPupil {
     // About how many nodes contrast() takes; a row costs as much as a hundred.
     double contrast_price(double f) {
         overlap_.set_shift(f, 0);
-        double nodes = 0.0;
-        for (const Row& row : rows(f, overlap_.run(), 8.0, 0.25)) {
-            nodes += 100.0;
-            for (const Interval& part : row.parts) {
-                nodes += 20.0 + 0.2 * overlap_.run() * (part.high - part.low);
-            }
-        }
-        return nodes;
+        const auto price = [&](double length) { return 20.0 + 0.2 * overlap_.run() * length; };
+        const std::array<double, 2> found = counts(f, overlap_.run(), 8.0, 0.25, price);
+        return 100.0 * found[0] + found[1];
     }
 
    private:
@@ -150,25 +144,16 @@ class CutPupil {
     };
     using Line = lommel::Overlap::Line;
 
-    std::vector<Row> rows_to(double far) const { return rows(0.0, overlap_.slope() + 1.42 * far, 10.0, dense); }
-    double seconds(const std::vector<Row>& all, std::size_t side, double far) const {
-        double nodes = 0.0;
-        for (const Row& row : all) {
-            for (const Interval& part : row.parts) {
-                nodes += 10.0 + dense * (part.high - part.low) * (overlap_.slope() + far);
-            }
-        }
-        return lines_ * (80e-9 * nodes + 30e-9 * static_cast<double>(all.size() * side));
-    }
+    double turns_to(double far) const { return overlap_.slope() + 1.42 * far; }
 
     // Gauss-Legendre for an integrand that turns through so many radians, on pieces of equal length.
     struct Pieces {
         Pieces(double least, double turns, double density)
             : count(1 + static_cast<std::size_t>(turns / 800.0)),
-              rule(lommel::Overlap::rule(rounded(least + density * turns / static_cast<double>(count)))) {}
+              nodes(rounded(least + density * turns / static_cast<double>(count))) {}
 
-        const std::size_t count;
-        const lommel::Overlap::Rule& rule;
+        const lommel::Overlap::Rule& rule() const { return lommel::Overlap::rule(nodes); }
+        const std::size_t count, nodes;
 
        private:
         static std::size_t rounded(double nodes) {
@@ -214,17 +199,18 @@ class CutPupil {
         }
     };
 
-    // The waves of a row at its nodes, as those of sum `r`.
+    // The waves of a row at its nodes, as those of sum `r`. A call of its own: a browser that compiles anew what is called often
+    // goes on with the faster code from the next call.
     template <class I>
-    LOMMEL_INLINE void add_row(I isa, const Row& row, const Taper& taper, double slope, double step, std::size_t r,
-                               lommel::WaveSums& waves) const {
+    [[gnu::noinline]] void add_row(I isa, const Row& row, const Taper& taper, double slope, double step, std::size_t r,
+                                   lommel::WaveSums& waves) const {
         using namespace lommel;
         using V = typename I::pack;
         Line c;
         along(row.y, c);
         for (const Interval& part : row.parts) {
             const Pieces pieces(10.0, (part.high - part.low) * slope, dense);
-            const lommel::Overlap::Rule& rule = pieces.rule;
+            const lommel::Overlap::Rule& rule = pieces.rule();
             const double length = (part.high - part.low) / static_cast<double>(pieces.count),
                          weight = row.weight * taper(row.y) * length / pi;
             for (std::size_t piece = 0; piece < pieces.count; ++piece) {
@@ -301,9 +287,9 @@ class CutPupil {
         return both;
     }
 
-    // The rows, with weights and intervals, of the aperture moved by f and by -f where both are clear.
-    std::vector<Row> rows(double f, double turns, double least, double density) const {
-        std::vector<Row> found;
+    // Call use(middle, half the height, pieces) for each panel of the aperture moved by f and by -f where both are clear.
+    template <class Use>
+    void panels(double f, double turns, double least, double density, Use use) const {
         const std::vector<double> edges = meetings(f);
         for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
             const double middle = 0.5 * (edges[k] + edges[k + 1]), half = 0.5 * (edges[k + 1] - edges[k]);
@@ -313,16 +299,37 @@ class CutPupil {
             for (std::size_t i = 0; i < std::min(first.size(), last.size()); ++i) {
                 move = std::max({move, std::abs(first[i].low - last[i].low), std::abs(first[i].high - last[i].high)});
             }
-            const Pieces pieces(least + 2.0, 0.5 * pi * turns * (move + 2.0 * half), density);
+            use(middle, half, Pieces(least + 2.0, 0.5 * pi * turns * (move + 2.0 * half), density));
+        }
+    }
+    std::vector<Row> rows(double f, double turns, double least, double density) const {
+        std::vector<Row> found;
+        panels(f, turns, least, density, [&](double middle, double half, const Pieces& pieces) {
             const double each = pi / static_cast<double>(pieces.count);
+            const lommel::Overlap::Rule& rule = pieces.rule();
             for (std::size_t piece = 0; piece < pieces.count; ++piece) {
-                for (std::size_t i = 0; i < pieces.rule.nodes; ++i) {
-                    const double t = each * (static_cast<double>(piece) + pieces.rule.x[i]) - 0.5 * pi;
+                for (std::size_t i = 0; i < rule.nodes; ++i) {
+                    const double t = each * (static_cast<double>(piece) + rule.x[i]) - 0.5 * pi;
                     const double y = middle + half * std::sin(t);
-                    found.push_back({y, each * pieces.rule.w[i] * half * std::cos(t), shared(y, f)});
+                    found.push_back({y, each * rule.w[i] * half * std::cos(t), shared(y, f)});
                 }
             }
-        }
+        });
+        return found;
+    }
+    // About how many rows those are, and the sum of a price of their intervals by length.
+    template <class Price>
+    std::array<double, 2> counts(double f, double turns, double least, double density, Price price) const {
+        std::array<double, 2> found{};
+        panels(f, turns, least, density, [&](double middle, double half, const Pieces& pieces) {
+            const double count = static_cast<double>(pieces.count * pieces.nodes);
+            found[0] += count;
+            for (const double t : {-0.92, -0.38, 0.38, 0.92}) {
+                for (const Interval& part : shared(middle + half * t, f)) {
+                    found[1] += 0.25 * count * price(part.high - part.low);
+                }
+            }
+        });
         return found;
     }
 
@@ -414,6 +421,30 @@ class CutPupil {
     lommel::Overlap overlap_;
 };
 
+// The window of samples that an image is made of: of averages a larger one, of finer samples.
+struct CutSamples {
+    CutSamples(const View& view, double stretch)
+        : taps(view.step * stretch, 1e-7, 1.05), filter{taps.weights.data(), taps.weights.size(), taps.stride},
+          wide(filter.samples(view.side)), middle(taps.stride * (view.side / 2) + taps.margin()),
+          side(view.integrate ? 2 * std::max(middle, wide - 1 - middle) + 1 : view.side),
+          step(view.step * stretch / (view.integrate ? static_cast<double>(taps.stride) : 1.0)) {}
+
+    const lommel::PixelTaps taps;
+    const lommel::PixelFilter filter;
+    const std::size_t wide, middle, side;
+    const double step;
+};
+
+// About how long cut_image_of() takes, by the line where it is longest.
+inline double cut_seconds(const Light& light, const View& view) {
+    double widest = 0.0;
+    for (const Line& line : light.lines) {
+        widest = std::max(widest, line.stretch);
+    }
+    const CutSamples samples(view, widest);
+    return CutPupil(light, widest, 0.0, true).seconds(samples.side, samples.step);
+}
+
 // Fractions of all light per pixel of a pupil with vanes in one line, added to `total`, and by their weights to three planes.
 // Returns the clear area over that of the disk.
 inline double add_cut_image(const Light& light, const Line& line, const View& view, std::vector<double>& total,
@@ -422,24 +453,21 @@ inline double add_cut_image(const Light& light, const Line& line, const View& vi
     const double step = view.step * line.stretch;
     const double scale = line.share * step * step / (12.566370614359172 * pupil.area());
     const std::size_t pixels = view.side * view.side;
-    // Averages are made of a larger window of finer samples.
-    const lommel::PixelTaps taps(step, 1e-7, 1.05);
-    const lommel::PixelFilter filter{taps.weights.data(), taps.weights.size(), taps.stride};
-    const std::size_t wide = filter.samples(view.side), middle = taps.stride * (view.side / 2) + taps.margin();
-    const std::size_t side = view.integrate ? 2 * std::max(middle, wide - 1 - middle) + 1 : view.side;
-    const std::vector<float> field = pupil.field(side, view.integrate ? step / static_cast<double>(taps.stride) : step);
+    const CutSamples samples(view, line.stretch);
+    const std::size_t side = samples.side, wide = samples.wide;
+    const std::vector<float> field = pupil.field(side, samples.step);
     std::vector<double> image(side * side);
     for (std::size_t i = 0; i < side * side; ++i) {
         const double re = static_cast<double>(field[2 * i]), im = static_cast<double>(field[2 * i + 1]);
         image[i] = re * re + im * im;
     }
     if (view.integrate) {
-        const std::size_t skip = side / 2 - middle;
+        const std::size_t skip = side / 2 - samples.middle;
         for (std::size_t row = 0; row < wide; ++row) {
             std::copy_n(&image[(row + skip) * side + skip], wide, &image[row * wide]);
         }
         std::vector<double> averages(pixels);
-        filter.average(image.data(), 1, view.side, view.side, averages.data(), pixels, 1);
+        samples.filter.average(image.data(), 1, view.side, view.side, averages.data(), pixels, 1);
         image.swap(averages);
     }
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -476,6 +504,24 @@ class CutField {
 
     static constexpr double step = 1.5;
     static std::size_t side(double reach) { return 2 * (static_cast<std::size_t>(reach / step) + taps / 2 + 1) + 1; }
+
+    // Sums of the intensity along columns and along rows, at samples whose transforms are the transfer function: `step` is below
+    // what its band takes.
+    std::array<std::vector<double>, 2> sums() const {
+        const int far = static_cast<int>(half_) - static_cast<int>(taps / 2) - 1;
+        std::array<std::vector<double>, 2> found;
+        found.fill(std::vector<double>(static_cast<std::size_t>(2 * far + 1), 0.0));
+        lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (int y = -far; y <= far; ++y) {
+                for (int x = -far; x <= far; ++x) {
+                    const double value = intensity(isa, step * x, step * y);
+                    found[0][static_cast<std::size_t>(x + far)] += value;
+                    found[1][static_cast<std::size_t>(y + far)] += value;
+                }
+            }
+        });
+        return found;
+    }
 
     // The mean on a circle. The intensity there has no finer waves than 2 v around it.
     double mean(double v) const {
@@ -563,9 +609,13 @@ inline double cut_reach(const Light& light, double reach) {
     }
 }
 
+// Sums of the light of each line along columns and along rows, over all of it.
+using CutSums = std::vector<std::array<std::vector<double>, 2>>;
+
 // On circles about the axis at radii in v of the reference, from 0 on, each larger than the one before: the mean over the peak without
 // aberration, and the share of all light within. Returns the clear area over that of the disk.
-inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares) {
+inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares,
+                          CutSums* sums) {
     std::fill_n(means, count, 0.0);
     std::fill_n(shares, count, 0.0);
     double brightest = 0.0, area = 1.0;
@@ -581,6 +631,14 @@ inline double cut_circles(const Light& light, bool lit, const double* v, std::si
             area = pupil.area();
             field.reset();
             field = std::make_unique<CutField>(pupil, v[count - 1] * widest, !lit);
+        }
+        if (sums != nullptr) {
+            sums->push_back(field->sums());
+            for (std::vector<double>& axis : sums->back()) {
+                for (double& value : axis) {
+                    value *= CutField::step * CutField::step / (12.566370614359172 * area);
+                }
+            }
         }
         brightest += line.weight() * area * area;
         double energy = 0.0;
@@ -617,6 +675,38 @@ inline void cut_contrast(const Light& light, const double* f, std::size_t count,
         }
     }
     std::transform(flat.begin(), flat.end(), limit, [](std::complex<double> sum) { return std::abs(sum); });
+}
+
+// The same from the light that cut_circles() found. Returns how much is missing of all light, which no value is off by more than.
+inline double near_contrast(const Light& light, const CutSums& sums, const double* f, std::size_t count,
+                            std::complex<double>* x, std::complex<double>* y, double* limit) {
+    std::complex<double>* const curves[2] = {x, y};
+    std::fill_n(x, count, 0.0);
+    std::fill_n(y, count, 0.0);
+    std::fill_n(limit, count, 0.0);
+    double found = 0.0;
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        const Line& line = light.lines[k];
+        CutPupil plain(light, line.stretch, 0.0, false);
+        found += line.share * std::accumulate(sums[k][0].begin(), sums[k][0].end(), 0.0);
+        for (std::size_t i = 0; i < count && f[i] < line.stretch; ++i) {
+            const double turn = 2.0 * CutField::step * f[i] / line.stretch;
+            const std::complex<double> each = std::polar(1.0, turn);
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                const std::vector<double>& light_at = sums[k][axis];
+                double re = 0.0, im = 0.0;  // Horner's rule
+                for (std::size_t j = light_at.size(); j-- > 0;) {
+                    const double before = re;
+                    re = re * each.real() - im * each.imag() + light_at[j];
+                    im = before * each.imag() + im * each.real();
+                }
+                const double middle = -turn * static_cast<double>(light_at.size() / 2);
+                curves[axis][i] += line.share * std::complex<double>(re, im) * std::polar(1.0, middle);
+            }
+            limit[i] += line.share * plain.contrast(f[i] / line.stretch, 2).real();
+        }
+    }
+    return std::abs(1.0 - found);
 }
 
 // About how many nodes cut_contrast() takes, by those at three frequencies in the line where they are most.

@@ -264,6 +264,44 @@ def test_a_newer_setting_does_not_wait_for_one_that_takes_long(visit: Callable[.
     assert page.locator(".notice").is_hidden()
 
 
+def test_pictures_that_are_not_computed_say_so(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    labels = """() => {
+        const { shadowRoot } = document.querySelector(".lommel-live-host");
+        return [...shadowRoot.querySelectorAll("canvas[role=img], svg[role=img]")].map((x) => x.ariaLabel);
+    }"""
+    names = ["Point spread function", "Profile", "Encircled energy", "MTF"]
+    before = page.evaluate(labels)
+    assert not any("not computed" in label for label in before)
+    page.evaluate("live.set({ defocus: 50, coma: 10, astigmatism: 10, light: 'white' })")
+    rest(page)
+    notice = page.locator(".notice").inner_text()
+    assert notice.startswith("This setting cannot be computed: it would take too long. Choose one wavelength")
+    refused = page.evaluate(labels)
+    for name in names:
+        assert f"{name}: not computed for this setting." in refused
+    page.evaluate("live.set({ light: 'mono' })")
+    rest(page)
+    assert page.locator(".notice").is_hidden()
+    after = page.evaluate(labels)
+    assert not any("not computed" in label for label in after)
+    assert not set(names) & {a.split(":")[0] for a, b in zip(after, before, strict=True) if a == b}
+
+
+def test_a_lens_at_distances_is_left_for_one_in_waves(visit: Callable[..., Any]) -> None:
+    """Of the answers on the page the focal length stays that of their own lens, until the new ones come."""
+    page = visit("/mounted#side=64&focus=distances&focus_distance=1&object_distance=2&focal_length=50")
+    page.locator(".notice").evaluate(
+        """(node) => { window.told = []; new MutationObserver(() => node.textContent && told.push(node.textContent))
+        .observe(node, { childList: true, characterData: true, subtree: true }); }"""
+    )
+    page.evaluate("live.set({ focus: 'waves', focal_length: 20000, defocus: 1, length_unit: 'lambdaN' })")
+    rest(page)
+    assert page.evaluate("told") == []
+    assert page.locator(".notice").is_hidden()
+    assert page.evaluate("live.result().state.focal_length") == 20000
+
+
 def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=COUNTING)
     page.evaluate("made[0].dispatchEvent(new ErrorEvent('error', { message: 'it died', cancelable: true }))")

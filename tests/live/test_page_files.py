@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -52,9 +53,13 @@ def test_the_csv_holds_the_curves_and_the_state(visit: Callable[..., Any]) -> No
         """() => { const { profile, energy, mtf } = live.result().measures;
         return [profile.r, profile.mean, energy.share, mtf.f, mtf.limit].map((part) => Array.from(part)); }"""
     )
+    wide = page.evaluate("live.result().measures.d80_axis")
     heads = ("radius (um)", "profile", "encircled energy", "frequency (cycles/mm)", "MTF diffraction limit")
     for head, wanted in zip(heads, measures, strict=True):
-        assert [float(row[head]) for row in rows if row[head]] == pytest.approx(wanted, abs=1e-9)
+        near = 5.1e-7 if head.startswith("MTF") else 1e-9
+        assert [float(row[head]) for row in rows if row[head]] == pytest.approx(wanted, rel=1e-7, abs=near)
+        assert max(len(row[head].replace(".", "").lstrip("0")) for row in rows) <= 11
+    assert f"# diameter_80_percent_about_axis_um={float(wide):.4g}" in lines
 
 
 def test_the_csv_of_a_comparison_has_the_settings_as_they_look(visit: Callable[..., Any]) -> None:
@@ -69,7 +74,29 @@ def test_the_csv_of_a_comparison_has_the_settings_as_they_look(visit: Callable[.
     for axis in "xy":
         wanted = page.evaluate(f"Array.from(live.result().measures.mtf.pixel_{axis})")
         column = [float(row[f"MTF {axis} with pixel"]) for row in rows if row[f"MTF {axis} with pixel"]]
-        assert column == pytest.approx(wanted, abs=1e-9)
+        assert column == pytest.approx(wanted, abs=5.1e-7)
+
+
+def test_the_link_of_a_lens_file_has_its_name_and_says_that_no_picture_is_in_it(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", permissions=["clipboard-read", "clipboard-write"])
+    text = 'name = "Our 200 mm & more"\n[lens]\nfocal_length = "200 mm"\nf_number = 4\nwavelength = "550 nm"\n'
+    text += '[sensor]\npixel = "3 um"\n'
+    assert page.evaluate("text => live.open(new File([text], 'ours.toml'))", text)
+    rest(page)
+    page.locator('[data-action="link"]').click()
+    page.wait_for_timeout(50)
+    link = page.evaluate("navigator.clipboard.readText()")
+    assert page.locator(".tip").is_hidden()
+    there = visit(link[link.index("/mounted") :])
+    assert there.locator("h2.name").inner_text() == "Our 200 mm & more"
+    there.evaluate("live.set({ coma: 0.3 })")
+    rest(there)
+    assert there.locator("h2.name").inner_text() == "Changed from: Our 200 mm & more"
+    page.evaluate("live.set({ picture: 'own' })")
+    rest(page)
+    page.locator('[data-action="link"]').click()
+    page.wait_for_timeout(50)
+    assert page.locator(".tip").inner_text() == "Your own picture is not in the link."
 
 
 def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:
@@ -80,6 +107,8 @@ def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None
     page.locator('[data-action="python"]').click()
     page.wait_for_timeout(50)
     text = page.evaluate("navigator.clipboard.readText()")
+    assert "wavelength=5.5e-07" in text
+    assert re.search(r"pixel=\d\.?\d*e-0\d, ", text)
     scope: dict[str, Any] = {}
     exec(text, scope)
     values = np.array(page.evaluate("Array.from(live.result().psf.values)")).reshape(64, 64)

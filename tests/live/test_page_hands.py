@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -172,7 +173,7 @@ def test_play_runs_the_slider_used_last_until_anything_is_touched(visit: Callabl
     page.keyboard.press("ArrowRight")
     rest(page)
     play = page.locator('[data-action="play"]')
-    assert play.get_attribute("aria-label") == "Play Spherical"
+    assert play.get_attribute("aria-label") == "Move Spherical"
     play.click()
     page.wait_for_timeout(600)
     assert play.get_attribute("aria-label") == "Pause Spherical"
@@ -265,7 +266,7 @@ def test_the_source_of_a_preset_goes_with_its_setting_and_nothing_moves(visit: C
     assert page.locator(".now canvas").bounding_box() == top
     page.evaluate("live.set({ defocus: 1 })")
     rest(page)
-    assert page.locator("h2.name").inner_text() == f"{HUBBLE}, changed"
+    assert page.locator("h2.name").inner_text() == f"Changed from: {HUBBLE}"
     assert page.locator(".source").is_hidden()
     assert page.locator('select[data-key="preset"]').input_value() == ""
     assert page.locator(".now canvas").bounding_box() == top
@@ -408,7 +409,7 @@ def test_escape_stops_play_and_reduced_motion_offers_steps(visit: Callable[..., 
     page.wait_for_timeout(300)
     assert play.get_attribute("aria-label") == "Pause Defocus"
     page.keyboard.press("Escape")
-    assert play.get_attribute("aria-label") == "Play Defocus"
+    assert play.get_attribute("aria-label") == "Move Defocus"
     page = visit("/mounted#side=64", reduced_motion="reduce")
     play = page.locator('[data-action="play"]')
     assert "Step: Defocus" in play.inner_text()
@@ -421,10 +422,10 @@ def test_escape_stops_play_and_reduced_motion_offers_steps(visit: Callable[..., 
 
 def test_play_is_of_a_slider_that_is_shown(visit: Callable[..., Any]) -> None:
     page = visit("/mounted?lesson=airy")
-    assert page.locator('[data-action="play"]').get_attribute("aria-label") == "Play f-number"
+    assert page.locator('[data-action="play"]').get_attribute("aria-label") == "Move f-number"
 
 
-def test_the_mtf_is_marked_at_the_nyquist_frequency_and_read_on_one_line(visit: Callable[..., Any]) -> None:
+def test_the_mtf_is_marked_at_the_nyquist_frequency_and_read(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64&pixel=4", viewport={"width": 1366, "height": 768})
     plot = page.locator("figure.curve", has_text="MTF")
     assert plot.locator(".mark text").text_content() == "Nyquist"
@@ -436,3 +437,59 @@ def test_the_mtf_is_marked_at_the_nyquist_frequency_and_read_on_one_line(visit: 
     said = plot.locator(".readout").inner_text()
     for part in ("x, y ", "; limit 0.", "; x, y with pixel "):
         assert part in said
+
+
+def test_a_zero_of_the_mtf_is_read_beside_it(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#defocus=2&side=64&length_unit=lambdaN", viewport={"width": 1366, "height": 768})
+    plot = page.locator("figure.mtf")
+    place = plot.locator("svg").bounding_box()
+    width = place["width"] - 50
+    for by in (-3, 0, 3):
+        page.mouse.move(place["x"] + 40 + width * 0.0838 + by, place["y"] + 60)
+        said = plot.locator(".readout").inner_text()
+        assert re.match(r"0\.084 cycles/λN: x, y < 1e-6; ", said), said
+    page.mouse.move(place["x"] + 40 + width * 0.125, place["y"] + 60)
+    assert "<" not in plot.locator(".readout").inner_text()
+
+
+def test_terms_without_sliders_are_named(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&zernike=6,0:-0.1;1,-1:0.3;5,3:0.02;7,1:0.01")
+    row = page.locator('[data-row="zernike"]')
+    said = "tilt y (Z1^-1) 0.3, second spherical (Z6^0) -0.1, Z5^3 0.02"
+    assert row.locator("span").inner_text() == f"Further Zernike terms: {said} waves rms, and 1 smaller"
+    row.locator("span").click()
+    assert f"{said}, Z7^1 0.01 waves rms." in page.locator(".tip").inner_text()
+    row.get_by_role("button", name="Remove").click()
+    rest(page)
+    assert row.is_hidden()
+
+
+def test_each_aberration_says_its_polynomial(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    for key, part in {
+        "spherical": "Seidel term W040 ρ⁴",
+        "coma": "W131 = 0.75 is 0.25",
+        "astigmatism": "W222",
+    }.items():
+        assert part in slider(page, key).get_attribute("title")
+        page.locator(f'label[data-word="{key}"]').click()
+        assert part in page.locator(".tip").inner_text()
+
+
+def test_one_wave_is_singular(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#defocus=1&side=64")
+    assert page.locator(".small .note").first.inner_text().startswith("1 wave P–V, 0.289 rms")
+    assert slider(page, "defocus").get_attribute("aria-valuetext") == "1 wave"
+
+
+def test_vanes_are_shown_on_a_logarithmic_scale(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    box(page, "vanes").fill("4")
+    page.keyboard.press("Enter")
+    rest(page)
+    assert state(page)["stretch"] == "log"
+    page.get_by_label("Stretch").select_option("linear")
+    box(page, "vanes").fill("3")
+    page.keyboard.press("Enter")
+    rest(page)
+    assert state(page)["stretch"] == "linear"  # chosen since

@@ -22,7 +22,7 @@ def test_the_header_is_as_high_with_a_changed_lens_and_with_a_held(visit: Callab
     box(page, "coma").fill("0.4")
     page.keyboard.press("Enter")
     rest(page)
-    assert page.locator("h1.name").inner_text() == "A lens, changed"
+    assert page.locator("h1.name").inner_text() == "Changed from: A lens"
     assert page.evaluate(TOP) == high
     for mode in ("flicker", "difference"):
         page.get_by_label("How to compare").select_option(mode)
@@ -91,3 +91,35 @@ def test_two_pictures_take_the_width_of_the_screen(visit: Callable[..., Any]) ->
     assert page.locator(".numbers").bounding_box()["y"] < 600
     ends = page.locator(".plots").bounding_box()
     assert ends["x"] + ends["width"] == pytest.approx(1344, abs=2)
+
+
+@pytest.mark.parametrize("size", [(768, 1024), (1024, 768), (1366, 768), (1920, 1080)])
+def test_a_projector_shows_a_curve_on_its_first_screen(visit: Callable[..., Any], size: tuple[int, int]) -> None:
+    page = visit("/mounted?large#side=64", viewport={"width": size[0], "height": size[1]})
+    for name in ("psf .now canvas", "profile svg"):
+        area = page.locator(f"figure.{name}").bounding_box()
+        assert area["y"] + area["height"] <= size[1], name
+    assert page.evaluate("document.documentElement.scrollWidth") <= size[0]
+
+
+CUT = """() => [...document.querySelector(".lommel-live-host").shadowRoot
+    .querySelectorAll(".readout, .legend, .line label, dt")]
+    .filter((node) => node.scrollWidth > node.clientWidth + 1 || node.scrollHeight > node.clientHeight + 3)
+    .map((node) => node.textContent)"""
+
+
+@pytest.mark.parametrize("width", [390, 768, 1024, 1366, 1920])
+@pytest.mark.parametrize("compared", [False, True])
+def test_words_beside_curves_and_sliders_are_whole(visit: Callable[..., Any], width: int, compared: bool) -> None:
+    page = visit("/mounted#side=64&coma=0.8&pixel=3", viewport={"width": width, "height": 768})
+    if compared:
+        page.get_by_role("button", name="Hold as A").click()
+        box(page, "coma").fill("0.4")
+        page.keyboard.press("Enter")
+        rest(page)
+    text = page.locator("figure.mtf .readout").inner_text()
+    assert "with pixel 0." in text
+    assert page.evaluate(CUT) == []
+    # What is read at rest does not lie over the next figure.
+    read, figure = (page.locator(f"figure.mtf{part}").bounding_box() for part in (" .readout", ""))
+    assert read["y"] + read["height"] <= figure["y"] + figure["height"] + 1

@@ -373,3 +373,36 @@ def test_frequencies_of_the_star_are_marked_at_their_radius(visit: Callable[...,
         assert float(place) - 192 == pytest.approx(36 / (2 * 3.14159265) / (float(name) * 1e-3) / 2, rel=1e-6)
     page.get_by_label("Picture", exact=True).select_option("text")
     page.locator(".rings").wait_for(state="hidden")
+
+
+def test_side_by_side_holds_the_tail_of_either(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#defocus=0&coma=1.5&coma_angle=0")
+    hold(page, coma=0)
+    page.get_by_label("Scale of A and B").select_option("own")
+    for name in (PSF, HELD):
+        picture = seen(page, name).sum(axis=2)
+        picture = picture - picture.min()
+        edge = np.concatenate([picture[0], picture[-1], picture[:, 0], picture[:, -1]])
+        assert edge.max() < 0.12 * picture.max(), name
+    # The field of A's tail, of which B alone shows less.
+    wide = page.evaluate("2 * live.result().measures.energy.r.at(-1)")
+    text = page.locator(".ruler span").inner_text().split()[0]
+    share = float(page.locator(".ruler i").evaluate("node => node.style.width").rstrip("%")) / 100
+    assert float(text) / share > 1.5 * wide / 2**0.5
+    # Outside of its own window B has no values.
+    area = page.locator(PSF).bounding_box()
+    page.mouse.move(area["x"] + 3, area["y"] + 3)
+    assert place(page) == "beyond the window of B"
+
+
+def test_legends_name_both_settings(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&coma=0.3")
+    legend = page.locator("figure.mtf .legend")
+    assert legend.inner_text().split("\n") == ["x", "y", "with pixel", "limit"]
+    hold(page, coma=0.6)
+    assert legend.inner_text().split("\n") == ["A x", "A y", "B x", "B y", "with pixel", "limit"]
+    assert page.locator("figure.profile .legend").inner_text().split("\n") == [
+        "A",
+        "B: mean over angle",
+        "unaberrated",
+    ]

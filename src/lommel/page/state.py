@@ -145,6 +145,11 @@ def further_terms(text: str) -> dict[tuple[int, int], float]:
 
 # Aberrations with a direction, by their Zernike term; each has a slider for its size and one for its direction.
 DIRECTED = {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}
+_POLYNOMIAL = {"coma": "(3ρ³ − 2ρ) cos θ", "astigmatism": "ρ² cos 2θ", "trefoil": "ρ³ cos 3θ"}
+_SEIDEL = {
+    "coma": ": a third of Seidel's W131, so that W131 = 0.75 is 0.25 here",
+    "astigmatism": ": half of Seidel's W222, whose other half is defocus",
+}
 _DIRECTION = {
     "coma": "the tail of the image points, degrees from the right, clockwise",
     "astigmatism": "the image is wide where defocus is positive, degrees from the right, clockwise",
@@ -157,7 +162,7 @@ def _aberration(name: str) -> dict[str, Real | Word | Terms]:
     size = Row("Wavefront", name.capitalize(), (0, 3), waves=True)
     half = 180 // m
     angle = Row("Wavefront", "angle", (-half, half), 1, "°", "degrees", name=f"Direction of {name}")
-    about = f"Zernike term ({n}, {m}), waves at the edge of the pupil, in the direction of its angle."
+    about = f"Zernike term ({n}, {m}), {_POLYNOMIAL[name]}, waves at the edge of the pupil{_SEIDEL.get(name, '')}."
     direction = f"Direction in which {_DIRECTION[name]}."
     return {name: Real(0, 0, 10, size, about), f"{name}_angle": Real(0, -half, half, angle, direction)}
 
@@ -177,7 +182,7 @@ FIELDS: dict[str, Real | Word | Terms] = {
         -50,
         50,
         Row("Wavefront", "Defocus", (-5, 5), waves=True, when=(("focus", "waves"),)),
-        "Seidel defocus W020, waves at the edge of the pupil; positive: the sensor lies between lens and focus.",
+        "Seidel term W020 ρ², waves at the edge of the pupil; positive: the sensor lies between lens and focus.",
     ),
     "focus_distance": Real(
         2,
@@ -198,8 +203,8 @@ FIELDS: dict[str, Real | Word | Terms] = {
         -25,
         25,
         Row("Wavefront", "Spherical", (-5, 5), waves=True),
-        "Seidel spherical aberration W040, waves at the edge of the pupil; positive: marginal rays focus beyond "
-        "paraxial ones.",
+        "Seidel term W040 ρ⁴, waves at the edge of the pupil, unlike the Zernike term (4, 0) without defocus; "
+        "positive: marginal rays focus beyond paraxial ones.",
     ),
     **{key: field for name in DIRECTED for key, field in _aberration(name).items()},
     "zernike": Terms(
@@ -231,7 +236,8 @@ FIELDS: dict[str, Real | Word | Terms] = {
         0,
         MOST_VANES,
         Row(_LENS, "Vanes", (0, MOST_VANES), 1, name="Number of vanes"),
-        "Number of straight vanes from the axis to the edge of the aperture, at equal angles.",
+        "Number of straight vanes from the axis to the edge of the aperture, at equal angles; a logarithmic scale "
+        "shows their spikes.",
     ),
     "vane_width": Real(
         0.03,

@@ -25,7 +25,7 @@ def test_the_profile_has_the_flux_and_the_width_that_it_says():
             row - 0.5, row + 0.5, column - 0.5, column + 0.5, epsabs=1e-13,
         )[0]  # fmt: skip
         assert image[row, column] == pytest.approx(value, rel=1e-6)
-    # All light: what a square of half side 300 lacks is peak alpha^(2 beta) int r^(-2 beta) beyond, to a factor near 1.
+    # All light: beyond a square of half side 300 there is about peak alpha^(2 beta) int r^(-2 beta).
     wide = _model(np.array([flux, 300.0, 300.0, fwhm, beta, 0.0]), (601, 601))[0]
     assert wide.sum() == pytest.approx(flux, rel=3e-6)
 

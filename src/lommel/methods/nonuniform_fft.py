@@ -55,9 +55,9 @@ class NonuniformFFT(Method[Pupil]):
 
     References
     ----------
-    Lloyd N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: the bound on Gauss's rule.
-    Magnus Lundin, "The extremal PSH for the complement of convex, symmetric subsets of R^N", Michigan Math. J. 32, 197
-    (1985), doi:10.1307/mmj/1029003186: how fast polynomials grow off the disc.
+    Lloyd N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: the bound on Gauss's
+    rule. Magnus Lundin, "The extremal PSH for the complement of convex, symmetric subsets of R^N", Michigan Math. J.
+    32, 197 (1985), doi:10.1307/mmj/1029003186: how fast polynomials grow off the disc.
     Alok Dutt and V. Rokhlin, "Fast Fourier transforms for nonequispaced data", SIAM J. Sci. Comput. 14, 1368 (1993),
     doi:10.1137/0914081.
     """

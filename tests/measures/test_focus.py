@@ -45,3 +45,8 @@ def test_the_best_focus_is_found_with_the_method_that_is_given() -> None:
         lm.best_focus(Pupil(Wavefront([1.0, 2.0])), 1.0)
     with pytest.raises(ValueError, match="radius must be > 0"):
         lm.best_focus(pupil, 0.0)
+
+
+def test_other_apertures_have_no_best_focus_in_a_circle():
+    with pytest.raises(ValueError, match="pupil must be radially symmetric for its best focus"):
+        lm.best_focus(lm.Pupil(stop=lm.Polygon.regular(6, 1.0)), 1.0)

@@ -51,14 +51,14 @@ def clipped(subject, clip):
     return 0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
 
 
-@pytest.mark.parametrize("fx, fy", WHERE)
+@pytest.mark.parametrize(("fx", "fy"), WHERE)
 def test_a_square_has_triangles_as_its_transfer_function(fx, fy):
     side = math.sqrt(2.0)
     expected = max(0.0, 1.0 - 2.0 * abs(fx) / side) * max(0.0, 1.0 - 2.0 * abs(fy) / side)
     assert lm.otf(lm.Pupil(stop=SQUARE), fx, fy) == pytest.approx(expected, abs=1e-14)
 
 
-@pytest.mark.parametrize("fx, fy", WHERE)
+@pytest.mark.parametrize(("fx", "fy"), WHERE)
 def test_a_hexagon_has_its_geometric_autocorrelation(fx, fy):
     corners, f = np.array(HEXAGON.corners), np.array([fx, fy])
     expected = clipped(list(corners + f), corners - f) / clipped(list(corners), corners)
@@ -69,7 +69,7 @@ def rectangle(x, y, width, height):
     return lm.Polygon(((x, y), (x + width, y), (x + width, y + height), (x, y + height)))
 
 
-@pytest.mark.parametrize("fx, fy", [(0.1, 0.05), (-0.2, 0.1), (0.05, -0.24), (0.3, 0.1)])
+@pytest.mark.parametrize(("fx", "fy"), [(0.1, 0.05), (-0.2, 0.1), (0.05, -0.24), (0.3, 0.1)])
 def test_segments_have_their_phases_in_every_pair(fx, fy):
     places, size = [(-0.6, -0.4), (-0.05, -0.45), (-0.3, 0.1)], (0.5, 0.4)
     phases = np.array([[0.7, 3.0, -2.0], [-1.1, 0.0, 4.0], [2.0, -1.0, 0.5]])

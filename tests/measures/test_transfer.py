@@ -362,5 +362,5 @@ def test_a_mask_is_refused_with_what_to_do():
 
 
 def test_what_would_take_too_long_is_refused():
-    with pytest.raises(ToleranceError, match="the OTF to tol=1e-12 cannot be computed: .* degree over 4096"):
+    with pytest.raises(ToleranceError, match=r"the OTF to tol=1e-12 cannot be computed: .* degree over 4096"):
         lm.otf(lm.Pupil(lm.Wavefront(1e4), **EDGES["vanes"]), 0.3, 0.2, tol=1e-12)

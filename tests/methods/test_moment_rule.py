@@ -36,7 +36,7 @@ def test_moments_are_those_of_the_aperture(aperture):
     assert rule.total <= math.sqrt(float(lm.Pupil(**APERTURES[aperture]).area)) + 1e-9
 
 
-@pytest.mark.parametrize("shape, center", [((17, 24), (3.3, 12.0)), ((21, 21), (10.0, 10.0))])
+@pytest.mark.parametrize(("shape", "center"), [((17, 24), (3.3, 12.0)), ((21, 21), (10.0, 10.0))])
 @pytest.mark.parametrize("aperture", APERTURES)
 @pytest.mark.parametrize("integrate", [False, True])
 def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, center, integrate):

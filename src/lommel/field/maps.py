@@ -179,7 +179,7 @@ class ApertureOptions:
     ----------
     aperture : Pupil, optional
         Pupil without wavefront error, such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting,
-        mask, apodization and scale apply to the whole field; its geometry is used on the axis only.
+        mask, stop, apodization and scale apply to the whole field; its geometry is used on the axis only.
     wavelength, f_number, obscuration : float, optional
         As of :class:`lommel.Pupil`, where `aperture` does not state them.
     """

@@ -15,6 +15,7 @@ from lommel.core import engine
 from lommel.estimation.pixel_transfer import transfer_of_windows
 from lommel.methods.choice import of_profiles
 from lommel.methods.pixels.rule import pixel_rule, quarters, sums_of_windows
+from lommel.optics.aperture.shapes import Segments
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -107,6 +108,9 @@ def too_large(
     # Beyond the shadow each edge diffracts light whose mean falls as r^-3 from there on: of a round aperture
     # lambda N / (pi^3 r^3), which adds up to 8 sin(pi / 4) / pi^3 lambda N / a outside of a square of the sides 2 a.
     edges = 1.0 + pupil.obscuration + (len(pupil.spider.angles) / math.pi if pupil.spider else 0.0)
+    stops = pupil.stop.shapes if isinstance(pupil.stop, Segments) else (pupil.stop,)
+    for line in (line for stop in stops if stop is not None for line in stop.outline(256)):
+        edges += float(np.hypot(*(line - np.roll(line, 1, axis=0)).T).sum()) / (2.0 * math.pi)
     diffracted = shadow = 0.0
     for wavelength, weight in spectrum:
         light = pupil if wavelength is None else pupil.in_light(wavelength)

@@ -50,6 +50,11 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     at = validation.real("radius", radius, above=0.0)
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
+    if not pupil.radial:
+        raise ValueError(
+            "pupil must be radially symmetric for its best focus in a circle, got other terms or another aperture; "
+            "compare psf.encircled_energy of some defoci"
+        )
     require_radial(way, pupil)
     # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)

@@ -183,7 +183,7 @@ def field_sums(
         values[part] = u.real**2 + u.imag**2
         slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
     # Phases of terms and of waves, sums along both axes, and the weights.
-    size_of = np.array([n * n + 10.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
+    size_of = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
     reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
     turned = float((np.abs(edge) @ size_of).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
     lost = (_UNIT * turned * rule.total + rule.lost) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])

@@ -178,7 +178,7 @@ class Opening:
         return self.tilted(x, y)[0] if isinstance(self.stop, Segments) else 0.0
 
     def tilted(self, x: Array, y: Array) -> Array:
-        """Return the phase of the segments at points, and its slopes along x and y, shape ``(3, ...)``.
+        """Return the phase of the segments at points (`x`, `y`), and its slopes along x and y, shape ``(3, ...)``.
 
         Between segments that of the nearest.
         """
@@ -191,7 +191,7 @@ class Opening:
         return _phased(self.phases[which.astype(np.intp)], x, y)
 
     def tilted_nodes(self, degree: int) -> Array:
-        """Return the same at the nodes of :meth:`rule`, shape (3, nodes)."""
+        """Return the same at the nodes of the rule to a `degree`, :meth:`rule`, shape (3, nodes)."""
         nodes = [rule.nodes for rule in _exact_rows(self, degree)]
         x, y, _ = np.concatenate(nodes, axis=1)
         return _phased(np.repeat(self.phases, [part.shape[1] for part in nodes], axis=0), x, y)

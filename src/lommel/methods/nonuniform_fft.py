@@ -51,7 +51,7 @@ class NonuniformFFT(Method[Pupil]):
     the taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of it and
     all roundings are bounded too. Derived in docs/certificate.md, section 18. Averages over pixels filter samples.
     Small windows of many fields (stacks, derivatives) are products of matrices with a rule of the disc that has the
-    moments of the aperture (:mod:`lommel.methods.moment_rule`).
+    moments of the aperture (``lommel.methods.moment_rule``).
 
     References
     ----------

@@ -94,8 +94,8 @@ def test_the_strehl_ratio_is_refined_by_two_fifths_until_two_quadratures_agree_t
 
     def worse(pupil, power, radial, around):
         seen.append(radial)
-        rho, theta, weight = rule(pupil, power, radial, around)
-        return rho, theta, weight * (1.0 + off[len(seen) - 1])
+        nodes = rule(pupil, power, radial, around)
+        return nodes._replace(weight=nodes.weight * (1.0 + off[len(seen) - 1]))
 
     exact = lm.strehl(lm.Pupil(lm.Wavefront(0.7)))
     assert exact == pytest.approx(np.sinc(0.7 / np.pi) ** 2, rel=1e-13)

@@ -59,7 +59,7 @@ ARGUED = {
     ("stacks/store.py", "fromfile"): "a part of it",
     ("stacks/store.py", "File"): "to write, in memory",
     ("stacks/compute.py", "loads"): "of what was just written as JSON",
-    ("optics/aperture/obstructions.py", "decompressobj"): "piece by piece, up to the side of the mask",
+    ("optics/aperture/mask.py", "decompressobj"): "piece by piece, up to the side of the mask",
 }
 # What opens or parses a file, whatever it is called on.
 OPENING = {

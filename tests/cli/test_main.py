@@ -293,7 +293,7 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
     assert facts["aperture"]["spider"]["width"] == pytest.approx(0.01)
     assert facts["mtf50"] is None
     assert "MTF" not in shown
-    assert "no proven error bound" in shown
+    assert "no proven error bound" not in shown
     pupil = lm.load_instrument(lens).pupil()
     image = lm.psf(pupil, 641, 0.05 * pupil.scale, method=lm.NonuniformFFT(1e-6))
     shown_energies = dict(LINE.findall(shown.partition("Encircled energy")[2]))
@@ -331,9 +331,9 @@ def test_compare_judges_vanes_by_the_finest_method_that_takes_them(call_lommel, 
     arguments = ("compare", lenses["newtonian-off-axis"], "--shape", "24")
     shown = call_lommel(*arguments, "--figure", "a.png", folder=tmp_path)
     assert (shown.returncode, shown.stderr) == (0, "")
-    assert f"24 x 24 pixels of 1.1 um, {HOW['pixel']}; reference nonuniform-fft (tol=1e-11)" in shown.stdout
+    assert f"24 x 24 pixels of 1.1 um, {HOW['pixel']}; reference nonuniform-fft (tol=1e-09)" in shown.stdout
     data = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
-    assert data["reference"] == "NonuniformFFT(tol=1e-11)"
+    assert data["reference"] == "NonuniformFFT(tol=1e-09)"
     rows = {row["method"]: row for row in data["rows"]}
     assert {name for name, row in rows.items() if row["reason"] is None} == {
         "NonuniformFFT", "MatrixFourier", "Fraunhofer"

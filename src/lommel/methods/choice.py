@@ -159,4 +159,4 @@ def reference(pupil: BasePupil) -> Method:
         return NijboerZernike(tol=1e-9)
     from lommel.methods.nonuniform_fft import NonuniformFFT
 
-    return NonuniformFFT(tol=NonuniformFFT.least_tol)
+    return NonuniformFFT(tol=1e-9)

@@ -99,7 +99,8 @@ def degree_needed(
     if not isinstance(terms, Iterable):
         raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
     for n, amplitude in terms:
-        growth = growth + amplitude * np.sinh(np.minimum(n * _B, 700.0))
+        with np.errstate(over="ignore"):  # of what no degree is enough for
+            growth = growth + amplitude * np.sinh(np.minimum(n * _B, 700.0))
 
     def holds(degree: int) -> bool:
         # From one term of the sum to the next is at most this factor.

@@ -510,10 +510,10 @@ class Wavefront(EqualByContent, display.Shown):
 
     def amplitudes(self) -> dict[Term, float]:
         """Return the largest amplitude in the stack of cosine and sine together by (n, abs(m)), of terms not 0."""
-        squares: dict[Term, Array] = {}
+        sizes: dict[Term, Array] = {}
         for (n, m), c in self.edge_terms().items():
-            squares[n, abs(m)] = squares.get((n, abs(m)), np.zeros(())) + c * c
-        return {term: math.sqrt(float(square.max())) for term, square in squares.items() if square.any()}
+            sizes[n, abs(m)] = np.hypot(sizes.get((n, abs(m)), 0.0), c)
+        return {term: float(size.max()) for term, size in sizes.items() if size.any()}
 
     @cached_property
     def flat(self) -> bool:

@@ -63,7 +63,7 @@ def compare(lens: Path, figure: Path | None, **given: object) -> Report:
 
     For circular and annular apertures the reference has a proven error bound: Hankel (direct quadrature) if the
     wavefront is radially symmetric, otherwise NijboerZernike at a tolerance of 1e-9. For other apertures it is
-    NonuniformFFT at a tolerance of 1e-11. Methods are listed by the names that
+    NonuniformFFT at a tolerance of 1e-9. Methods are listed by the names that
     `lommel psf --method` takes. Those that do not support the pupil are listed below with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error divided by the square of the peak.

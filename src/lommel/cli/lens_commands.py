@@ -61,10 +61,10 @@ def info(lens: Path, depth: float | None, **given: object) -> Report:
 def compare(lens: Path, figure: Path | None, **given: object) -> Report:
     """Compare the accuracy and speed of all methods for a lens.
 
-    For circular and annular apertures the reference has a proven error bound: Hankel (direct quadrature) if the
-    wavefront is radially symmetric, otherwise NijboerZernike at a tolerance of 1e-9. For other apertures it is
-    NonuniformFFT at a tolerance of 1e-9. Methods are listed by the names that
-    `lommel psf --method` takes. Those that do not support the pupil are listed below with the reason.
+    The reference has a proven error bound: for circular and annular apertures Hankel (direct quadrature) if the
+    wavefront is radially symmetric, otherwise NijboerZernike at a tolerance of 1e-9; for other apertures
+    NonuniformFFT at a tolerance of 1e-9. Methods are listed by the names that `lommel psf --method` takes. Those that
+    do not support the pupil are listed below with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error divided by the square of the peak.
     For a paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other

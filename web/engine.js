@@ -14,7 +14,7 @@ const QUALITY = {
 const DEAREST = 1.3e8; // nodes of all transfer functions of a state: about a second
 const DEAREST_CUT = 7e7; // where the light on circles has them, too
 const MISSING = 0.01; // error that an MTF from the light on circles may have
-const LONGEST = 1.6; // seconds that quadrature along rows may take for an image
+const LONGEST = 1.2; // seconds that quadrature along rows may take for an image
 
 const STOPS = [1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64, 90];
 const SHARES = [0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1];
@@ -84,10 +84,12 @@ export class Engine {
     const centroid = centroidOf(state);
     if (Math.hypot(...centroid) < 1e-6) return { ...made, d80: made.d80_axis };
     if (cut && quality === "drag") return { ...made, d80: NaN }; // as long again
-    // About the centroid: the same circles of an image that is moved onto the axis.
+    // About the centroid, as far as the circle about the axis moves at most: the same circles of an image that is moved onto the axis.
     this.light(state, centroid.map((at) => -at));
-    if (!cut) this.core.call("set_circles", reach, error);
-    const about = cut ? sharesOf(state, v, this.cutLight(v, 1)).radius : this.core.call("radius_of", 0.8, reach);
+    const far = radius < 0 ? reach : Math.min(reach, 1.02 * (radius + Math.hypot(...centroid)));
+    if (!cut) this.core.call("set_circles", far, Math.max(error, 1e-7));
+    const near = cut && evenly(Math.max(33, Math.ceil((radii * far) / reach)), far);
+    const about = cut ? sharesOf(state, near, this.cutLight(near, 1)).radius : this.core.call("radius_of", 0.8, far);
     return { ...made, d80: about < 0 ? null : 2 * lengthOf(state, about) };
   }
 
@@ -444,7 +446,7 @@ function advice(state, fits, most = 2) {
 }
 
 function beyondCircles(state) {
-  return unevenSlope(state) > (state.light === "white" ? 1200 : 2750);
+  return unevenSlope(state) > (state.light === "white" ? 700 : 2750);
 }
 
 // Of settings that change the expected numbers, not of those of the display.

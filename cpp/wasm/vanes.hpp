@@ -603,7 +603,7 @@ inline double cut_reach(const Light& light, double reach) {
         const double far = reach * widest;
         const std::size_t side = CutField::side(far);
         const double rings = 2.0 * lines * 100e-9 * far * far;
-        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 1.1 || far < 50.0) {
+        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 0.9 || far < 50.0) {
             return reach;
         }
     }
@@ -684,10 +684,15 @@ inline double near_contrast(const Light& light, const CutSums& sums, const doubl
     std::fill_n(x, count, 0.0);
     std::fill_n(y, count, 0.0);
     std::fill_n(limit, count, 0.0);
+    constexpr std::size_t intervals = 512;
+    std::array<double, intervals + 1> plain{};
+    CutPupil flat(light, 1.0, 0.0, false);
+    for (std::size_t i = 0; i < intervals; ++i) {
+        plain[i] = flat.contrast(static_cast<double>(i) / intervals, 2).real();
+    }
     double found = 0.0;
     for (std::size_t k = 0; k < sums.size(); ++k) {
         const Line& line = light.lines[k];
-        CutPupil plain(light, line.stretch, 0.0, false);
         found += line.share * std::accumulate(sums[k][0].begin(), sums[k][0].end(), 0.0);
         for (std::size_t i = 0; i < count && f[i] < line.stretch; ++i) {
             const double turn = 2.0 * CutField::step * f[i] / line.stretch;
@@ -703,7 +708,10 @@ inline double near_contrast(const Light& light, const CutSums& sums, const doubl
                 const double middle = -turn * static_cast<double>(light_at.size() / 2);
                 curves[axis][i] += line.share * std::complex<double>(re, im) * std::polar(1.0, middle);
             }
-            limit[i] += line.share * plain.contrast(f[i] / line.stretch, 2).real();
+            // Without aberration all lines have one pupil: between its values lines are closer than what is missing.
+            const double at = f[i] / line.stretch * intervals;
+            const auto below = static_cast<std::size_t>(at);
+            limit[i] += line.share * (plain[below] + (at - static_cast<double>(below)) * (plain[below + 1] - plain[below]));
         }
     }
     return std::abs(1.0 - found);

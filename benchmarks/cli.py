@@ -11,7 +11,7 @@ from collections.abc import Callable
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from benchmarks import features, fresh, instructions, limits, microscopes, peers, seeing, sizes, sweeps
+from benchmarks import apertures, features, fresh, instructions, limits, microscopes, peers, seeing, sizes, sweeps
 from benchmarks.machine import ROOT, clean, describe
 from benchmarks.report import Table, show
 from benchmarks.settings import Settings
@@ -25,6 +25,7 @@ TABLES: dict[str, Callable[[Settings], Table]] = {
     "numpy": sweeps.numpy,
     "stacks": sweeps.stacks,
     "features": features.features,
+    "apertures": apertures.apertures,
     "seeing": seeing.seeing,
     "microscopes": microscopes.microscopes,
     "threads": sweeps.threads,

@@ -162,6 +162,16 @@ def test_clearing_frees_what_is_kept_and_changes_no_bit():
     assert all(np.array_equal(one, other) for one, other in zip(before, again, strict=True))
 
 
+def test_a_table_beyond_the_limit_of_its_kind_is_kept_until_the_next():
+    limit = 96 * 2**20  # of layouts of windows
+    lm.clear_caches()
+    out = np.empty((16384, 2900), np.float32)
+    lm.psf(lm.Pupil(), out.shape, 0.5, out=out)
+    assert engine.table_bytes()[0] > limit
+    lm.psf(lm.Pupil(), 33, 0.5)
+    assert engine.table_bytes()[0] < limit
+
+
 def test_caches_may_be_cleared_while_other_threads_compute():
     def work(found: list[list[np.ndarray]]) -> None:
         found.extend([lm.psf(STACK, 33, 0.3).values, lm.psf(COMA, 60, 0.4, method=SERIES).values] for _ in range(2))

@@ -112,7 +112,7 @@ class Cache final : Shared {
         std::size_t bytes = 0;
         for (auto at = recent_.begin(); at != recent_.end();) {
             bytes += (*at)->bytes();
-            at = bytes > Table::most_bytes ? recent_.erase(at) : std::next(at);
+            at = bytes > Table::most_bytes && at != recent_.begin() ? recent_.erase(at) : std::next(at);
         }
         return made;
     }

@@ -8,3 +8,4 @@
 #include "lommel/zernike/polar_image.hpp"
 
 template void lommel::PolarImage::paint(double scale, float* image);
+template void lommel::PolarImage::paint(double scale, double* image);

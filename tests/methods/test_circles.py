@@ -104,9 +104,13 @@ def test_where_it_does_not_prove_its_tolerance_the_series_answers():
     assert answer.error_bound == series.error_bound
 
 
-def test_it_is_for_single_precision():
-    answer, series = both_ways(coma(8.0), (128, 128), 0.5, dtype=np.float64)
-    np.testing.assert_array_equal(answer.values, series.values)
+def test_it_serves_double_precision_as_far_as_circles_do():
+    exact = lm.psf(coma(8.0), 128, 0.5, tol=1e-10, dtype=np.float64).values
+    for tol in (1e-6, 2e-8, 1e-9):
+        answer, series = both_ways(coma(8.0), (128, 128), 0.5, tol=tol, dtype=np.float64)
+        assert np.abs(answer.values - exact).max() <= (answer.error_bound + 1e-10) * exact.max()
+        assert answer.error_bound <= tol
+        assert np.array_equal(answer.values, series.values) == (tol == 1e-9)
 
 
 def test_it_serves_all_tolerances_that_single_precision_holds():

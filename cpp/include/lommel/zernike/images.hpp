@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "lommel/base/tasks.hpp"
@@ -106,23 +105,21 @@ class ZernikeRenderer {
     // the error, which is not within the tolerance where this is of no use.
     double between_circles(const ZernikeField& field, const Tiles& tiles, double tol, bool divide, const Painting& to,
                            double& peak) const {
-        if constexpr (std::is_same_v<T, float>) {
-            if (!PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
-                return 1e300;
+        if (!PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
+            return 1e300;
+        }
+        thread_local PolarImage image;
+        image.begin(tiles, step_, to.threads);
+        const PolarPupil pupil(field);
+        for (const double share : {1.0, PolarBudget::again}) {
+            if (!image.prepare(pupil, share * tol)) {
+                break;
             }
-            thread_local PolarImage image;
-            image.begin(tiles, step_, to.threads);
-            const PolarPupil pupil(field);
-            for (const double share : {1.0, PolarBudget::again}) {
-                if (!image.prepare(pupil, share * tol)) {
-                    break;
-                }
-                image.paint(to.scale, to.values);
-                peak = image.peak();
-                const double bound = finished_error<T>(over_peak(image.wrong(), peak, image.error_at_peak()), divide, true);
-                if (bound <= tol_) {
-                    return bound;
-                }
+            image.paint(to.scale, to.values);
+            peak = image.peak();
+            const double bound = finished_error<T>(over_peak(image.wrong(), peak, image.error_at_peak()), divide, true);
+            if (bound <= tol_) {
+                return bound;
             }
         }
         return 1e300;

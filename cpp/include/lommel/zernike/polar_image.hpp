@@ -247,6 +247,7 @@ void PolarImage::paint(double scale, T* image) {
 
 #if defined(LOMMEL_COMPILED)
 extern template void PolarImage::paint(double scale, float* image);
+extern template void PolarImage::paint(double scale, double* image);
 #endif
 
 }  // namespace lommel

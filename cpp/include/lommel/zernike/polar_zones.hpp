@@ -43,7 +43,7 @@ struct PolarZone {
 class PolarZones {
    public:
     // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
-    // among them at most. Returns false where the expansion alone, or the aliases of the most exact style, do not let that be.
+    // among them at most. Returns false where the expansion, or the most exact style, is not likely to let that be.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol);
 
     // Computes all circles.
@@ -117,12 +117,12 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     std::array<double, polar_styles.size() + 1> starts;
     std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
     starts.back() = 1e300;
-    for (std::size_t s = polar_styles.size(); s-- > 0;) {
+    for (std::size_t s = 0; s < polar_styles.size(); ++s) {
         kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
-        starts[s] = s == 0 ? 0.0 : start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
-    }
-    if (pupil.base + kernels[0]->aliasing > allowed(looks.brightest(near, reach))) {
-        return false;
+        starts[s] = start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
+        if (starts[0] > near) {
+            return false;
+        }
     }
     count_ = 0;
     zones_.resize(polar_styles.size());

@@ -11,7 +11,7 @@ from scipy.integrate import quad
 
 import lommel as lm
 from lommel.blur.blurs import KOLMOGOROV
-from lommel.blur.fading import Fading
+from lommel.blur.fading import FURTHER, Fading
 
 KINDS = {
     "kolmogorov": (lm.Seeing(0.05),),
@@ -96,3 +96,15 @@ def test_blur_with_a_direction_has_none():
     assert Fading.of((lm.Motion(1.0),), 1.0, None) is None
     assert Fading.of((lm.Seeing(1.0), lm.Jitter(0.3, 0.2)), 1.0, None) is None
     assert Fading.of((lm.Motion(0.0), lm.Jitter(0.3, 0.3, 0.7)), 1.0, None) is not None
+
+
+def test_blur_in_any_direction_is_nowhere_above_the_isotropic_one():
+    several = (lm.Seeing(0.4), lm.Motion(2.0, 0.7), lm.Jitter(0.6, 0.2, 0.4), lm.Jitter(0.1, 0.5, -0.2))
+    fading, rng = Fading.above(several, 1.0, None), np.random.default_rng(5)
+    f, angle = rng.uniform(0.0, 2.0, 400), rng.uniform(0.0, 2.0 * np.pi, 400)
+    product = np.prod([blur.transfer(f * np.cos(angle), f * np.sin(angle)) for blur in several], axis=0)
+    above = fading.at(f)
+    assert np.all(np.abs(product) <= above * (1.0 + 1e-12))
+    assert np.all(above <= several[0].transfer(f))
+    end, left = fading.end(1e-6, FURTHER)
+    assert quad(lambda f: float(fading.at(np.array(f))) * f, end, 4.0, limit=400)[0] <= left <= 1e-6

@@ -15,7 +15,7 @@ PLACES = np.sort(np.random.default_rng(3).uniform(-30.0, 40.0, 9))
 @pytest.mark.parametrize("active", [0.0, 0.3, 2.7, 40.0, 400.0])
 def test_waves_of_the_band_are_averaged_over_pixels_anywhere(error, active):
     gate = Gate.of(0.8, error)
-    made = readout(PLACES, active, gate)
+    made = readout(tuple(PLACES), active, gate)
     at = gate.h * (made.first + np.arange(made.samples))
     w = np.linspace(0.0, 2.0, 301)
     found = made.matrix @ np.exp(1j * np.outer(at, w))
@@ -41,5 +41,5 @@ def test_beyond_the_ends_of_a_gate_little_is_left(error):
 @pytest.mark.parametrize("error", [1e-4, 1e-13])
 def test_the_largest_gain_of_samples_anywhere_is_bounded_and_nearly_reached(error):
     gate = Gate.of(0.8, error)
-    largest = readout(np.linspace(0.0, gate.h, 1001), 0.0, gate).gain
+    largest = readout(tuple(np.linspace(0.0, gate.h, 1001)), 0.0, gate).gain
     assert largest <= gained(gate) <= 1.05 * largest

@@ -63,10 +63,18 @@ def test_a_table_is_within_its_error_of_the_kernel(kind):
 def test_the_bound_on_a_halo_is_above_it_and_falls_as_it_does(kind, far):
     halo = KINDS[kind]
     beyond = float(np.abs(halo.at(np.linspace(far, 3.0 * far, 301))).max())
-    bound = halo.bound(far)
+    bound = halo.gated_bound(far)
     assert beyond <= bound
     if far >= 200.0:  # nearer, what the gate smears is felt
         assert bound <= 20.0 * beyond
+
+
+@pytest.mark.parametrize("far", [12.0, 30.0, 100.0, 400.0])
+@pytest.mark.parametrize("ratio", [20.0, 50.0])
+def test_the_bound_on_the_density_is_hardly_above_it(far, ratio):
+    there = hankel(far, ratio)
+    bound = Halo((lm.Seeing(1.0 / ratio),), 1.0, None, GATE).bound(far)
+    assert there <= bound <= 1.15 * there
 
 
 def test_the_gate_is_open_up_to_two_and_closed_where_copies_begin():

@@ -19,6 +19,7 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur
 from lommel.blur.readout import ends, gained
 from lommel.blur.turbulence import Gate, Halo, between, table
+from lommel.core.engine import distinct_radii
 
 _U = 2.0**-53
 
@@ -66,8 +67,9 @@ class Spread(NamedTuple):
     gain: float  # sum of the moduli of the kernel
     norm: float  # root of the sum of its squares
     error: float  # bound on the error of the response for abs(w) <= 2
-    missing: float  # bound on the kernel, in v, where it would reach light beyond the lattice
+    missing: float  # bound on the blur, in v, that light beyond the lattice would arrive with
     off: float  # bound on the error of the kernel, in v
+    core: float  # the largest value of the kernel of a halo, 0 without
     blind: float  # bound on the sum of its moduli beyond its reach, wrapped around or absent
 
     def on(self, samples: Array, threads: int) -> Array:
@@ -86,14 +88,18 @@ class Spread(NamedTuple):
         return 20.0 * math.log2(math.prod(self.size)) * _U * self.norm * size
 
 
-def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> Spread:
-    """Return the response on a lattice of at least `least` samples, `margin` (v) wider than what is read."""
+def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, ended: bool) -> Spread:
+    """Return the response on a lattice of at least `least` samples.
+
+    Light is seen up to `margin` (v) beyond the pixels if all blur has `ended` at ``abs(w) = 2``, else beyond what is
+    read.
+    """
     gate, seen = halo.gate, bool(halo.several)
     size = tuple(scipy.fft.next_fast_len(side, real=True) for side in least)
     y = 2.0 * math.pi / gate.h * scipy.fft.fftfreq(size[0])[:, None]
     x = 2.0 * math.pi / gate.h * scipy.fft.rfftfreq(size[1])
     response: NDArray[np.generic] = np.ones((size[0], x.size))
-    error = blind = missing = off = 0.0
+    error = blind = missing = off = core = 0.0
     gain = norm = 1.0
     if not short.nothing:
         response, error = _periodic(short, gate, x, y), 3.0 * gate.error
@@ -104,12 +110,15 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> S
     if seen:
         tabulated, apart = _kernel(halo, size)
         core = float(tabulated.max()) / gate.h**2
-        missing, off = gain * halo.bound(margin) + blind * core, gain * apart * core
+        # What finite blur moves farther than it reaches is at most that part of the brightest.
+        far = halo.bound(margin) + (0.0 if short.nothing else gate.error * core)
+        missing = far if ended else gain * halo.gated_bound(margin) + blind * core
+        off = gain * apart * core
         response = scipy.fft.rfft2(tabulated) * response
         kernel = scipy.fft.irfft2(response, size)
         error += gate.error
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
-    return Spread(response, size, gain, norm, error, missing, off, blind)
+    return Spread(response, size, gain, norm, error, missing, off, core, blind)
 
 
 def _periodic(short: Short, gate: Gate, x: Array, y: Array) -> Array:
@@ -130,11 +139,11 @@ def _gated(w: Array, gate: Gate) -> Array:
 
 def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
     """Return the kernel of a halo on a lattice, from its corner on, and how many of its largest value it is off."""
-    h, error = halo.gate.h, max(0.1 * halo.gate.error, 1e-12)
-    half = size[0] // 2 + 1, size[1] // 2 + 1
+    h, half = halo.gate.h, (size[0] // 2 + 1, size[1] // 2 + 1)
+    # About what the gate makes of the light of the band.
+    error = max(0.1 * halo.gate.error / float(halo.at(np.zeros(1))[0]), 1e-12)
     filtered, step, off = table(halo, h * math.hypot(*half), error)
-    quadrant, columns = np.empty(half), np.arange(half[1])
-    for row in range(half[0]):
-        quadrant[row] = h * h * between(filtered, step, error, h * np.hypot(row, columns))
+    squares, index = distinct_radii(half[0] - 1, half[1] - 1)
+    quadrant = h * h * between(filtered, step, error, h * np.sqrt(squares))[index]
     rows, columns = (np.minimum(k := np.arange(n), n - k) for n in size)
     return quadrant[rows[:, None], columns], off

@@ -15,12 +15,14 @@ import scipy
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.blur.blurs import KOLMOGOROV, Blur, Seeing, karman
+from lommel.blur.blurs import KOLMOGOROV, Blur, Jitter, Seeing, karman
 
 _NU = 5.0 / 6.0
 _NEAR = 4.0  # up to which the series of z^nu K_nu is summed
 _TERMS = 30
 _STEPS: Array = 1.01 ** np.arange(-1600.0, 1.0)  # of f over the cutoff
+FURTHER: Array = 1.01 ** np.arange(-1600.0, 141.0)
+"""Frequencies up to 4 times the cutoff."""
 
 
 class Karman(NamedTuple):
@@ -93,6 +95,16 @@ class Fading(NamedTuple):
                 outer.append(Karman(size, rate / at))
         return cls(several, scale, wavelength, kolmogorov, gauss, tuple(outer))
 
+    @classmethod
+    def above(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None) -> Fading:
+        """Return isotropic blur whose transfer function is nowhere below the modulus of that of several blurs."""
+        covariance = sum((blur.covariance for blur in several), np.zeros((2, 2)))
+        least = max(float(np.linalg.eigvalsh(covariance)[0]) - 1e-12 * float(np.trace(covariance)), 0.0)
+        air = (blur for blur in several if isinstance(blur, Seeing))
+        found = cls.of((*air, Jitter(math.sqrt(least))), scale, wavelength)
+        assert found is not None
+        return found
+
     def at(self, f: Array) -> Array:
         """Return the transfer function."""
         found = np.ones(f.shape)
@@ -112,20 +124,19 @@ class Fading(NamedTuple):
             found -= one.least(z * x**3, z ** (5.0 / 3.0) * fifth, z * wide**3)
         return np.asarray(found)
 
-    @property
-    def remaining(self) -> Array:
-        """Bound ``int T f df`` from each of :data:`_STEPS` to 1, T falling."""
+    def remaining(self, steps: Array = _STEPS) -> Array:
+        """Bound ``int T f df`` from each of rising frequencies to the last, T falling."""
         # The step to the first counts as well: T is at most 1 there.
-        pieces = 0.5 * self.at(_STEPS[:-1]) * (_STEPS[1:] ** 2 - _STEPS[:-1] ** 2)
+        pieces = 0.5 * self.at(steps[:-1]) * (steps[1:] ** 2 - steps[:-1] ** 2)
         return np.append(np.cumsum(pieces[::-1])[::-1], 0.0)
 
     @property
     def light(self) -> float:
         """Bound on ``int T f df`` from 0 to 1."""
-        return float(self.remaining[0] + 0.5 * _STEPS[0] ** 2)
+        return float(self.remaining()[0] + 0.5 * _STEPS[0] ** 2)
 
-    def end(self, left: float) -> tuple[float, float]:
-        """Return a frequency beyond which ``int T f df`` is at most `left`, at most 1, and a bound on that."""
-        remaining = self.remaining
+    def end(self, left: float, steps: Array = _STEPS) -> tuple[float, float]:
+        """Return from where on ``int T f df`` up to the last step is at most `left`, and a bound on that."""
+        remaining = self.remaining(steps)
         first = int(np.argmax(remaining <= left))
-        return float(_STEPS[first]), float(remaining[first])
+        return float(steps[first]), float(remaining[first])

@@ -26,6 +26,12 @@ class Readout(NamedTuple):
     first: int
     error: float
     gain: float
+    low: float  # of the least pixel, in v
+    high: float  # of the greatest
+
+    def ends(self, reach: float) -> tuple[float, float]:
+        """Return the ends of all pixels and the axis, and of what is within a `reach` of the pixels."""
+        return min(self.low - reach, 0.0), max(self.high + reach, 0.0)
 
     @property
     def samples(self) -> int:
@@ -33,21 +39,24 @@ class Readout(NamedTuple):
         return int(self.matrix.shape[1])
 
 
-def readout(places: Array, active: float, gate: Gate) -> Readout:
+@lru_cache(maxsize=8)
+def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
     """Return what averages over `active` around each of rising `places`, all in v; 0 samples there."""
     from scipy import sparse
 
+    at = np.array(places)
     h, (beyond, cut) = gate.h, ends(gate)
     taps = 2 * math.ceil((beyond + 0.5 * active) / h) + 1
-    start = np.rint(places / h).astype(np.int64) - taps // 2
+    start = np.rint(at / h).astype(np.int64) - taps // 2
     k = start[:, None] + np.arange(taps)
-    weights = h * _averaged(places[:, None] - h * k, active, gate)
+    weights = h * _averaged(at[:, None] - h * k, active, gate)
     first = int(start.min())
-    rows = np.repeat(np.arange(places.size), taps)
-    shape = places.size, int(start.max()) + taps - first
+    rows = np.repeat(np.arange(at.size), taps)
+    shape = at.size, int(start.max()) + taps - first
     matrix = sparse.csr_array((weights.ravel(), (rows, (k - first).ravel())), shape=shape)
+    low, high = float(at.min()) - 0.5 * active, float(at.max()) + 0.5 * active
     rounding = 2.0**-50 * math.sqrt(taps)
-    return Readout(matrix, first, gate.error + cut + rounding, float(np.abs(weights).sum(axis=1).max()))
+    return Readout(matrix, first, gate.error + cut + rounding, float(np.abs(weights).sum(axis=1).max()), low, high)
 
 
 @lru_cache(maxsize=16)
@@ -65,7 +74,7 @@ def ends(gate: Gate) -> tuple[float, float]:
 @lru_cache(maxsize=16)
 def gained(gate: Gate) -> float:
     """Bound h times the sum of abs(g) over samples anywhere."""
-    return 1.02 * readout(np.linspace(0.0, gate.h, 65), 0.0, gate).gain
+    return 1.02 * readout(tuple(np.linspace(0.0, gate.h, 65)), 0.0, gate).gain
 
 
 def _fall(gate: Gate) -> float:

@@ -11,7 +11,7 @@ import numpy as np
 from lommel.base.arrays import Array, Values, largest
 from lommel.blur.blurs import Blur, require_unit
 from lommel.blur.convolution import Short, Spread, spread
-from lommel.blur.fading import Fading
+from lommel.blur.fading import FURTHER, Fading
 from lommel.blur.readout import Readout, ends, readout
 from lommel.blur.transfer_integral import TransferIntegral
 from lommel.blur.turbulence import Gate, Halo
@@ -21,6 +21,7 @@ from lommel.methods.method import Method, normalized_error, stored, storing, wid
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.methods.question import place, wanted_on
+from lommel.optics.aperture.shapes import Segments
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
@@ -29,9 +30,14 @@ from lommel.optics.pupil import Pupil
 # The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
 # aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
 # methods/pixels/averaging.py). What samples err by counts as often as the moduli of all weights together.
+# Blur that ends at ``abs(w) = 2 s`` is computed in units of v / s, in which it ends at 2 too, on a lattice as coarse;
+# samples of the intensity are finer, for theirs must not be taken for frequencies of the blur (docs/certificate.md,
+# section 17).
 
 STEP = 0.8
-"""v from sample to sample."""
+"""v from sample to sample, over the share of the band that blur leaves."""
+_WORTH = 0.8  # of the band, what is
+_COARSEST = 1e-4  # error of a gate, over the brightest that light of this band can be
 _MOST = 6144  # samples a side
 _AT_ONCE = 2**24
 
@@ -67,6 +73,32 @@ def summed(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]
     return Made._make([*(np.sum(each, axis=0) for each in zip(*weighted, strict=True)), method])
 
 
+class Band(NamedTuple):
+    """The share of the band of the intensity that blur leaves, and bounds on integrals of the moduli of spectra.
+
+    Integrals are over frequencies, and a peak without aberration is what they are of the aperture's alone.
+    """
+
+    share: float
+    tail: float  # all light through blur, beyond it
+    clear: float  # all light, within it
+    blurred: float  # all light through blur
+
+    @property
+    def ended(self) -> bool:
+        """Whether blur ends within the band of the intensity."""
+        return self.share < 1.0
+
+    @classmethod
+    def of(cls, pupil: BasePupil, several: tuple[Blur, ...], error: float) -> Band:
+        """Return that beyond which blur leaves at most `error` of the peak without aberration."""
+        fading, light = Fading.above(several, pupil.scale, pupil.wavelength), pupil.transmission
+        share, left = fading.end(error * pupil.amplitude**2 / (8.0 * light), FURTHER)
+        if share > _WORTH:
+            share, left = 1.0, 0.0
+        return cls(share, 8.0 * light * left, 4.0 * light * share**2, 8.0 * light * fading.light)
+
+
 def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ...]) -> Made:
     """Return images of a stack in one wavelength, those around one axis at once."""
     pupil = part.pupil
@@ -76,15 +108,18 @@ def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ..
             for index in np.ndindex(grid.stack)
         ]
         return _joined(each)
-    gate, to_v = Gate.of(STEP, asked.error), math.pi / pupil.scale
+    band, peak = Band.of(pupil, several, asked.error), pupil.amplitude**2
+    scale = pupil.scale / band.share
+    gate = Gate.of(STEP, max(asked.error, min(asked.error * peak / band.clear, _COARSEST)))
     rows, columns = (
-        readout(to_v * places, to_v * active, gate)
+        readout(tuple(math.pi / scale * places), math.pi / scale * active, gate)
         for places, active in zip((grid.y, grid.x), grid.active, strict=True)
     )
-    short, halo = Short.of(several, pupil.scale), Halo.of(several, pupil.scale, pupil.wavelength, gate)
-    box, kernel = _lattice(asked, short, halo, rows, columns)
-    blocks = _blocks(pupil, math.prod(box[1]))
-    return _joined([_of_block(asked, block, gate, box, kernel, (rows, columns)) for block in blocks])
+    lattice = Lattice.of(
+        asked, band, Short.of(several, scale), Halo.of(several, scale, pupil.wavelength, gate), (rows, columns)
+    )
+    blocks = _blocks(pupil, math.prod(lattice.counts))
+    return _joined([_of_block(asked, block, band, lattice, (rows, columns)) for block in blocks])
 
 
 def _joined(parts: list[Made]) -> Made:
@@ -93,36 +128,85 @@ def _joined(parts: list[Made]) -> Made:
     return Made._make([*(np.concatenate(values) for values in each), parts[0].method])
 
 
-Box = tuple[tuple[int, int], tuple[int, int]]
-"""Where a lattice begins, in steps from the axis, and how many samples it has: rows and columns."""
+class Gather(NamedTuple):
+    """Weights, shape (samples, places), by which samples of one side are gathered on a coarser lattice."""
+
+    matrix: Any
+    first: int  # of the places
+    error: float  # of the response to waves of the band
+    gain: float  # sum of moduli over places
+    sums: float  # and over samples
+
+    @classmethod
+    def of(cls, h: float, first: int, count: int, gate: Gate) -> Gather:
+        """Return those of samples `h` apart."""
+        if h == gate.h:
+            return cls(None, first, 0.0, 1.0, 1.0)
+        made = readout(tuple(h * (first + np.arange(float(count)))), 0.0, gate)
+        matrix = made.matrix.toarray()
+        return cls(matrix, made.first, made.error, made.gain, h / gate.h * float(np.abs(matrix).sum(axis=0).max()))
 
 
-def _lattice(asked: Asked, short: Short, halo: Halo, rows: Readout, columns: Readout) -> tuple[Box, Spread | None]:
-    """Return the samples that are needed, and what spreads them."""
-    gate, plain = halo.gate, short.nothing and not halo.several
-    begins, counts, least = [], [], []
-    across, down = short.reach(gate.error)
-    beyond = 0.0 if short.nothing else ends(gate)[0]
-    for side, reach in ((rows, down), (columns, across)):
-        room = 0 if plain else math.ceil((reach + beyond) / gate.h)
-        first, last = side.first - room, side.first + side.samples - 1 + room
-        more = math.ceil(asked.margin / gate.h) if halo.several else 0
-        low, high = (min(first, 0) - more, max(last, 0) + more) if halo.several else (first, last)
-        far = max(-low, high)
-        # About its middle a lattice costs a quarter.
-        if 2 * far + 1 <= 1.2 * (high - low + 1):
-            low, high = -far, far
-        begins.append(low)
-        counts.append(high - low + 1)
-        # A halo reaches from any sample to any that is read, and from none around the other way.
-        least.append(2 * max(last - low, high - first) + 2 if halo.several else counts[-1])
-    if max(counts) > _MOST:
-        raise ToleranceError(
-            f"this image takes a lattice of {max(counts)} samples a side, more than {_MOST}, to be known to the "
-            "tolerance: ask for a larger tol, or for a smaller window"
-        )
-    box = (begins[0], begins[1]), (counts[0], counts[1])
-    return box, None if plain else spread(short, halo, (least[0], least[1]), asked.margin)
+class Lattice(NamedTuple):
+    """Samples in units of v over the share of the band, rows and columns, and what spreads them once gathered."""
+
+    h: float  # from sample to sample
+    first: tuple[int, int]  # in samples from the axis
+    counts: tuple[int, int]
+    gathers: tuple[Gather, Gather]
+    blind: float  # bound on the sum of moduli of weights of samples that are not there
+    gate: Gate
+    kernel: Spread | None
+
+    @classmethod
+    def of(cls, asked: Asked, band: Band, short: Short, halo: Halo, pixels: tuple[Readout, Readout]) -> Lattice:
+        """Return the samples that are needed."""
+        gate, margin = halo.gate, asked.margin * band.share
+        plain, seen = short.nothing and not halo.several, bool(halo.several)
+        # Copies of the band of the intensity begin where that of the blur ends.
+        h = min(gate.h, math.pi / (1.0 / band.share + 1.0))
+        beyond, cut = ends(gate)
+        begins, counts, least, gathers = [], [], [], []
+        for side, reach in zip(pixels, short.reach(gate.error)[::-1], strict=True):
+            room = 0 if plain else math.ceil((reach + (0.0 if short.nothing else beyond)) / gate.h)
+            first, last = side.first - room, side.first + side.samples - 1 + room
+            # What is read is interpolated from places as far as a gate reaches, and light gathered at these.
+            more = 0.0 if h == gate.h else beyond
+            near, far = first * gate.h - more, last * gate.h + more
+            if seen and band.ended:
+                least_of, most_of = side.ends(reach)
+                near = min(least_of - margin, side.first * gate.h + more)
+                far = max(most_of + margin, (side.first + side.samples - 1) * gate.h - more)
+            elif seen:
+                near, far = min(near, 0.0) - margin, max(far, 0.0) + margin
+            low, high = math.floor(near / h), math.ceil(far / h)
+            # About its middle a lattice costs a quarter.
+            if 2 * max(-low, high) + 1 <= 1.2 * (high - low + 1):
+                high = max(-low, high)
+                low = -high
+            begins.append(low)
+            counts.append(high - low + 1)
+            if max(counts) > _MOST:
+                break
+            gathers.append(made := Gather.of(h, low, counts[-1], gate))
+            places = counts[-1] if made.matrix is None else made.matrix.shape[1]
+            # A halo reaches from any sample to any that is read, and from none around the other way.
+            least.append(2 * max(last - made.first, made.first + places - 1 - first) + 2 if seen else places)
+        if max(counts) > _MOST:
+            raise ToleranceError(
+                f"this image takes a lattice of {max(counts)} samples a side, more than {_MOST}, to be known to the "
+                "tolerance: ask for a larger tol, or for a smaller window"
+            )
+        kernel = None if plain else spread(short, halo, (least[0], least[1]), margin, ended=band.ended)
+        blind = 0.0 if seen or h == gate.h else 2.0 * cut * max(one.sums for one in gathers)
+        return cls(h, (begins[0], begins[1]), (counts[0], counts[1]), (gathers[0], gathers[1]), blind, gate, kernel)
+
+    def gathered(self, samples: Array) -> Array:
+        """Return a stack of samples as values of the coarser lattice."""
+        down, across = (one.matrix for one in self.gathers)
+        if down is None:
+            return samples
+        return np.asarray((self.h / self.gate.h) ** 2 * (down.T @ samples @ across))
 
 
 def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
@@ -134,28 +218,47 @@ def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
     return [pupil[np.unravel_index(np.arange(s, min(s + size, count)), pupil.shape)] for s in starts]
 
 
-def _of_block(
-    asked: Asked, pupil: BasePupil, gate: Gate, box: Box, kernel: Spread | None, pixels: tuple[Readout, Readout]
-) -> Made:
+def _of_block(asked: Asked, pupil: BasePupil, band: Band, lattice: Lattice, pixels: tuple[Readout, Readout]) -> Made:
     """Return images of a few pupils, from one lattice."""
-    (rows, columns), ceiling, (first, counts) = pixels, pupil.amplitude**2, box
-    fine = Grid(counts, gate.h * pupil.scale / math.pi, center=(-first[0], -first[1]))
+    (rows, columns), (down, across), kernel = pixels, lattice.gathers, lattice.kernel
+    fine = Grid(
+        lattice.counts,
+        lattice.h / band.share * pupil.scale / math.pi,
+        center=(-lattice.first[0], -lattice.first[1]),
+    )
     method, samples, off = _sampled(asked, pupil, fine)
+    peak, light = pupil.amplitude**2, 4.0 * math.pi * pupil.transmission * band.share**2
     gain, missing = rows.gain * columns.gain, np.zeros(len(samples))
-    response = np.full(len(samples), 1.0001 * (rows.error + columns.error + rows.error * columns.error) * ceiling)
+    # Where turbulence ends within the band, the light of each sample counts by itself.
+    each = kernel is not None and kernel.core > 0.0 and band.ended
+    clear, blurred = (band.clear, band.blurred) if each else (min(band.clear, peak), min(band.blurred, peak))
+    response = (rows.error + columns.error + rows.error * columns.error) * blurred
     if kernel is not None:
-        light = 4.0 * math.pi * pupil.transmission
-        seen = gate.h**2 * samples.sum(axis=(1, 2))
-        unsure = gate.h**2 * samples[0].size * np.nan_to_num(off)
-        missing = gain * kernel.missing * np.clip(light - seen + unsure, 0.0, light)
-        spreading = ceiling * (1.0001 * kernel.error + kernel.blind) + light * kernel.off + kernel.rounding(samples)
-        response += gain * spreading
-        gain *= kernel.gain
-        samples = kernel.on(samples, asked.threads)
-    top, left = rows.first - first[0], columns.first - first[1]
+        gather, gathering = down.gain * across.gain, down.error + across.error + down.error * across.error
+        spreading = kernel.error * clear + gathering * (band.blurred + kernel.error * band.clear)
+        most = light * kernel.core * gather if each else peak * down.sums * across.sums
+        spreading += most * (kernel.blind + 2.0**-53 * sum(lattice.counts) * max(1.0, kernel.gain))
+        spreading += peak * lattice.blind * kernel.gain
+        response += gain * (spreading + light * gather * kernel.off) + band.tail * (1.0 + gain * gather)
+    rounding = 0.0
+    if kernel is not None:
+        coarse = lattice.gathered(samples)
+        rounding = gain * kernel.rounding(coarse)
+        area = lattice.h**2 * samples[0].size
+        there = lattice.h**2 * samples.sum(axis=(1, 2)) - area * np.nan_to_num(off)
+        missing = kernel.missing * np.clip(light - there, 0.0, light)
+        if each:
+            # Blur is nowhere negative and of light 1; what weights are off adds to that.
+            gain = 1.0 + 2.0 * area * response / light
+        else:
+            missing *= gain
+            gain *= kernel.gain * down.sums * across.sums
+        samples = kernel.on(coarse, asked.threads)
+    top, left = rows.first - down.first, columns.first - across.first
     part = samples[:, top : top + rows.samples, left : left + columns.samples]
     values = np.stack([(columns.matrix @ (rows.matrix @ one).T).T for one in part])
-    return Made(values, gain * off, response, missing, method)
+    error = np.full(len(values), 1.0001 * response + rounding)
+    return Made(values, gain * off, error, missing, method)
 
 
 def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array]:
@@ -172,9 +275,10 @@ def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array,
 
     def ask(way: Method) -> Images:
         made = way.intensity(pupil, fine, asked.threads)
-        scales = np.ones(len(made.values))
-        values = np.empty((len(scales), *fine.shape))
-        fine.paint(made.values, scales, values)
+        values, scales = made.values, np.ones(len(made.values))
+        if values.ndim == 2:
+            values = np.empty((len(scales), *fine.shape))
+            fine.paint(made.values, scales, values)
         peak = made.values.reshape(len(scales), -1).max(axis=1) if made.peak is None else made.peak
         return widened(Images(values, scales, made.error, None, peak), pupil, way, normalized=False)
 
@@ -207,13 +311,12 @@ def of_transfer(asked: Asked, tol: float, pupil: BasePupil, grid: Grid, several:
 
 def _lattice_seconds(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float:
     """Estimate the time of images from a lattice of samples."""
-    count, far = math.prod(pupil.shape), grid.reach(pupil)
+    share = Band.of(pupil, several, asked.error).share
+    h = min(STEP / share, math.pi / (1.0 + share))
+    beyond = asked.margin or max(Short.of(several, pupil.scale).reach(1e-9)) + 30.0 / share
+    samples = (2.0 * (grid.reach(pupil) / math.sqrt(2.0) + beyond) / h) ** 2
     pixels = 4e-6 * max(grid.shape) ** 2 if grid.integrate else 0.0
-    if not asked.margin:
-        short = Short.of(several, pupil.scale)
-        side = 2.0 * (far / math.sqrt(2.0) + max(short.reach(1e-9)) + 30.0) / STEP
-        return 1e-3 + pixels + 9e-8 * side**2 * count
-    return pixels + 2e-7 * (2.0 * (far / math.sqrt(2.0) + asked.margin) / STEP) ** 2 * count
+    return 4e-3 + pixels + 4e-8 * samples * math.prod(pupil.shape)
 
 
 def transferred(way: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
@@ -293,28 +396,50 @@ def _first(
     sides = 2.0 * math.pi * np.diag(short.covariance) + (short.streaks**2).sum(axis=0)
     sides = sides + np.array([(to_v * a) ** 2 for a in grid.active[::-1]])
     area = math.sqrt(float(np.prod(spot + sides)))
-    margin = 0.0
     if halo.several:
-        core = float(halo.at(np.zeros(1))[0])
-        area += 1.0 / core
-        width = 1.5 / math.sqrt(core)
-        blur = float(pupil.v(pupil.geometric_radius()).max())
-        # Airy's light beyond R is 2 / (pi R) of all, and a halo falls as R^(-11/3).
-        margin = blur + 60.0 + width * (1.0 / (aim * max(width, 1.0))) ** (3.0 / 14.0)
-    bright = 4.0 * math.pi * pupil.transmission / area
+        area += 1.0 / float(halo.at(np.zeros(1))[0])
     tol = max(0.3 * aim * spot / area, 1e-13)  # over the peak of the samples
-    return Asked(method, threads, tol, max(0.02 * aim * bright / pupil.amplitude**2, 1e-15), margin)
+    bright = 4.0 * math.pi * pupil.transmission / area
+    error = max((0.025 if halo.several else 0.02) * aim * bright / pupil.amplitude**2, 1e-15)
+    asked = Asked(method, threads, tol, error, 0.0)
+    if not halo.several:
+        return asked
+    half = to_v * 0.5 * min(side * pitch for side, pitch in zip(grid.shape, grid.pitch, strict=True))
+    # Where it does not end before, the gate smears blur.
+    more = 0.0 if Band.of(pupil, several, error).ended else 60.0
+    blur = float(pupil.v(pupil.geometric_radius()).max())
+    return asked._replace(margin=blur + more + _margin(halo, half, _edges(pupil), 0.5 * aim / area))
+
+
+def _edges(pupil: BasePupil) -> float:
+    """Return the length of the edges of an aperture over that of a disc of the same area, about."""
+    if not isinstance(pupil, Pupil) or pupil.circular:
+        return 1.0 / (1.0 - getattr(pupil, "obscuration", 0.0))
+    return 6.0 if isinstance(pupil.stop, Segments) else 2.0
+
+
+def _margin(halo: Halo, half: float, edges: float, allowed: float) -> float:
+    """Return how far beyond a window of some half side a lattice goes, to miss about what is `allowed`, in v."""
+    # A disc's light beyond R is 2 / (pi R) of all.
+    margins = np.geomspace(5.0, 1e5, 400)
+    missing = np.minimum(edges * 2.0 / (math.pi * (half + margins)), 1.0)
+    low, high = 0, margins.size - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        enough = missing[middle] * halo.bound(float(margins[middle])) <= allowed
+        low, high = (low, middle) if enough else (middle, high)
+    return float(margins[high])
 
 
 def _again(asked: Asked, made: Made, allowed: Array) -> Asked:
     """Return what is asked next, by what was off too much."""
     tol, error, margin = asked.tol, asked.error, asked.margin
     given = np.zeros(len(allowed)) if np.isnan(made.given).any() else made.given
-    if (much := float((given / (0.5 * allowed)).max())) > 1.0:
+    if (much := float((given / (0.4 * allowed)).max())) > 1.0:
         tol *= max(0.5 / much, 1e-4)
-    if (much := float((made.response / (0.2 * allowed)).max())) > 1.0:
+    if (much := float((made.response / (0.3 * allowed)).max())) > 1.0:
         error *= max(0.5 / much, 1e-6)
-    if (much := float((made.missing / (0.3 * allowed)).max())) > 1.0:
+    if (much := float((made.missing / (0.5 * allowed)).max())) > 1.0:
         margin *= min(1.1 * much ** (3.0 / 14.0), 3.0)
         # How much light is missing is told by the sum of the samples.
         tol *= 0.5

@@ -91,17 +91,21 @@ class Halo(NamedTuple):
         return _transformed(weight, w, r)
 
     def bound(self, far: float) -> float:
-        """Bound the kernel beyond the radius `far`."""
+        """Bound the density of the shifts, which has no gate, beyond the radius `far`."""
         # Seeing is a mixture of Gaussians, and so is b: it falls with r, and a Gaussian of the variance t is at R at
         # most 1 / (1 - 2 s / R^2) times one of the variance t + s. So b(R) is bounded by the transform of
-        # T exp(-s w^2 / 2), which ends soon; c is b convolved with the transform g of the gate.
+        # T exp(-s w^2 / 2), which ends soon.
+        s = min(2.0, 0.02 * far * far)
+        w, weight = _rule(self, far, gated=False)
+        soft = weight * np.exp(-0.5 * s * w * w)
+        rounding = 2.0**-46 * float(np.abs(soft).sum())
+        return (max(float(scipy.special.j0(far * w) @ soft), 0.0) + rounding) / (1.0 - 2.0 * s / far**2)
+
+    def gated_bound(self, far: float) -> float:
+        """Bound the modulus of the kernel, the density convolved with the transform of the gate, likewise."""
         near = far - min(0.25 * far, 45.0)
-        s = min(2.0, 0.02 * near * near)
-        w, weight = _rule(self, near, gated=False)
-        soft = float(_transformed(weight * np.exp(-0.5 * s * w * w), w, np.array([near]))[0])
         smear, left = _gate_norm(self.gate, far - near)
-        rounding = 2.0**-46 * float(np.abs(weight * np.exp(-0.5 * s * w * w)).sum())
-        return smear * (max(soft, 0.0) + rounding) / (1.0 - 2.0 * s / near**2) + left
+        return smear * self.bound(near) + left
 
 
 @lru_cache(maxsize=8)

@@ -8,4 +8,5 @@
 #define LOMMEL_DEFINES
 
 #include "lommel/zernike/disk_stack.hpp"
+#include "lommel/zernike/far_averages.hpp"
 #include "lommel/zernike/field.hpp"

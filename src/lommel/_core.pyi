@@ -134,6 +134,16 @@ def series_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None)
 def series_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], centers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], step: float, tol: float, threads: int, scale: float, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], numbers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
     """The same, each around an axis of its own."""
 
+@overload
+def far_averages(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, step: float, most: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], numbers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
+    """
+    Averages over pixels far from the axis, 0 nearer to it; none where those `most` from it, in v, are not within `tol` of the largest average that is likely. Of each pupil: the distance in pixels from which on they are there, the bound on their error, that largest average, and the row and the column of the axis.
+    """
+
+@overload
+def far_averages(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], centers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], step: float, most: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], numbers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
+    """The same, each around an axis of its own."""
+
 def interpolation_worth(share: float) -> None:
     """
     Interpolate between circles where that is predicted to take at most this share of the series' time: 1, or 0 for never.

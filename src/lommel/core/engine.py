@@ -140,6 +140,27 @@ def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) 
     return _disk_images(_core.series_images, "the peak", stack, window, tol, wanted)
 
 
+class FarPixels(NamedTuple):
+    """Averages over pixels far from the axis of each image, 0 nearer to it."""
+
+    values: Array  # (n, height, width)
+    nearest: Array  # (n,), the distance in pixels from which on they are there
+    error: Array  # (n,), bounds on the error of the intensity
+    axes: Array  # (n, 2), row and column
+
+
+def far_averages(stack: DiskStack, window: Window, most: float, tol: float, threads: int) -> FarPixels:
+    """Return averages over pixels, from where on they are likely to be within `tol` of the largest one.
+
+    None if that is more than `most` in v from the axis: the distance is larger than that of any pixel then.
+    """
+    count = len(stack.edge)
+    values, numbers = np.empty((count, *window.shape)), np.empty((count, 5))
+    compute: Callable[..., float] = _core.far_averages
+    compute(*stack, *window.center, window.step, most, tol, threads, values, numbers)
+    return FarPixels(values, numbers[:, 0], numbers[:, 1], numbers[:, 3:])
+
+
 def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
     """Return the same by the chordal rule, with errors over the largest value in the window.
 

@@ -12,8 +12,10 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, Wanted
 from lommel.core.engine import (
     DiskStack,
+    FarPixels,
     RadialStack,
     Window,
+    far_averages,
     product,
     radial_fields,
     radial_images,
@@ -150,4 +152,7 @@ def disk_images(
         return sampled(pupil, grid, tol, wanted)
     from lommel.methods.pixels.averaging import averaged_images
 
-    return averaged_images(sampled, pupil, grid, tol, wanted)
+    def far(some: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
+        return far_averages(disk_stack(some), window_of(some, pixels), most, tol, threads)
+
+    return averaged_images(sampled, pupil, grid, tol, wanted, far=far)

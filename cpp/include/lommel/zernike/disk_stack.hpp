@@ -33,6 +33,7 @@ struct DiskStack {
     std::vector<ZernikeTerm> terms;  // those that are not zero throughout, and what the inner disk makes of them
     std::vector<double> outer, inner;  // [pupil][term], radians at the edge; no `inner` without an obscuration
     std::vector<std::int64_t> rows, columns;  // the pixels that axes are moved to by move_axes()
+    std::vector<double> centers;  // of each pupil row and column of the axis, by center_axes()
     std::vector<double> lost;  // of each pupil, what roundings on the way here do to U at most
     std::size_t count;
     double obscuration;
@@ -79,10 +80,25 @@ struct DiskStack {
                 const double whole = std::nearbyint(here);
                 (axis == 0 ? rows : columns)[p] = static_cast<std::int64_t>(whole);
                 if (tilt != 0.0) {
-                    // Step, quotient and sum are rounded, relative to what may cancel; |dU/dv| < 1/2.
-                    lost[p] += 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * window.step);
+                    lost[p] += rounded(tilt, given, window.step);
                 }
                 tilt = (here - whole) * window.step;
+            }
+        }
+        trim();
+    }
+
+    // Takes all of the tilt as a move of the axis, which may then be anywhere.
+    void center_axes(const DiskWindow& window) {
+        const std::size_t at[2] = {place({1, -1}), place({1, 1})};
+        centers.clear();
+        for (std::size_t p = 0; p < count; ++p) {
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                double& tilt = outer[p * terms.size() + at[axis]];
+                const double given = axis == 0 ? window.row : window.column;
+                centers.push_back(given + tilt / window.step);
+                lost[p] += rounded(tilt, given, window.step);
+                tilt = 0.0;
             }
         }
         trim();
@@ -92,6 +108,11 @@ struct DiskStack {
     void shrink();
 
    private:
+    // Of U, where a tilt becomes a move: step, quotient and sum are rounded, relative to what may cancel; |dU/dv| < 1/2.
+    static double rounded(double tilt, double given, double step) {
+        return 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * step);
+    }
+
     // Leaves terms out that are zero throughout.
     void trim() {
         std::vector<std::size_t> used;

@@ -5,6 +5,8 @@ A pixel averages the intensity over its square, which multiplies the transfer fu
 h apart whose response ``C(w) = sum_k c_k cos(k h w)`` agrees with the sinc up to there do the same, along rows and
 then along columns. An error eps of the response costs at most ``(2 eps + eps^2) int |OTF| dw``, an integral that is
 at most the intensity at the peak without aberration, where the transfer function is nowhere negative.
+
+Far from the axis of a circular or annular pupil averages have a closed form, and pixels need no samples.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
-from lommel.core.engine import average_samples
+from lommel.core.engine import FarPixels, average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -94,6 +96,9 @@ _DARK = 0.1  # of the tolerance, what sums of dark samples in single precision m
 
 # From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted.
 Sample = Callable[[P, Grid, float, Wanted], Images]
+# From pupils, pixels, the largest distance in v at which they may begin, a tolerance and threads to averages far from
+# the axis.
+Far = Callable[[P, Grid, float, float, int], FarPixels]
 
 Band = tuple[float, float]
 
@@ -179,13 +184,67 @@ def _first_errors(aim: float, step: float) -> tuple[float, float]:
     return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
 
 
+_SHARE = 0.7  # of the tolerance, what pixels without samples are to be off by if the peak is as guessed
+_SPARED = 250000  # samples that pay for them
+
+
+def _farthest(step: float, shape: tuple[int, int]) -> float:
+    """Return how far from the axis, in v, pixels without samples may begin to spare enough, 0 for nowhere."""
+    inside = math.prod(shape) - _SPARED * (_FARTHEST / step) ** 2
+    return 0.5 * step * max(0.0, min(math.sqrt(max(0.0, inside)), *shape), inside / min(shape))
+
+
+def _near_and_far(
+    sample: Sample[P], far: Far[P], pupil: P, grid: Grid, tol: float, wanted: Wanted
+) -> Averages | None:
+    """Return averages, of samples near the axis alone; None where that is not likely to take less time."""
+    step, dtype, normalize = grid.step(pupil), wanted.dtype, wanted.scale is None
+    room = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
+    most = _farthest(step, grid.shape)
+    if wanted.terms or room <= 0.0 or most == 0.0:
+        return None
+    asked = _SHARE * room
+    for _ in range(3):
+        try:
+            away = far(pupil, grid, most, asked, wanted.threads)
+            inside = [
+                slice(
+                    max(0, math.floor((axis - away.nearest).min())),
+                    min(side, math.ceil((axis + away.nearest).max()) + 1),
+                )
+                for axis, side in zip(away.axes.T, grid.shape, strict=True)
+            ]
+            shape = tuple(max(0, part.stop - part.start) for part in inside)
+            if not 0 < math.prod(shape) < math.prod(grid.shape):
+                return None
+            center = [middle - part.start for middle, part in zip(grid.center, inside, strict=True)]
+            box = Grid((shape[0], shape[1]), grid.side, center=(center[0], center[1]), integrate=True)
+            near = averaged(sample, pupil, box, tol, wanted)
+        except (Declined, ToleranceError):
+            return None  # of the whole window there may be a bound
+        off = away.error / near.peak
+        bounds = stored(normalized_error(off) if normalize else off, dtype)
+        if bounds.max() <= tol:
+            away.values[:, inside[0], inside[1]] = near.values[0]
+            return Averages(away.values[None], np.maximum(near.error, bounds), near.peak)
+        asked *= 0.8 * room / float(off.max())
+    return None
+
+
 def averaged_images(
-    sample: Sample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+    sample: Sample[P],
+    pupil: P,
+    grid: Grid,
+    tol: float,
+    wanted: Wanted,
+    band: Band | None = None,
+    far: Far[P] | None = None,
 ) -> Images:
-    """Return finished images of samples or, where `grid` integrates, of :func:`averaged` pixels."""
+    """Return finished images of samples or, where `grid` integrates, of :func:`averaged` pixels, some by `far`."""
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)
-    made = averaged(sample, pupil, grid, tol, wanted, band)
+    made = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
+    made = averaged(sample, pupil, grid, tol, wanted, band) if made is None else made
     tops = made.values[0].max(axis=(1, 2))
     scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(wanted.scale, tops.shape)
     values = np.empty(made.values[0].shape, wanted.dtype) if wanted.out is None else wanted.out

@@ -1,0 +1,151 @@
+"""Averages over pixels far from the axis of pupils of any wavefront, without samples: docs/certificate.md 10."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from disk_quadrature import exact_lattice
+from lommel.core.engine import FarPixels, far_averages
+from lommel.methods.nijboer_zernike import disk_stack, window_of
+from lommel.methods.pixels import averaging
+
+
+def random_pupil(rng: np.random.Generator, size: float, *, tilt: float = 0.0) -> lm.Pupil:
+    terms = {(n, m): size * rng.normal() for n in range(2, 5) for m in range(-n, n + 1, 2)}
+    terms |= {(1, 1): tilt * rng.normal(), (1, -1): tilt * rng.normal()}
+    obscuration = rng.choice([0.0, 0.0, 0.2, 0.45])
+    return lm.Pupil(lm.Wavefront.zernike(terms), obscuration=obscuration, apodization=rng.choice([0.0, 0.0, 0.8]))
+
+
+def far(pupil: lm.Pupil, grid: lm.Grid, tol: float) -> FarPixels:
+    return far_averages(disk_stack(pupil), window_of(pupil, grid), 1e6, tol, 1)
+
+
+def exact_average(pupil: lm.Pupil, grid: lm.Grid, row: int, column: int) -> float:
+    """Return the average of the intensity over a pixel by Gauss's rule, of direct sums over the pupil."""
+    step = grid.step(pupil)
+    x, w = np.polynomial.legendre.leggauss(int(0.7 * step) + 12)
+    vx = step * (column - grid.center[1] + 0.5 * x)
+    vy = step * (row - grid.center[0] + 0.5 * x)
+    turns = math.hypot(np.abs(vx).max(), np.abs(vy).max()) + np.abs(pupil.wavefront.edge).sum() * 4.0
+    field = exact_lattice(pupil, vx, vy, int(0.45 * turns) + 30, int(1.1 * turns) + 60)
+    return float(0.25 * w @ np.abs(field) ** 2 @ w)
+
+
+def exact_light(pupil: lm.Pupil, answer: lm.PSF, row: int, column: int) -> float:
+    return exact_average(pupil, answer.grid, row, column) * float(answer.scale)
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_averages_far_from_the_axis_are_within_their_bound(seed):
+    rng = np.random.default_rng(seed)
+    pupil = random_pupil(rng, 10.0 ** rng.uniform(-2.0, -0.8), tilt=(0.0, 2.0)[seed % 2])
+    tol, pixel = 10.0 ** rng.uniform(-5.5, -3), 10.0 ** rng.uniform(0.0, 0.9)
+    step = math.pi * pixel
+    side = int(min(400, 2 * 450 / step)) + 1
+    center = (side / 2 - 0.5, side / 2) if seed % 3 else (rng.uniform(-0.2, 0.3) * side, rng.uniform(0, 1) * side)
+    grid = lm.Grid((side, side + 3), pixel, center=center, integrate=True)
+    found = far(pupil, grid, tol)
+    values = found.values[0]
+    rows, columns = np.indices(values.shape)
+    away = np.hypot(rows - found.axes[0, 0], columns - found.axes[0, 1])
+    there = away >= found.nearest[0] * (1.0 + 1e-12)
+    assert there.any()
+    assert not values[away < found.nearest[0] * (1.0 - 1e-12)].any()
+    # The nearest ones, on an axis of the pixels and anywhere, and some others.
+    nearest = np.argsort(np.where(there, away, np.inf), axis=None)[:2]
+    on_axis = np.argmin(np.where(there, away + 100.0 * np.abs(rows - round(found.axes[0, 0])), np.inf))
+    for place in (*nearest, on_axis, *rng.choice(np.flatnonzero(there), 3)):
+        row, column = np.unravel_index(place, values.shape)
+        if math.hypot(row - grid.center[0], column - grid.center[1]) * step > 700.0:
+            continue
+        exact = exact_average(pupil, grid, int(row), int(column))
+        assert abs(values[row, column] - exact) <= found.error[0] + 1e-15
+        # Half of it at least is there, where it is no less than what rings may be.
+        assert values[row, column] == pytest.approx(exact, rel=0.5, abs=found.error[0])
+
+
+def test_the_error_is_mostly_that_of_rings_as_they_cross_edges():
+    # Along an axis of the pixels the bound on what two opposite edges leave is reached, but for the square root of 2,
+    # that between points where waves are looked at, and where the phase of the rings happens to be.
+    pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.001}))
+    grid = lm.Grid((1, 161), 3.3, center=(0.0, 0.0), integrate=True)
+    found = far(pupil, grid, 3e-6)
+    first = math.ceil(found.nearest[0])
+    off = [abs(found.values[0, 0, k] - exact_average(pupil, grid, 0, k)) for k in range(first, first + 4)]
+    assert 0.25 * found.error[0] < max(off) <= found.error[0]
+
+
+@pytest.fixture
+def without_far(monkeypatch):
+    """Return a function that computes a PSF by samples all over."""
+
+    def psf(*args, **options):
+        with monkeypatch.context() as patch:
+            patch.setattr(averaging, "_farthest", lambda *_: 0.0)
+            return lm.psf(*args, **options)
+
+    return psf
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("normalize", ["energy", "peak"])
+@pytest.mark.parametrize(("tol", "pixel"), [(1e-3, 2.5), (1e-5, 4.0), (1e-6, 3.0), (3e-7, 8.0)])
+def test_both_parts_of_a_window_are_within_the_bound(without_far, dtype, normalize, tol, pixel):
+    rng = np.random.default_rng(int(10 * pixel))
+    pupil = random_pupil(rng, 0.3, tilt=3.0)
+    shape, options = (150, 170), {"integrate": True, "normalize": normalize, "center": (60.3, 80.0)}
+    answer = lm.psf(pupil, shape, pixel, tol=tol, dtype=dtype, **options)
+    fine = without_far(pupil, shape, pixel, tol=2e-8, dtype=np.float64, **options)
+    peak = fine.values.max()
+    # What no sample was taken for is not what the filter makes of samples, to the last digit.
+    assert (np.abs(answer.values / fine.values - 1.0) > 1e-9).any()
+    assert np.abs(answer.values - fine.values).max() <= (answer.error_bound + 2e-8) * peak
+    assert answer.error_bound <= tol
+    if normalize == "energy":
+        far_pixels = without_far(pupil, shape, pixel, tol=tol, dtype=dtype, **options).values != answer.values
+        border = np.argwhere(far_pixels & ~np.roll(far_pixels, 1, axis=1))[:2]
+        for row, column in [(60, 80), (63, 79), *border, *(border - [0, 1])]:
+            if math.hypot(row - 60.3, column - 80.0) * pixel > 200.0:
+                continue
+            exact = exact_light(pupil, answer, int(row), int(column))
+            assert abs(answer.values[row, column] - exact) <= 1.001 * answer.error_bound * peak + 6e-8 * exact
+
+
+def test_pupils_of_a_stack_have_axes_of_their_own(without_far):
+    tilts = np.array([0.0, 40.0, -25.0])
+    pupils = lm.Pupil(lm.Wavefront.zernike({(1, 1): tilts, (3, 1): 0.2, (2, 2): [0.1, 0.5, 0.3]}), obscuration=0.2)
+    for center in (None, (np.array([64.0, 60.2, 70.0]), np.array([60.0, 64.0, 75.5]))):
+        options = {"integrate": True, "center": center, "dtype": np.float64}
+        answer = lm.psf(pupils, 140, 4.0, tol=1e-5, **options)
+        fine = without_far(pupils, 140, 4.0, tol=1e-7, **options)
+        assert (np.abs(answer.values / fine.values - 1.0) > 1e-5).any(axis=(1, 2)).all()
+        for one, other in zip(answer.values, fine.values, strict=True):
+            assert np.abs(one - other).max() <= (float(answer.error_bound) + 1e-7) * other.max()
+
+
+def test_windows_beside_the_light_take_samples(without_far):
+    pupil = random_pupil(np.random.default_rng(3), 0.2)
+    options = {"integrate": True, "center": (-200.0, 40.0), "dtype": np.float64}
+    answer = lm.psf(pupil, 128, 4.0, tol=1e-4, **options)
+    np.testing.assert_array_equal(answer.values, without_far(pupil, 128, 4.0, tol=1e-4, **options).values)
+
+
+def test_where_too_few_samples_are_spared_there_are_samples():
+    assert averaging._farthest(math.pi, (129, 129)) == 0.0
+    assert averaging._farthest(4.0 * math.pi, (33, 33)) == 0.0
+    most = averaging._farthest(4.0 * math.pi, (129, 129))
+    inside = (2.0 * most / (4.0 * math.pi)) ** 2
+    assert (129**2 - inside) * (4.0 * math.pi / 1.27) ** 2 == pytest.approx(250000)
+    # A narrow window's box is as long as that leaves room for.
+    most = averaging._farthest(4.0 * math.pi, (9, 2000))
+    assert (9 * 2000 - 9 * 2.0 * most / (4.0 * math.pi)) * (4.0 * math.pi / 1.27) ** 2 == pytest.approx(250000)
+    pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.1}))
+    grid = lm.Grid(129, 4.0, integrate=True)
+    found = far_averages(disk_stack(pupil), window_of(pupil, grid), 50.0, 1e-6, 1)
+    assert not found.values.any()
+    assert found.nearest[0] > 64.0 * math.sqrt(2.0)

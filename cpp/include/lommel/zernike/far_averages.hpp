@@ -343,25 +343,54 @@ LOMMEL_ONCE void FarLight::fit(double v) {
             terms_of[j * angles_ + l] = sum[j];
         }
     }
-    misfit_ = 0.0;
-    for (std::size_t i = 0; i < points; ++i) {
-        for (std::size_t l = 0; l < angles_; ++l) {
-            double sum = 0.0;
-            for (std::size_t j = smooth; j-- > 0;) {
-                sum = sum * places[i] + terms_of[j * angles_ + l];
+    std::fill(most.begin(), most.end(), 0.0);
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        const double* const of = terms_of.data();
+        double* const worst = most.data();
+        const std::size_t count = angles_;
+        for (std::size_t i = 0; i < points; ++i) {
+            const double x = places[i];
+            const double* const square = &squares[i * count];
+            for (std::size_t l = 0; l < count; ++l) {
+                double sum = 0.0;
+                for (std::size_t j = smooth; j-- > 0;) {
+                    sum = sum * x + of[j * count + l];
+                }
+                worst[l] = std::max(worst[l], std::abs(sum - square[l]));
             }
-            misfit_ = std::max(misfit_, std::abs(sum - squares[i * angles_ + l]));
+        }
+    });
+    misfit_ = *std::max_element(most.begin(), most.end());
+    misfit_ *= twice;
+    // Every other angle does. Of many orders the first ones; all that the others may be is what these leave of the mean square.
+    constexpr std::size_t lanes = 8;
+    const std::size_t half = angles_ / 2, all = 2 * orders_, known = std::min<std::size_t>(all, 96);
+    std::vector<double> rows(half * lanes, 0.0), sums(2 * lanes * known, 0.0);
+    for (std::size_t j = 0; j < smooth; ++j) {
+        for (std::size_t l = 0; l < half; ++l) {
+            rows[l * lanes + j] = terms_of[j * angles_ + 2 * l];
         }
     }
-    misfit_ *= twice;
-    const std::size_t half = angles_ / 2;
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t h = 0; h < known; ++h) {
+            double c[lanes] = {}, s[lanes] = {};
+            for (std::size_t l = 0, place = 0; l < half; ++l) {
+                const double cosine = cosine_[place], sine = sine_[place];
+                for (std::size_t j = 0; j < lanes; ++j) {
+                    c[j] += rows[l * lanes + j] * cosine;
+                    s[j] += rows[l * lanes + j] * sine;
+                }
+                place = place + 2 * h < angles_ ? place + 2 * h : place + 2 * h - angles_;
+            }
+            std::copy_n(c, lanes, &sums[2 * h * lanes]);
+            std::copy_n(s, lanes, &sums[(2 * h + 1) * lanes]);
+        }
+    });
     constexpr std::size_t numbers = 2 * smooth;
+    const double angles = static_cast<double>(half);
     table_.resize((angles_ + 1) * numbers);
     for (std::size_t j = 0; j < smooth; ++j) {
         const double* const sum = &terms_of[j * angles_];
-        // Every other angle does. Of many orders the first ones; all that the others may be is what these leave of the mean square.
-        const std::size_t all = 2 * orders_, known = std::min<std::size_t>(all, 96);
-        const double angles = static_cast<double>(half);
         double mean = 0.0;
         for (std::size_t l = 0; l < angles_; l += 2) {
             mean += sum[l] * sum[l] / angles;
@@ -374,13 +403,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
             largest.bend += order * order * size;
         };
         for (std::size_t h = 0; h < known; ++h) {
-            double c = 0.0, s = 0.0;
-            for (std::size_t l = 0, place = 0; l < angles_; l += 2) {
-                c += sum[l] * cosine_[place];
-                s += sum[l] * sine_[place];
-                place = place + 2 * h < angles_ ? place + 2 * h : place + 2 * h - angles_;
-            }
-            const double square = (c * c + s * s) / (angles * angles);
+            const double c = sums[2 * h * lanes + j], s = sums[(2 * h + 1) * lanes + j],
+                         square = (c * c + s * s) / (angles * angles);
             others -= (h == 0 ? 1.0 : 2.0) * square;
             count((h == 0 ? 1.0 : 2.0) * std::sqrt(square), static_cast<double>(h));
         }

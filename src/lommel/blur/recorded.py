@@ -398,9 +398,11 @@ def _first(
     area = math.sqrt(float(np.prod(spot + sides)))
     if halo.several:
         area += 1.0 / float(halo.at(np.zeros(1))[0])
-    tol = max(0.3 * aim * spot / area, 1e-13)  # over the peak of the samples
+    # Most of what is allowed is left to light beyond a lattice, which costs the most.
+    samples, responses = (0.12, 0.025) if halo.several else (0.3, 0.02)
+    tol = max(samples * aim * spot / area, 1e-13)  # over the peak of the samples
     bright = 4.0 * math.pi * pupil.transmission / area
-    error = max((0.025 if halo.several else 0.02) * aim * bright / pupil.amplitude**2, 1e-15)
+    error = max(responses * aim * bright / pupil.amplitude**2, 1e-15)
     asked = Asked(method, threads, tol, error, 0.0)
     if not halo.several:
         return asked

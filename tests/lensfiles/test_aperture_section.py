@@ -214,3 +214,10 @@ def test_a_fault_of_a_shape_names_its_entry(load, tmp_path, section, what):
     with pytest.raises(LensFileError) as caught:
         load(section)
     assert what in str(caught.value)
+
+
+def test_complex_numbers_are_no_intensity(load, tmp_path):
+    np.save(tmp_path / "phase.npy", np.full((8, 8), 1j))
+    load('[aperture.mask]\nfile = "phase.npy"\n')
+    with pytest.raises(ValueError, match=r'must hold real numbers with holds = "intensity", got complex ones'):
+        load('[aperture.mask]\nfile = "phase.npy"\nholds = "intensity"\n')

@@ -115,9 +115,16 @@ def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ..
         readout(tuple(math.pi / scale * places), math.pi / scale * active, gate)
         for places, active in zip((grid.y, grid.x), grid.active, strict=True)
     )
-    lattice = Lattice.of(
-        asked, band, Short.of(several, scale), Halo.of(several, scale, pupil.wavelength, gate), (rows, columns)
-    )
+    halo = Halo.of(several, scale, pupil.wavelength, gate)
+    lattice = Lattice.of(asked, band, Short.of(several, scale), halo, (rows, columns))
+    reach = max(max(-first, first + n - 1) for first, n in zip(lattice.first, lattice.counts, strict=True))
+    far = reach * lattice.h / (math.pi * band.share)
+    if halo.several and far > 0.5 * pupil.period:
+        # Light of a repeated image would be counted, and what it spreads here is in no bound.
+        raise ToleranceError(
+            f"the mask repeats the image every {pupil.period:g} lambda*N, too soon for this seeing to this "
+            f"tolerance, which take {2.0 * far:.4g}: give a finer mask, or one with squares=True"
+        )
     blocks = _blocks(pupil, math.prod(lattice.counts))
     return _joined([_of_block(asked, block, band, lattice, (rows, columns)) for block in blocks])
 

@@ -83,7 +83,11 @@ class _Mask(Section):
             return value  # `holds` has an error of its own
         wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
         mask = Mask(read_beside(info.context, value, wanted, _read_transmission))
-        return mask if info.data["holds"] == "amplitude" else Mask(np.sqrt(mask.values))
+        if info.data["holds"] == "amplitude":
+            return mask
+        if mask.values.dtype.kind == "c":
+            raise ValueError('must hold real numbers with holds = "intensity", got complex ones: amplitude and phase')
+        return Mask(np.sqrt(mask.values))
 
 
 def _read_transmission(path: Path) -> Values:

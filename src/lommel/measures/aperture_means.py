@@ -229,8 +229,8 @@ def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
 def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
     """Return the same over what vanes, vignetting and a mask leave clear, exact to a degree in x and y."""
     x, y, weight = pupil.rule(degree)
-    # The rule carries the amplitude of the mask once.
-    carried = 1.0 if pupil.mask is None else np.abs(pupil.mask.at(x, y)) ** (power - 1.0)
+    # The rule of a mask carries the amplitude of its cells, over equal areas.
+    carried = 1.0 if pupil.mask is None else weight ** (power - 1.0)
     # At the middle of a mask rho is 0, where slopes over rho have a limit only.
     rho = np.maximum(np.hypot(x, y), 1e-12)
     weight = weight * carried * pupil.illumination.at(rho**2, power)

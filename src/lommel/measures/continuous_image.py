@@ -39,7 +39,7 @@ from lommel.measures.overlap import autocorrelation
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.method import Method, RadialMethod, widened
+from lommel.methods.method import Method, RadialMethod, beyond_period, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
@@ -108,6 +108,13 @@ class ImageModel(NamedTuple):
         return [Component(1.0, 1.0, self.pupil)]
 
     @property
+    def finest(self) -> float:
+        """The frequency from which the optics pass nothing, cycles per lambda*N."""
+        # Cells of a mask that the rim crosses reach beyond it.
+        mask = getattr(self.pupil, "mask", None)
+        return self.method.stretch(self.pupil) * (1.0 if mask is None else 1.0 + math.sqrt(2.0) / mask.side)
+
+    @property
     def _short(self) -> Short:
         """What ends of the blur, in v."""
         return Short.of(self.blur, self.pupil.scale)
@@ -115,7 +122,7 @@ class ImageModel(NamedTuple):
     @property
     def band(self) -> float:
         """Frequency from which nothing passes, cycles per lambda*N: that of the optics, or where blur has faded."""
-        far = self.method.stretch(self.pupil)
+        far = self.finest
         scale, f = self.pupil.scale, np.linspace(0.0, far, 1025)
         least = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
         left = np.exp(-2.0 * math.pi**2 * least * f**2)
@@ -206,16 +213,20 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     # Besides the errors of the samples less than 2e-8 of all light within a circle is missing; with seeing, whose
     # light extends without limit, up to about 1e-5.
     pupil, band = model.pupil, model.band
-    finest = model.method.stretch(pupil)
+    finest = model.finest
     pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
     short, seen = model.spread
     half = reach + _SEAM / band + short
-    if seen:
-        # Light from beyond, and what wraps around, is 1e-5 of all at most.
-        half += min(max(2.0 * reach, 20.0 * seen), 30.0 * seen)
+    half += seeing_room(reach, seen)
+    period = model.method.period(pupil)
+    if reach <= 0.5 * period < half and period == pupil.period and not seen:
+        # One period of the samples of a mask is all of the image: with blur it is periodic all the same.
+        side = fft.next_fast_len(math.ceil(period / pitch), real=True)
+        pitch, half = period / side, 0.5 * period
+    else:
+        side = fft.next_fast_len(2 * math.ceil(half / pitch) + 1, real=True)
     if half > (most := 0.5 * pitch * MOST_SIDE):
         raise _too_far(pupil, reach, reach - (half - most))
-    side = fft.next_fast_len(2 * math.ceil(half / pitch) + 1, real=True)
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
     fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
     kept_y, kept_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
@@ -245,6 +256,12 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
             yield CartesianImage(table, fy, fx, band, float(error[k]))
 
 
+def seeing_room(reach: float, seen: float) -> float:
+    """Return how far beyond `reach` samples are taken for seeing of a width, lambda*N."""
+    # Light from beyond, and what wraps around, is 1e-5 of all at most.
+    return min(max(2.0 * reach, 20.0 * seen), 30.0 * seen)
+
+
 def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
     """Return the error for a circle, or a square, whose samples would be too many."""
     least = "" if most is None or most <= 0.0 else f" of at most {most * pupil.scale:.3g} {pupil.unit}"
@@ -260,7 +277,7 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     # hard edge falls as the cube of the distance. The error is below 1e-3 up to a fifth of the cutoff (3e-4 without
     # straight edges) and 1e-4 above.
     far = model.extent + _FAR
-    finest = model.method.stretch(model.pupil)
+    finest = model.finest
     pitch, pupil = 0.25 / finest, model.pupil
     side = 2 * math.ceil(far / pitch)
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
@@ -385,6 +402,17 @@ def images(model: ImageModel, reach: float) -> Iterator[Any]:
     if model.method.sampling == "pixel":
         return ray_images(model, reach)
     return polar_images(model, reach) if polar(model) else cartesian_images(model, reach)
+
+
+def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Any]:
+    """Return the same for sums of light over `what`; ValueError where these would count light of a repeated image."""
+    # An integral over part of one period is at most all light.
+    if (period := model.method.period(model.pupil)) < math.inf:
+        short, seen = model.spread
+        far = reach + (short + seeing_room(reach, seen) if seen else 0.0)
+        if far > 0.5 * period * (1.0 + 1e-9):
+            raise beyond_period(what if far == reach else f"{what} with the halo of the seeing", far, period)
+    return images(model, reach)
 
 
 def polar(model: ImageModel) -> bool:

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, cartesian_images, images
+from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, energy_images, images
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
-from lommel.methods.method import Method, RadialMethod
+from lommel.methods.method import Method, RadialMethod, require_period
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -49,8 +49,9 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     ------
     TypeError, ValueError
         If a radius is not a finite number of at least 0, or too large for a pupil that is not radially symmetric
-        (about 700 lambda*N, less the reach of the blur; about 500 with vanes and seeing); or `about` or `of` is
-        unknown.
+        (about 700 lambda*N, less the reach of the blur; about 500 with vanes and seeing); if the circle reaches
+        farther than half of the period of an image of samples (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`);
+        or `about` or `of` is unknown.
     """
     model, at = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
     away = energy_centers(psf, about) / psf.pupil.scale
@@ -82,7 +83,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     Raises
     ------
     TypeError, ValueError
-        If a width is not a finite number of at least 0, or `about` or `of` is unknown.
+        As :func:`lommel.measures.energy.encircled_energy`.
     """
     model, at = ImageModel.of(psf, of), validation.real_array("half_width", half_width, least=0.0)
     away = energy_centers(psf, about) / psf.pupil.scale
@@ -102,7 +103,7 @@ def _measured(
     pupil, flat = model.pupil, at.ravel() / model.pupil.scale
     reach = float(flat.max(initial=0.0)) + float(away.max(initial=0.0))
     validation.reach(f"{name}={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
-    each = zip(images(model, reach), centers, strict=True)
+    each = zip(energy_images(model, reach, name), centers, strict=True)
     return numbers([within(image, flat, center) for image, center in each], pupil.shape + at.shape)
 
 
@@ -243,10 +244,16 @@ def window_energy(psf: PSFLike) -> Numbers:
     -------
     float or ndarray, shape ``pupil.shape``
         With the error of :func:`lommel.measures.energy.encircled_energy`; the sum of pixel-integrated values.
+
+    Raises
+    ------
+    ValueError
+        If the window is too wide, as there.
     """
     checked(psf)
     pupil, grid = psf.pupil, psf.grid
     radial = psf.radial_method
+    require_period(psf.method.period(pupil), pupil, grid, edges=True)
     if radial is None and grid.integrate and not grid.partly:
         return numbers(energy_per_pixel(psf).sum(axis=(-2, -1)), pupil.shape)
     if grid.stack:
@@ -360,7 +367,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
         )
     if method is not None:
         method.require(pupil)
-    (image,) = cartesian_images(optics(pupil, method), float(reach.max(initial=0.0)))
+    (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
     area = math.pi * float(reach.max(initial=0.0)) ** 2
     error = None if math.isnan(image.error) else OWN_ERROR + SEAM_NORM * area * image.error
     return Encircled(image.circles(reach), error)

@@ -12,7 +12,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import CartesianImage, ImageModel, cartesian_images, images, polar
+from lommel.measures.continuous_image import CartesianImage, ImageModel, cartesian_images, energy_images, polar
 from lommel.measures.energy import energy_centers, radial_energy, require_radial
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.layers.disc_means import HALF, between
@@ -306,20 +306,21 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
         return radial_diameter(model.radial_method, pupil, wanted)
     out = []
     for one, (x, y) in zip(model.singles, centers, strict=True):
-        reach = one.extent
+        within = 0.5 * one.method.period(one.pupil) - math.hypot(x, y)
+        reach = min(one.extent, max(within, 0.0))
         while True:
-            (image,) = images(one, reach + math.hypot(x, y))
+            (image,) = energy_images(one, reach + math.hypot(x, y), "fraction")
 
             def lacks(radius: float, image: Any = image, center: tuple[float, float] = (x, y)) -> float:
                 return float(image.circles(np.array([radius]), center)[0]) - wanted
 
             if lacks(reach) >= 0.0:
                 break
-            if 4.0 * reach > (_MAX_DIAMETER if polar(one) else _MAX_SAMPLED):
+            if reach >= within or 4.0 * reach > (_MAX_DIAMETER if polar(one) else _MAX_SAMPLED):
                 raise ValueError(
                     f"fraction must be held by a circle of at most {2.0 * reach:.4g} lambda*N, got {wanted:g}"
                 )
-            reach *= 2.0
+            reach = min(2.0 * reach, within)
         out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-10))
     return numbers(out, pupil.shape) * pupil.scale
 

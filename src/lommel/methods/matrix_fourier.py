@@ -65,6 +65,10 @@ class MatrixFourier(Method[Pupil]):
         object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=MAX_SAMPLES))
         validation.choice("edge", self.edge, ("grey", "binary"))
 
+    def period(self, pupil: Pupil) -> float:
+        """Return the number of samples: the period of the image of any `pupil`, lambda*N."""
+        return float(self.samples)
+
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
 

@@ -97,6 +97,10 @@ class Method(ABC, Generic[P]):
         """Return the exponential type (bandwidth) of U in v, relative to that at the wavelength of `pupil`."""
         return 1.0
 
+    def period(self, pupil: P) -> float:
+        """Return the period of the image of `pupil`, lambda*N along x and y; infinite unless a sum of samples."""
+        return pupil.period
+
     def with_tol(self, tol: float) -> Self:
         """Return the same method with another `tol`; TypeError or ValueError if it cannot have that."""
         if not self._has_tol:
@@ -176,6 +180,27 @@ class Method(ABC, Generic[P]):
     def to_dict(self) -> dict[str, Any]:
         """Return the method's name and options in plain types."""
         return described(self)
+
+
+def require_period(period: float, pupil: BasePupil, grid: Grid, *, edges: bool) -> None:
+    """Raise ValueError where points, or pixels to their `edges`, exceed the `period` of an image about the axis."""
+    if period == math.inf:
+        return
+    for pitch, side, places in zip(grid.pitch, grid.shape, (grid.y, grid.x), strict=True):
+        width = pitch * (side - (not edges)) / pupil.scale
+        far = (float(np.abs(places).max()) + (0.5 * pitch if edges else 0.0)) / pupil.scale
+        # Windows of even sides reach half a pixel farther to one side than to the other.
+        most = 0.5 * (period + pitch / pupil.scale * (side % 2 == 0))
+        if not (width <= period * (1.0 + 1e-9) and far <= most * (1.0 + 1e-9)):
+            raise beyond_period("the window", far, period)
+
+
+def beyond_period(what: str, reach: float, period: float) -> ValueError:
+    """Return the error for `what` reaches farther from the axis, lambda*N, than half of the period of the image."""
+    return ValueError(
+        f"{what} reaches {reach:.4g} lambda*N from the axis, but an image of samples repeats, here every "
+        f"{period:.4g} lambda*N: ask for at most half of that, or give finer samples (or a Mask with squares=True)"
+    )
 
 
 def described(thing: Any) -> dict[str, Any]:

@@ -180,6 +180,11 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         radial = pupil.radial and isinstance(self.method, RadialMethod | None)
         return self if radial and all(part.pupil.radial for part in self.components(pupil)) else None
 
+    def period(self, pupil: BasePupil) -> float:
+        """Return the shortest period of the components of `pupil`, whose sum has none."""
+        way = Method.period if self.method is None else type(self.method).period
+        return min(way(self.method or self, part.pupil) / part.stretch for part in self.components(pupil))
+
     def profile(self, pupil: BasePupil, v: Array) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""
 

@@ -14,7 +14,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import DType, Images, Pixels, Wanted
 from lommel.methods.choice import candidates, first_proven
-from lommel.methods.method import Method, Shortcut, widened
+from lommel.methods.method import Method, Shortcut, require_period, widened
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -91,6 +91,8 @@ def wanted_on(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtyp
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
     if method.sampling == "center":
         grid.require_reach(pupil)
+    if pupil.period < math.inf:
+        require_period(method.period(pupil), pupil, grid, edges=grid.integrate)
     count = math.prod(pupil.shape) * grid.height * grid.width
     if count > validation.MAX_VALUES:
         raise ValueError(

@@ -194,6 +194,11 @@ class BasePupil(display.Shown):
         return self.wavelength * self.f_number
 
     @property
+    def period(self) -> float:
+        """Period of the image along x and y in units of lambda*N; infinite unless the pupil is a sum of samples."""
+        return math.inf
+
+    @property
     def unit(self) -> str:
         """Unit of lengths on the sensor: ``"m"`` or ``"lambda*N"``."""
         return "lambda*N" if self.wavelength is None else "m"

@@ -144,8 +144,13 @@ class Pupil(BasePupil):
 
     @cached_property
     def transmission(self) -> float:
-        """Transmitted light, ``(1/pi) int A^2 dx dy`` of the amplitude A."""
+        """Transmitted light, ``(1/pi) int A^2 dx dy`` of the amplitude A; of a mask that of each whole cell."""
         return self._integral(2.0)
+
+    @property
+    def period(self) -> float:
+        """Period of the image along x and y in units of lambda*N: the side of a sampled mask; else infinite."""
+        return math.inf if self.mask is None or self.mask.squares else float(self.mask.side)
 
     def _integral(self, power: float) -> float:
         if not self.circular:
@@ -383,7 +388,8 @@ def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: floa
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
-        weight = weight * np.abs(mask.at(x, y)) ** (max(power, 1.0) - 1.0)
+        # The amplitude of a cell is that of the mask times its covered part: the light goes as the square of both.
+        weight = weight * (0.25 * math.pi * mask.side**2 * weight) ** (max(power, 1.0) - 1.0)
     return float(weight @ light.at(x * x + y * y, power))
 
 
@@ -446,6 +452,11 @@ class FieldPupil(BasePupil):
     def transmission(self) -> Any:
         """Transmitted light, of the shape of the stack."""
         return np.reshape([pupil.transmission for pupil in self.pupils], self.shape)
+
+    @property
+    def period(self) -> float:
+        """The shortest of the stack."""
+        return min(pupil.period for pupil in self.pupils)
 
     @property
     def likely_peak(self) -> float:

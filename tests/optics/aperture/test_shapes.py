@@ -83,6 +83,9 @@ def test_area_amplitude_and_transmission_are_integrals_of_the_pupil_function(sha
     abs_ = 4e-3 if "mask" in shape and g else 6e-4
     assert pupil.area == pytest.approx(bare.sum() * cell, abs=6e-4)
     assert pupil.amplitude == pytest.approx(amplitude.sum() * cell, abs=abs_)
+    if "mask" in shape:
+        # The pupil function of a mask is constant on a cell: one that the rim crosses has its mean.
+        amplitude = np.repeat(np.repeat(amplitude.reshape(12, 50, 12, 50).mean(axis=(1, 3)), 50, axis=0), 50, axis=1)
     assert pupil.transmission == pytest.approx((amplitude**2).sum() * cell, abs=abs_)
 
 

@@ -58,6 +58,10 @@ class Fraunhofer(Method[Pupil]):
         object.__setattr__(self, "padding", validation.real("padding", self.padding, least=1.0))
         validation.choice("edge", self.edge, ("binary", "grey"))
 
+    def period(self, pupil: Pupil) -> float:
+        """Return the number of samples: the period of the image of any `pupil`, lambda*N."""
+        return float(self.samples)
+
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
 

@@ -26,10 +26,11 @@ _BAND = 2**24  # points at a time
 class Mask(EqualByContent):
     """Transmission sampled over the square around the aperture: apodizers, phase plates, phase screens, modulators.
 
-    As samples of a function (the default) images are sums over the samples, each weighted by the part of its cell
-    inside the aperture. They repeat at ``pi * side`` in v, and a window that a repetition would reach is refused. As
-    `squares` the pupil function is constant on each cell, with the phase that the wavefront has in its middle: the
-    same sums times ``sinc(v_x / side) sinc(v_y / side)``, for every window. Either is exact, and has an error bound.
+    The amplitude of a cell is its value times the part of it inside the aperture. As samples of a function (the
+    default) images are sums over the samples. These repeat every `side` lambda*N along x and y, and one period around
+    the axis holds all light: windows and circles that reach beyond it are refused, and halos of seeing. As `squares`
+    the pupil function is constant on each cell, with the phase that the wavefront has in its middle: the same sums
+    times ``sinc(v_x / side) sinc(v_y / side)``, for every window. Either is exact, and has an error bound.
 
     Parameters
     ----------
@@ -99,7 +100,8 @@ class Mask(EqualByContent):
         oversample : int, default 1
             Each cell is the mean of so many points along each side, 1 to 64: its centre alone by default. Cells that
             an edge crosses are then partly clear, which brings the PSF closer to that of the shape. Fractions of the
-            light (``normalize="energy"``) do not gain: light is the square of the mean amplitude of a cell.
+            light (``normalize="energy"``) do not gain: light is the square of the mean amplitude of a cell, as it is
+            of those that the rim of the aperture crosses.
 
         Raises
         ------

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, energy_images, images
+from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, energy_images
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method, RadialMethod, require_period
@@ -264,7 +264,9 @@ def window_energy(psf: PSFLike) -> Numbers:
     )
     if radial is None:
         low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
-        each = images(ImageModel.of(psf, "optics"), float(np.abs([low, far]).max()))
+        # An even window may reach half a pixel beyond half of a period to one side, and lacks that on the other.
+        reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
+        each = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
         return numbers([image.rectangle(tuple(low), tuple(far)) for image in each], pupil.shape)
     step = math.pi / pupil.scale
     # Inclusion and exclusion of rectangles with one corner on the axis.

@@ -94,7 +94,7 @@ void a_call_stops_where_it_is_told_to() {
     }
     std::atomic<int> done{0};
     lommel::parallel_for(100, 3, [&](std::size_t, std::size_t) { ++done; });
-    check(done == 100 && lommel::helpers.at_work == 0, "the call after it", done);
+    check(done == 100 && lommel::helpers.at_work() == 0, "the call after it", done);
 }
 
 // Tiles wait for their neighbours before them and never write beside one; those that wait for one that fails leave.
@@ -168,7 +168,7 @@ void children_of_busy_parents() {
         const pid_t child = fork();
         if (child == 0) {
             alarm(20);
-            _exit(image_of(31 + turn, 3.0) > 0.9 || lommel::helpers.at_work != 0);
+            _exit(image_of(31 + turn, 3.0) > 0.9 || lommel::helpers.at_work() != 0);
         }
         int status = -1;
         waitpid(child, &status, 0);

@@ -14,8 +14,12 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
+#include <new>
 #include <thread>
 #include <vector>
+#if defined(LOMMEL_FORKS)
+#include <csignal>
+#endif
 #if defined(__linux__)
 #include <sched.h>
 #endif
@@ -41,16 +45,126 @@ inline int processors() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// Helper threads of all calls together; the callers' own threads do not count. A child begins with none.
-struct Helpers final : ForkAware {
-    std::atomic<int> at_work{0};
+// Threads that help callers, fewer than there are processors: made when they are first wanted, and asleep between calls. A
+// child begins with none.
+class Helpers final : ForkAware {
+   public:
+    // What a caller shares out: run(worker) with workers from 1 on, which throws nothing.
+    struct Offer {
+        Reference<void(std::size_t)> run;
+        Watch* watch;
+        int open = 0, taken = 0, at_work = 0;
+        std::condition_variable left{};
+    };
 
-   private:
-    void after_fork(bool in_child) override {
-        if (in_child) {
-            at_work = 0;
+    // Asks so many for help. What is offered must stay until withdraw() has returned.
+    void offer(Offer& one, int wanted) {
+        {
+            const Lock lock(mutex_);
+            one.open = wanted;
+            offers_.push_back(&one);
+            const int most = std::min(processors() - 1, at_work_ + wanted);
+            while (made_ < most && make()) {
+            }
+        }
+        wake(wanted);
+    }
+
+    // Returns when nobody is at work on an offer, and nobody will be. The caller alone is asked to stop: it goes on looking,
+    // and calls fail() in a catch clause.
+    template <class Fail>
+    void withdraw(Offer& one, const Fail& fail) {
+        std::unique_lock<Mutex> lock(mutex_);
+        one.open = 0;
+        offers_.erase(std::find(offers_.begin(), offers_.end(), &one));
+        const auto done = [&] { return one.at_work == 0; };
+        while (!one.left.wait_for(lock, Watch::interval, done)) {
+            lock.unlock();
+            try {
+                look();
+            } catch (...) {
+                fail();
+            }
+            lock.lock();
         }
     }
+
+    int at_work() {
+        const Lock lock(mutex_);
+        return at_work_;
+    }
+
+   private:
+    // Signals are for the threads that there were before.
+    bool make() {
+#if defined(LOMMEL_FORKS)
+        sigset_t all, before;
+        sigfillset(&all);
+        pthread_sigmask(SIG_BLOCK, &all, &before);
+#endif
+        bool granted = true;
+        try {
+            std::thread([this] { serve(); }).detach();
+            ++made_;
+        } catch (...) {
+            granted = false;  // those that the system granted, and the caller, do the work
+        }
+#if defined(LOMMEL_FORKS)
+        pthread_sigmask(SIG_SETMASK, &before, nullptr);
+#endif
+        return granted;
+    }
+
+    // Who wakes wakes two more, so that the caller need not wake all.
+    void wake(int wanted) {
+        for (int i = 0; i < std::min(2, wanted); ++i) {
+            wake_.notify_one();
+        }
+    }
+
+    void serve() {
+#if defined(__linux__)
+        pthread_setname_np(pthread_self(), "lommel");
+#endif
+        std::unique_lock<Mutex> lock(mutex_);
+        for (;;) {
+            const auto found = std::find_if(offers_.begin(), offers_.end(), [](const Offer* one) { return one->open > 0; });
+            if (found == offers_.end() || at_work_ >= processors() - 1) {
+                wake_.wait(lock);
+                continue;
+            }
+            Offer& one = **found;
+            const int others = --one.open;
+            const auto worker = static_cast<std::size_t>(++one.taken);
+            ++one.at_work;
+            ++at_work_;
+            lock.unlock();
+            wake(others);
+            Watch::help(one.watch);
+            one.run(worker);
+            Watch::help(nullptr);
+            lock.lock();
+            --at_work_;
+            if (--one.at_work == 0) {
+                one.left.notify_one();
+            }
+        }
+    }
+
+    void before_fork() override { mutex_.lock(); }
+    void after_fork(bool in_child) override {
+        if (in_child) {
+            made_ = at_work_ = 0;
+            offers_.clear();
+            new (&wake_) std::condition_variable;  // nobody waits for it any more
+        }
+        mutex_.unlock();
+    }
+
+    Mutex mutex_;  // of all here, and of what is in an offer
+    std::condition_variable wake_;
+    std::vector<Offer*> offers_;
+    int made_ = 0, at_work_ = 0;
 };
 inline Helpers& helpers = *new Helpers;
 
@@ -59,26 +173,9 @@ using Work = Reference<void(std::size_t worker, std::size_t task)>;
 void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
-    const int limit = processors();
-    int wanted = std::min<int>(threads > 0 ? threads : limit, static_cast<int>(std::min<std::size_t>(tasks, 1024))) - 1;
-    // Take from the common pool no more than is left in it.
-    std::atomic<int>& busy = helpers.at_work;
-    int taken = 0, now = busy.load();
-    while (wanted > 0) {
-        const int can = std::min(wanted, limit - 1 - now);
-        if (can <= 0) {
-            break;
-        }
-        if (busy.compare_exchange_weak(now, now + can)) {
-            taken = can;
-            break;
-        }
-    }
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;
-    Mutex mutex;  // of the failure and of the number of helpers that are done
-    std::condition_variable finished;
-    std::size_t done = 0;
+    Mutex mutex;  // of the failure
     const auto fail = [&] {
         next = tasks;
         const Lock lock(mutex);
@@ -94,38 +191,13 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
             fail();
         }
     };
-    Watch* const watch = Watch::mine();
-    std::vector<std::thread> others;
-    try {
-        for (int i = 0; i < taken; ++i) {
-            others.emplace_back([&, i] {
-                Watch::help(watch);
-                run(static_cast<std::size_t>(i + 1));
-                const Lock lock(mutex);
-                ++done;
-                finished.notify_one();
-            });
-        }
-    } catch (...) {
-        // The system grants no more threads; those it granted, and the caller, do the work.
-    }
+    const int limit = processors();
+    const std::size_t wanted =
+        std::min<std::size_t>(tasks, static_cast<std::size_t>(threads > 0 ? std::min(threads, limit) : limit));
+    Helpers::Offer offer{run, Watch::mine()};
+    helpers.offer(offer, static_cast<int>(wanted) - 1);
     run(0);
-    // The caller alone is asked to stop: it goes on looking while others work.
-    std::unique_lock<Mutex> lock(mutex);
-    while (watch != nullptr && !finished.wait_for(lock, Watch::interval, [&] { return done == others.size(); })) {
-        lock.unlock();
-        try {
-            look();
-        } catch (...) {
-            fail();
-        }
-        lock.lock();
-    }
-    lock.unlock();
-    for (std::thread& other : others) {
-        other.join();
-    }
-    busy -= taken;
+    helpers.withdraw(offer, fail);
     if (failure) {
         std::rethrow_exception(failure);
     }

@@ -12,6 +12,7 @@
 #if !defined(LOMMEL_SINGLE_THREADED)
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <new>
@@ -53,7 +54,8 @@ class Helpers final : ForkAware {
     struct Offer {
         Reference<void(std::size_t)> run;
         Watch* watch;
-        int open = 0, taken = 0, at_work = 0;
+        int open = 0, taken = 0;
+        std::atomic<int> at_work{0};
         std::condition_variable left{};
     };
 
@@ -62,6 +64,7 @@ class Helpers final : ForkAware {
         {
             const Lock lock(mutex_);
             one.open = wanted;
+            open_ += wanted;
             offers_.push_back(&one);
             const int most = std::min(processors() - 1, at_work_ + wanted);
             while (made_ < most && make()) {
@@ -74,10 +77,14 @@ class Helpers final : ForkAware {
     // and calls fail() in a catch clause.
     template <class Fail>
     void withdraw(Offer& one, const Fail& fail) {
+        const auto done = [&] { return one.at_work == 0; };
         std::unique_lock<Mutex> lock(mutex_);
+        open_ -= one.open;
         one.open = 0;
         offers_.erase(std::find(offers_.begin(), offers_.end(), &one));
-        const auto done = [&] { return one.at_work == 0; };
+        lock.unlock();
+        await(done);
+        lock.lock();
         while (!one.left.wait_for(lock, Watch::interval, done)) {
             lock.unlock();
             try {
@@ -115,6 +122,15 @@ class Helpers final : ForkAware {
         return granted;
     }
 
+    // For less time than it takes to fall asleep and to wake.
+    template <class Done>
+    static void await(const Done& done) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
+        while (!done() && std::chrono::steady_clock::now() < end) {
+            give_way();
+        }
+    }
+
     // Who wakes wakes two more, so that the caller need not wake all.
     void wake(int wanted) {
         for (int i = 0; i < std::min(2, wanted); ++i) {
@@ -135,6 +151,7 @@ class Helpers final : ForkAware {
             }
             Offer& one = **found;
             const int others = --one.open;
+            --open_;
             const auto worker = static_cast<std::size_t>(++one.taken);
             ++one.at_work;
             ++at_work_;
@@ -148,13 +165,16 @@ class Helpers final : ForkAware {
             if (--one.at_work == 0) {
                 one.left.notify_one();
             }
+            lock.unlock();
+            await([this] { return open_ > 0; });
+            lock.lock();
         }
     }
 
     void before_fork() override { mutex_.lock(); }
     void after_fork(bool in_child) override {
         if (in_child) {
-            made_ = at_work_ = 0;
+            made_ = at_work_ = open_ = 0;
             offers_.clear();
             new (&wake_) std::condition_variable;  // nobody waits for it any more
         }
@@ -165,6 +185,7 @@ class Helpers final : ForkAware {
     std::condition_variable wake_;
     std::vector<Offer*> offers_;
     int made_ = 0, at_work_ = 0;
+    std::atomic<int> open_{0};
 };
 inline Helpers& helpers = *new Helpers;
 

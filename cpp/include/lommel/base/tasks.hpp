@@ -8,10 +8,10 @@
 
 namespace lommel {
 
-// Microseconds of work that are worth a thread: it takes some 20 to start, and more where the other processors are busy.
+// Microseconds of work that are worth a thread: it takes some 30 to wake, and more where the other processors are busy.
 // Lowered by tests, to have threads at all.
 inline double& work_per_thread() {
-    static double microseconds = 200.0;
+    static double microseconds = 100.0;
     return microseconds;
 }
 
@@ -26,6 +26,14 @@ template <class Render>
 void for_pupils(std::size_t count, int threads, const Render& render) {
     const bool one = count == 1;
     parallel_for(count, threads, [&](std::size_t, std::size_t pupil) { render(pupil, one ? threads : 1); });
+}
+
+// Calls work(first, last) for blocks of pupils that take so long each.
+template <class Work>
+void for_blocks(std::size_t count, int threads, double microseconds, const Work& work) {
+    constexpr std::size_t block = 64;
+    parallel_for((count + block - 1) / block, worthwhile_threads(threads, microseconds * static_cast<double>(count)),
+                 [&](std::size_t, std::size_t b) { work(b * block, std::min(count, (b + 1) * block)); });
 }
 
 // Calls paint(first, last) for the rows of an image in blocks that are worth a task.

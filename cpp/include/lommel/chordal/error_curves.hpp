@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/reference.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/tasks.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/error_samples.hpp"
 #include "lommel/chordal/tables.hpp"
@@ -61,21 +63,22 @@ class ChordLines {
         }
     }
 
-   private:
-    // What a mean usually is of the most that phase and window may be, as logarithms.
-    static constexpr double usual_share[2] = {0.4, 0.25};
-
     // Roughly the vector operations for a vector of pupils, counted, not measured, as those of samples are.
     double work(double chords, double nodes) const {
         return chords * nodes * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows_) + 2.0 * chords * pixels_;
     }
 
+   private:
+    // What a mean usually is of the most that phase and window may be, as logarithms.
+    static constexpr double usual_share[2] = {0.4, 0.25};
+
     void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
                 const std::vector<double>& errors, const Disk& disk) const {
-        std::sort(worth.begin(), worth.end(), [&](std::size_t a, std::size_t b) {
-            const std::size_t i = disk(a).of(sum).curve, j = disk(b).of(sum).curve;
-            return i != j ? i < j : a < b;
-        });
+        std::vector<std::pair<std::size_t, std::size_t>> order(worth.size());
+        std::transform(worth.begin(), worth.end(), order.begin(),
+                       [&](std::size_t p) { return std::make_pair(disk(p).of(sum).curve, p); });
+        std::sort(order.begin(), order.end());
+        std::transform(order.begin(), order.end(), worth.begin(), [](const auto& each) { return each.second; });
         const std::size_t lanes = 2 * vector_lanes(), batches = (worth.size() + lanes - 1) / lanes;
         const std::size_t terms = stack_.terms.size();
         std::vector<std::shared_ptr<const SharpTable>> tables(batches);
@@ -122,31 +125,37 @@ class ChordLines {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void ChordLines::find(const double* coefficients, double radius, const Error& error, const Disk& disk) const {
-    std::vector<std::size_t> worth;
+    std::vector<char> pays(stack_.count);
     std::vector<double> errors(stack_.count);
     const double samples = 2.0 * SharpTable::work(terms_);
-    ChordBound bound = bound_of(radius);
-    for (std::size_t p = 0; p < stack_.count; ++p) {
-        look();
-        bound.prepare(coefficients + p * stack_.terms.size());
-        ChordDisk& here = disk(p);
-        here.rounding = bound.rounding();
-        errors[p] = error(p, bound);
-        double plain[2], better[2];
-        for (const Sum sum : {Sum::chords, Sum::nodes}) {
-            const std::size_t at = sum == Sum::chords ? 0 : 1;
-            const ChordLine likely = bound.best(sum, errors[p], usual_share[at]);
-            here.of(sum) = {bound.best(sum, errors[p], 1.0), likely.curve, bound.bend(sum, likely.curve)};
-            plain[at] = here.of(sum).line.needed(errors[p]);
-            better[at] = likely.needed(errors[p]);
+    const ChordBound of_all = bound_of(radius);
+    for_blocks(stack_.count, threads_, 0.5, [&](std::size_t from, std::size_t to) {
+        ChordBound bound = of_all;
+        for (std::size_t p = from; p < to; ++p) {
+            bound.prepare(coefficients + p * stack_.terms.size());
+            ChordDisk& here = disk(p);
+            here.rounding = bound.rounding();
+            errors[p] = error(p, bound);
+            double plain[2], better[2];
+            for (const Sum sum : {Sum::chords, Sum::nodes}) {
+                const std::size_t at = sum == Sum::chords ? 0 : 1;
+                const ChordLine likely = bound.best(sum, errors[p], usual_share[at]);
+                here.of(sum) = {bound.best(sum, errors[p], 1.0), likely.curve, bound.bend(sum, likely.curve)};
+                plain[at] = here.of(sum).line.needed(errors[p]);
+                better[at] = likely.needed(errors[p]);
+            }
+            pays[p] = work(plain[0], plain[1]) - work(better[0], better[1]) > 1.5 * samples &&
+                      SharpTable::serves(terms_.degree, std::max(here.chords.curve, here.nodes.curve));
         }
-        if (work(plain[0], plain[1]) - work(better[0], better[1]) > 1.5 * samples &&
-            SharpTable::serves(terms_.degree, std::max(here.chords.curve, here.nodes.curve))) {
+    });
+    std::vector<std::size_t> worth;
+    for (std::size_t p = 0; p < stack_.count; ++p) {
+        if (pays[p]) {
             worth.push_back(p);
         }
     }
     for (const Sum sum : {Sum::chords, Sum::nodes}) {
-        sample(coefficients, bound, box_.scaled(radius), sum, worth, errors, disk);
+        sample(coefficients, of_all, box_.scaled(radius), sum, worth, errors, disk);
     }
 }
 #endif

@@ -8,10 +8,12 @@
 #include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/tasks.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/chordal/batch.hpp"
@@ -131,7 +133,12 @@ class ChordalRenderer {
                 disks[b][1] = alike ? disks[b - 1][1] : tables<Real>(near, stack_.obscuration);
             }
         }
-        parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
+        double work = 0.0;
+        for (const auto& disk : disks) {
+            const ChordCount& count = disk[0].terms->count;
+            work += lines_.work(static_cast<double>(count.chords), static_cast<double>(count.nodes));
+        }
+        parallel_for(batches, worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
             const std::size_t first = b * lanes, here = std::min(lanes, pupils - first);
             run_batch<Real>({level, stack_, pending + first, here, area_, disks[b], scratch});
@@ -236,25 +243,28 @@ void ChordalRenderer<T, More>::run() {
     std::vector<std::size_t> pending(stack_.count);
     std::iota(pending.begin(), pending.end(), std::size_t{0});
     const auto attempt = [&] {
-        for (const std::size_t p : pending) {
-            look();
-            State& s = states_[p];
-            const double rounding = s.far.rounding + stack_.lost[p];
-            s.at_rounding = s.error < rounding;
-            s.error = std::max(s.error, rounding);
-            const double error = s.single ? singly(p) : s.error;
-            choose(p, 1.0, s.far, area_ > 0.0 ? ChordalBudget::outer * error : error);
-            if (area_ > 0.0) {
-                choose(p, stack_.obscuration, s.near, ChordalBudget::inner * error / area_);
+        for_blocks(pending.size(), threads_, 0.3, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) {
+                const std::size_t p = pending[i];
+                State& s = states_[p];
+                const double rounding = s.far.rounding + stack_.lost[p];
+                s.at_rounding = s.error < rounding;
+                s.error = std::max(s.error, rounding);
+                const double error = s.single ? singly(p) : s.error;
+                choose(p, 1.0, s.far, area_ > 0.0 ? ChordalBudget::outer * error : error);
+                if (area_ > 0.0) {
+                    choose(p, stack_.obscuration, s.near, ChordalBudget::inner * error / area_);
+                }
             }
-        }
-        std::sort(pending.begin(), pending.end(), [&](std::size_t a, std::size_t b) {
-            const ChordCount &i = states_[a].far.count, &j = states_[b].far.count;
-            if (states_[a].single != states_[b].single) {
-                return states_[a].single;
-            }
-            return i.chords != j.chords ? i.chords < j.chords : i.nodes != j.nodes ? i.nodes < j.nodes : a < b;
         });
+        std::vector<std::tuple<bool, std::size_t, std::size_t, std::size_t>> order;
+        order.reserve(pending.size());
+        for (const std::size_t p : pending) {
+            const State& s = states_[p];
+            order.emplace_back(!s.single, s.far.count.chords, s.far.count.nodes, p);
+        }
+        std::sort(order.begin(), order.end());
+        std::transform(order.begin(), order.end(), pending.begin(), [](const auto& each) { return std::get<3>(each); });
         const auto end = std::partition_point(pending.begin(), pending.end(), [&](std::size_t p) { return states_[p].single; });
         const std::size_t singles = static_cast<std::size_t>(end - pending.begin());
         if constexpr (sizeof(T) == sizeof(float)) {

@@ -87,7 +87,9 @@ class ZernikeRenderer {
         double& bound = answer_.bounds[pupil];
         bound = between_circles(image.field(), tiles, tol, divide, {values, scale, threads}, peak);
         if (bound > tol_) {
-            image.begin(cache<MirroredPixels>.get(tiles.height, tiles.width, tiles.row, tiles.column), step_, threads);
+            const double orders = static_cast<double>(image.field().outer().orders);
+            image.begin(cache<MirroredPixels>.get(tiles.height, tiles.width, tiles.row, tiles.column), step_,
+                        worthwhile_threads(threads, 3e-3 * orders * static_cast<double>(pixels)));
             bound = settle(tol_, attempt, [&](double) {
                 anew = !image.tighten(ZernikeBudget::most * tol * peak);
                 error *= anew ? ZernikeBudget::again : 1.0;
@@ -109,7 +111,7 @@ class ZernikeRenderer {
             return 1e300;
         }
         thread_local PolarImage image;
-        image.begin(tiles, step_, to.threads);
+        image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * PolarImage::work(field, tiles)));
         const PolarPupil pupil(field);
         for (const double share : {1.0, PolarBudget::again}) {
             if (!image.prepare(pupil, share * tol)) {

@@ -29,9 +29,12 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     // sums over degrees for steps of v.
     static bool pays(const ZernikeField& field, const Tiles& tiles) {
         const double orders = static_cast<double>(field.outer().orders), degrees = static_cast<double>(field.outer().degrees);
-        const double pixels = static_cast<double>(tiles.height * tiles.width), reach = field.reach();
-        const double between = 32.0 * pixels + 6.0 * orders * reach;
-        return reach * degrees < 1e6 && between < interpolation_worth() * orders * pixels;
+        const double pixels = static_cast<double>(tiles.height * tiles.width);
+        return field.reach() * degrees < 1e6 && work(field, tiles) < interpolation_worth() * orders * pixels;
+    }
+    static double work(const ZernikeField& field, const Tiles& tiles) {
+        return 32.0 * static_cast<double>(tiles.height * tiles.width) +
+               6.0 * static_cast<double>(field.outer().orders) * field.reach();
     }
 
     // Of those pixels, `step` in v apart. What is used for one image is kept for the next.

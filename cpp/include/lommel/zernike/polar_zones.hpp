@@ -84,21 +84,20 @@ class PolarZones {
         return 0.0;
     }
 
+    // Computes block i of the circles of a zone.
     template <class Fft, class Real>
-    static void fill(const PolarPupil& pupil, PolarZone& zone, PolarRows<Real>& rows, int threads) {
-        const PolarTables tables(pupil, *zone.kernels, zone.last);
-        parallel_for(zone.last - zone.first, threads, [&](std::size_t, std::size_t i) {
-            thread_local PolarSpectra<Fft> spectra;
-            std::array<PolarRowError, PolarTable::block> errors;
-            const std::size_t first = i * PolarTable::block;
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra, errors.data());
-            });
-            for (std::size_t k = 0; k < PolarTable::block; ++k) {
-                errors[k].sums = tables.error;
-                zone.errors[first + k] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.left, errors[k]);
-            }
+    static void fill(const PolarPupil& pupil, const PolarTables& tables, PolarZone& zone, PolarRows<Real>& rows,
+                     std::size_t i) {
+        thread_local PolarSpectra<Fft> spectra;
+        std::array<PolarRowError, PolarTable::block> errors;
+        const std::size_t first = i * PolarTable::block;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra, errors.data());
         });
+        for (std::size_t k = 0; k < PolarTable::block; ++k) {
+            errors[k].sums = tables.error;
+            zone.errors[first + k] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.left, errors[k]);
+        }
     }
 
     std::vector<PolarZone> zones_;  // kept from one image to the next, with their memory
@@ -150,20 +149,32 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
 }
 
 LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
-    for (PolarZone* zone = zones_.data(); zone < zones_.data() + count_; ++zone) {
-        const std::size_t count = zone->errors.size();
-        if (zone->style->doubles) {
-            zone->doubles.resize(*zone->circle, count);
-            fill<double>(pupil, *zone, zone->doubles, threads);
+    std::vector<PolarTables> tables;
+    std::vector<std::array<std::size_t, 2>> tasks;  // zone, block
+    tables.reserve(count_);
+    for (std::size_t z = 0; z < count_; ++z) {
+        PolarZone& zone = zones_[z];
+        tables.emplace_back(pupil, *zone.kernels, zone.last);
+        if (zone.style->doubles) {
+            zone.doubles.resize(*zone.circle, zone.errors.size());
         } else {
-            zone->floats.resize(*zone->circle, count);
-            if (zone->style->exact) {
-                fill<double>(pupil, *zone, zone->floats, threads);
-            } else {
-                fill<float>(pupil, *zone, zone->floats, threads);
-            }
+            zone.floats.resize(*zone.circle, zone.errors.size());
+        }
+        for (std::size_t i = 0; i < zone.last - zone.first; ++i) {
+            tasks.push_back({z, i});
         }
     }
+    parallel_for(tasks.size(), threads, [&](std::size_t, std::size_t task) {
+        const auto [z, i] = tasks[task];
+        PolarZone& zone = zones_[z];
+        if (zone.style->doubles) {
+            fill<double>(pupil, tables[z], zone, zone.doubles, i);
+        } else if (zone.style->exact) {
+            fill<double>(pupil, tables[z], zone, zone.floats, i);
+        } else {
+            fill<float>(pupil, tables[z], zone, zone.floats, i);
+        }
+    });
 }
 #endif
 

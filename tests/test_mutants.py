@@ -48,9 +48,19 @@ def test_a_pattern_that_does_not_fit_is_told(mutants):
     assert len(mutants.misfits([gone])) == 2
 
 
-def test_a_pattern_that_is_no_expression_is_told(mutants):
-    file, old = "cpp/include/lommel/stratified/windows.hpp", "+ sine * 2.0 * x * y"
-    assert "no expression" in mutants.misfits([mutants.Fault(1, "x:1", file, old, "0.0", (), "")])[0]
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("+ sine * 2.0 * x * y", "0.0"),
+        (" + sine * 2.0 * x * y", "0.0"),
+        ("sine * 2.0 * x * y", ""),
+        ("f(x,", "f(y,"),
+        ("const bool b = x;", "const bool b = y;"),
+    ],
+)
+def test_a_pattern_that_is_no_expression_is_told(mutants, old, new):
+    found = mutants.misfits([mutants.Fault(1, "x:1", "cpp/include/lommel/stratified/windows.hpp", old, new, (), "")])
+    assert "no expression" in found[-1]
 
 
 def test_every_fault_of_one_place_has_its_own_switch(mutants):

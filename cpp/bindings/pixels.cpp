@@ -41,8 +41,8 @@ void scatter(In<double, 2> profiles, In<double, 1> scales, In<std::int32_t, 2> i
         std::vector<T> profile(count);
         for (std::size_t s = 0; s < out.shape(0); ++s) {
             lommel::store_scaled(profiles.data() + s * count, scales.data()[s], count, profile.data());
-            lommel::scatter_rows(profile.data(), index.data(), height, width, 0, height / 2 + 1,
-                                 out.data() + s * height * width);
+            lommel::scatter_rows(profile.data(), index.data(), lommel::FoldedSide(height), lommel::FoldedSide(width), 0,
+                                 height / 2 + 1, out.data() + s * height * width);
         }
     });
 }

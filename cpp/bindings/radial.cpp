@@ -33,8 +33,8 @@ double images_of(const lommel::Stack& stack, const lommel::PixelWindows& windows
                  const lommel::Answer<T>& answer) {
     return judged([&] {
         const lommel::PixelWindow& window = windows.first;
-        if (windows.centers == nullptr && window.centered() && !window.integrate) {
-            lommel::Renderer<T>(stack, window.height, window.width, window.step, tol, threads, answer).run();
+        if (windows.centers == nullptr && window.folds() && !window.integrate) {
+            lommel::Renderer<T>(stack, window, tol, threads, answer).run();
         } else {
             lommel::PixelRenderer<T>(stack, windows, tol, threads, answer).run();
         }

@@ -131,10 +131,12 @@ def psf(
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}
     prepared = None
-    usual = center is None and type(fill) is float and fill == 1.0 and isinstance(blur, tuple) and not blur
-    if usual and type(shape) is int:
+    usual = type(fill) is float and fill == 1.0 and isinstance(blur, tuple) and not blur
+    # 1 and True are equal, and only one is a number: of what is within a tuple, keys do not tell.
+    plain = center is None or (type(center) is tuple and all(type(part) in _NUMBERS for part in center))
+    if usual and plain and type(shape) is int:
         with suppress(TypeError):  # what cannot be a key, or is refused: by the line below, with its own words
-            prepared = _kept(shape, pixel, **options)
+            prepared = _kept(shape, pixel, center=center, **options)
     if prepared is None:
         prepared = Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)
     return prepared(pupil, derivatives=derivatives, out=out)
@@ -190,7 +192,7 @@ class Plan:
             self.blur = blurs(blur)
         # Which of the two a pupil is recorded on, its unit decides.
         self._averaged = Grid(shape, pixel, center=center, integrate=True, fill=fill)
-        self._sampled = self._averaged if self._averaged.partly else Grid(shape, pixel, center=center)
+        self._sampled = self._averaged if self._averaged.partly else self._averaged.sampled
         if integrate is False and self._averaged.partly:
             raise ValueError(f"integrate must not be False with fill={validation.shown(fill)}: samples have no area")
         self._places = self._sampled.stack
@@ -322,8 +324,9 @@ class Plan:
         return traced_psf.traced(pupil, grid, self.method, values, (xp, device, precision))
 
 
-# Calls like the last ones take the plans of these, types and all: 1 and True are equal, and only one is a number.
-_kept = lru_cache(maxsize=16, typed=True)(Plan)
+# Calls like the last ones take the plans of these, types and all.
+_kept = lru_cache(maxsize=64, typed=True)(Plan)
+_NUMBERS = (float, int)
 
 
 Found = TypeVar("Found")

@@ -16,13 +16,72 @@ import lommel as lm
 import rendering
 from lommel import _core
 from lommel.core.answers import Intensities
-from pixel_tables import Table, U, Window
+from pixel_tables import Table, U, Window, interpolation, lebesgue
 
 WIDER = _core.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
 few = settings(max_examples=12)
 phases = st.lists(st.floats(-12, 12), min_size=1, max_size=3)
 gaussians = st.one_of(st.just(0.0), st.floats(0.01, 5.0))
 obscurations = st.one_of(st.just(0.0), st.floats(0.05, 0.9))
+
+
+class Pieces(NamedTuple):
+    """Samples by polynomials of degree 5 of the distance, on pieces of one width."""
+
+    window: Window
+    level: int
+
+    @property
+    def width(self) -> mp.mpf:
+        """On which interpolation is off by half of 10^-level."""
+        return 2 * (mp.factorial(6) / 4 * mp.mpf(10) ** -self.level) ** (mp.mpf(1) / 6)
+
+    def ends(self) -> tuple[int, int]:
+        """Return the first piece and the one after the last, both in sixteens."""
+        v = self.window.distances() / float(self.width) / 16
+        sides = (self.window.row, self.window.height), (self.window.column, self.window.width)
+        within = [max(0.0, -c, c - n + 1) for c, n in sides]
+        return int(math.hypot(*within) * self.window.step / float(self.width) / 16) * 16, (int(v[-1]) + 1) * 16
+
+    def pays(self) -> bool:
+        first, last = self.ends()
+        return 6 * (last - first) <= self.window.height * self.window.width + 1024
+
+    def radii(self) -> np.ndarray:
+        points = np.cos(np.pi * (np.arange(6)[::-1] + 0.5) / 6)
+        return float(self.width / 2) * (2 * np.arange(*self.ends())[:, None] + 1 + points).ravel()
+
+    def values(self, profile: np.ndarray) -> tuple[np.ndarray, mp.mpf]:
+        y, x = np.arange(self.window.height) - self.window.row, np.arange(self.window.width) - self.window.column
+        place = self.window.step * np.hypot(y[:, None], x) / float(self.width) - self.ends()[0]
+        points = np.cos(np.pi * (np.arange(6)[::-1] + 0.5) / 6)
+        series = np.linalg.solve(np.polynomial.chebyshev.chebvander(points, 5), profile.reshape(-1, 6).T)
+        each = np.floor(place).astype(int)
+        return np.polynomial.chebyshev.chebval(2 * (place - each) - 1, series[:, each], tensor=False), mp.mpf(0)
+
+    def table(self) -> Table:
+        points = np.cos(np.pi * (np.arange(6) + 0.5) / 6)
+        sizes = np.abs(np.linalg.inv(np.vander(points))).sum()
+        return Table(interpolation(float(self.width / 2), 6), lebesgue(6), mp.mpf(1), 64 * mp.mpf(sizes))
+
+
+class Tabulated(NamedTuple):
+    """Values by weights, as a table has them."""
+
+    window: Window
+    level: int
+
+    def radii(self) -> np.ndarray:
+        return self.window.radii(self.level)
+
+    def values(self, profile: np.ndarray) -> tuple[np.ndarray, mp.mpf]:
+        return self.window.values(self.level, profile)
+
+    def table(self) -> Table:
+        return table_of(self.window, self.level)
+
+
+Way = type[Pieces] | type[Tabulated]
 
 
 def table_of(window: Window, level: int) -> Table:
@@ -55,7 +114,7 @@ class Lens(NamedTuple):
 
 
 class Judged(NamedTuple):
-    level: int
+    way: Pieces | Tabulated
     table: Table
     radii: np.ndarray
     of_field: mp.mpf
@@ -65,15 +124,15 @@ class Judged(NamedTuple):
     by_field: mp.mpf
 
 
-def judged(lens: Lens, window: Window, level: int, error: float) -> Judged:
-    v, table = window.radii(level), table_of(window, level)
+def judged(lens: Lens, way: Pieces | Tabulated, error: float) -> Judged:
+    v, table = way.radii(), way.table()
     u, e = lens.field(0, v, error)
     intensity = np.abs(u) ** 2
-    values, rounded = window.values(level, intensity)
+    values, rounded = way.values(intensity)
     size = float(intensity.max())
     given = 2 * mp.sqrt(size) * e + e * e
     off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)
-    return Judged(level, table, v, e, size, float(values.max()), off, table.magnification * given)
+    return Judged(way, table, v, e, size, float(values.max()), off, table.magnification * given)
 
 
 def storing(relative: mp.mpf, single: bool) -> mp.mpf:
@@ -89,11 +148,12 @@ def asked(lens: Lens, window: Window, allowed: mp.mpf) -> tuple[float, int]:
     return max(float(allowed * value / likely / 50), 8 * float(U)), min(max(level, 3), 15)
 
 
-def related(off: mp.mpf, peak: mp.mpf, divided: bool, single: bool) -> mp.mpf:
+def related(off: mp.mpf, peak: mp.mpf, divided: bool, single: bool, stored_first: bool = False) -> mp.mpf:
     relative = off / peak if peak > 0 else mp.inf
     if divided:
         relative = 2 * relative / (1 - relative) if relative < 1 else mp.inf
-    return storing(relative, single)
+    once = storing(relative, single)
+    return once + (1 + relative) * mp.mpf(2) ** -24 if single and divided and stored_first else once
 
 
 class Answer(NamedTuple):
@@ -105,15 +165,22 @@ class Answer(NamedTuple):
 
 def answered(lens: Lens, window: Window, tol: float, divided: bool, single: bool) -> Answer | None:
     """Follow a call through its attempts; return None where roundings leave none."""
+    level = asked(lens, window, mp.mpf(tol) - mp.mpf(1.1) * storing(mp.mpf(0), single))[1]
+    by_pieces = not window.integrate and Pieces(window, level).pays()
+    found = attempted(lens, window, tol, divided, single, Pieces) if by_pieces else None
+    return found or attempted(lens, window, tol, divided, single, Tabulated)
+
+
+def attempted(lens: Lens, window: Window, tol: float, divided: bool, single: bool, way: Way) -> Answer | None:
     allowed = mp.mpf(tol) - mp.mpf(1.1) * storing(mp.mpf(0), single)
     error, level = asked(lens, window, allowed)
     elsewhere, looked = mp.mpf(0), divided
     while True:
-        found = judged(lens, window, level, error)
-        if related(found.off, found.top - found.off, divided, single) > tol and not looked:
+        found = judged(lens, way(window, level), error)
+        if related(found.off, found.top - found.off, divided, single, way is Pieces) > tol and not looked:
             looked, elsewhere = True, peak_on_a_line(lens, window, level, error)
         peak = max(found.top - found.off, elsewhere)
-        bound = related(found.off, peak, divided, single)
+        bound = related(found.off, peak, divided, single, way is Pieces)
         if bound <= tol:
             return Answer(bound, peak, found, error)
         room = (0.1 if divided else 0.2) * allowed * max(found.top, elsewhere, found.off / 1000)
@@ -131,7 +198,7 @@ def peak_on_a_line(lens: Lens, window: Window, level: int, error: float) -> mp.m
     blur = 4 + 2 * sum(j * (j + 1) * abs(a) for j, a in enumerate(lens.phase, 1))
     step = window.step if window.integrate else blur / 512
     line = Window(1, min(512, math.ceil(blur / step)) + 1, 0.0, 0.0, step, window.integrate)
-    there = judged(lens, line, level, error)
+    there = judged(lens, Tabulated(line, level), error)
     return there.top - there.off
 
 
@@ -176,7 +243,7 @@ def of_derivative(lens: Lens, window: Window, power: int, answer: Answer, single
     (u, _), (t, own) = lens.field(0, v, answer.error), lens.field(power, v, answer.error)
     slopes = 2 * (u.conj() * 1j * t).real
     steepest, root, other = np.abs(slopes).max(), mp.sqrt(answer.found.size), mp.mpf(float(np.abs(t).max()))
-    _, rounded = window.values(answer.found.level, slopes)
+    _, rounded = answer.found.way.values(slopes)
     given = 2 * (root * own + other * e + own * e)
     slope, swing = mp.sqrt(table.of_nodes) * (root + other), 2 * lens.most * lens.most_of(power)
     off = table.window(v[-1], steepest, given, slope, swing, rounded)
@@ -209,7 +276,7 @@ def test_the_bounds_of_a_large_image(window, tol):
     found, answer = rendered(lens, window, tol, False, False, [2]), answered(lens, window, tol, False, False)
     assert found is not None
     assert answer is not None
-    assert answer.found.table.of_grid > 1
+    assert (answer.found.table.of_grid > 1) == window.integrate
     assert found[0] == pytest.approx(float(answer.bound), rel=1e-9, abs=0.0)
     assert found[2][0] == pytest.approx(float(of_derivative(lens, window, 2, answer)), rel=1e-9, abs=0.0)
 

@@ -243,6 +243,41 @@ def test_threads_and_instructions_change_nothing_beyond_the_bound():
         _core.limit_instructions("avx512")
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
+def test_a_few_pupils_have_the_values_they_have_among_many(level, dtype):
+    # Up to half as many pupils as a vector has lanes are computed one by one, the others side by side.
+    terms = dict(zip(TERMS[:20], np.random.default_rng(21).normal(size=20), strict=True))
+    questions = [
+        ((12, 13), None, 0.0),
+        ((21, 34), (10.3, 16.5), 0.3),
+        ((1, 2), (0.0, 5.0), 0.3),
+        ((18, 16), (9.0, 0.25), 0.0),
+    ]
+    method = lm.ChordalGauss(1e-5)
+    try:
+        _core.limit_instructions(level)
+        for shape, center, obscuration in questions:
+            few, many = (
+                lm.psf(
+                    lm.Pupil(
+                        lm.Wavefront.zernike({term: np.full(count, c) for term, c in terms.items()}),
+                        obscuration=obscuration,
+                    ),
+                    shape,
+                    0.4,
+                    center=center,
+                    dtype=dtype,
+                    method=method,
+                )
+                for count in (1, 40)
+            )
+            assert np.array_equal(few.values[0], many.values[0])
+            assert few.error_bound == many.error_bound
+    finally:
+        _core.limit_instructions("avx512")
+
+
 def test_a_smaller_disk_has_the_same_phase_in_terms_of_its_own():
     wavefront = random_wavefront(np.random.default_rng(9), 2.0)
     eps = 0.37

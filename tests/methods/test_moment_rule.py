@@ -62,3 +62,20 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
         off = np.abs(found.derivatives[name] - expected.derivatives[name]).max(axis=(1, 2)) / peak
         assert (off <= found.derivative_bounds[name] + expected.derivative_bounds[name]).all()
         assert np.max(found.derivative_bounds[name]) < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("stop", "count", "names", "side", "expected"),
+    [
+        (lm.Polygon.regular(6, radius=0.98), 27, (), 65, False),  # few nodes: Fourier transforms
+        (lm.telescopes.vlt(), 9, ((2, 0), (3, 1), (4, 0)), 33, True),
+        (lm.telescopes.vlt(), 1, (), 33, False),
+        (lm.telescopes.vlt(), 1, ((3, 1), (14, 0)), 33, False),
+    ],
+)
+def test_moments_are_chosen_where_they_are_cheaper(monkeypatch, stop, count, names, side, expected):
+    made = []
+    whole = moment_rule.field_sums
+    monkeypatch.setattr(nonuniform_fft, "field_sums", lambda *args: made.append(1) or whole(*args))
+    lm.psf(lm.Pupil(lm.Wavefront(defocus=np.linspace(0.0, 1.0, count)), stop=stop), side, 0.5, derivatives=names)
+    assert bool(made) == expected

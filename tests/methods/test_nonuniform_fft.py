@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from column_sums import field, nodes
-from lommel import Disc, Ellipse, NonuniformFFT, Polygon, Pupil, Segments, Spider, Wavefront
+from lommel import Disc, Ellipse, Mask, NonuniformFFT, Polygon, Pupil, Segments, Spider, Wavefront
 from lommel.core.answers import ToleranceError, Wanted
 from lommel.optics.aperture.opening import Opening
 from lommel.optics.aperture.shapes import Combined
@@ -238,6 +238,27 @@ def test_any_piston_is_taken_modulo_a_wave():
     shapes = (Disc(0.3, (0.4, 0.0)), Disc(0.3, (-0.4, 0.0)))
     few, many = (Pupil(stop=Segments(shapes, piston=(0.5 + 2.0 * math.pi * k, 0.0))) for k in (0, 10**7))
     assert image(many, 1e-6).values == pytest.approx(image(few, 1e-9).values, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    "many", [None, Mask(np.eye(33) + 0.5 * np.ones((33, 33)) * (1.0 - np.eye(33)), squares=True)]
+)
+@pytest.mark.parametrize("turns", [1e2, 1e4, 1e6, 1e9, 1e14])
+def test_bounds_hold_what_many_turns_of_segments_lose(turns, many):
+    segments, rng = Segments.hexagonal(1, 0.01), np.random.default_rng(3)
+    piston, tip = turns * rng.uniform(0.5, 1.0, 6), rng.normal(size=6)
+    within = np.arctan2(np.sin(piston), np.cos(piston))  # functions of libm reduce by all the digits of pi
+    exact = image(Pupil(stop=segments.phased(within, tip), mask=many), 1e-11)
+    answered = 0
+    for tol in (1e-12, *TOLERANCES[::-1]):
+        try:
+            answer = image(Pupil(stop=segments.phased(piston, tip), mask=many), tol)
+        except ToleranceError:
+            continue
+        answered += 1
+        error = np.abs(answer.values - exact.values).max() / exact.values.max()
+        assert error <= answer.error_bound + 1e-14
+    assert answered == 0 if turns > 1e13 else answered > 0
 
 
 def test_segments_converge_by_lattices_too():

@@ -89,7 +89,11 @@ class ChordalGauss(Method[Pupil]):
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if wanted.terms and wanted.scale is None:
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
-        return disk_images(chordal_images, pupil, grid, self.tol, wanted)
+
+        def sampled(some: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Images:
+            return chordal_images(disk_stack(some), window_of(some, pixels), tol, wanted)
+
+        return disk_images(sampled, pupil, grid, self.tol, wanted)
 
     def gradient(
         self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, Wanted
+from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, ToleranceError, Wanted
 from lommel.core.engine import (
     DiskStack,
     FarPixels,
@@ -96,7 +97,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation for further radial pupils around one axis; see :meth:`Method.plan`."""
-        if not pupil.radial or grid.stack or pupil.illumination.error:
+        if not pupil.radial or grid.stack or pupil.illumination.error or _filters(pupil, grid):
             return None
         window = window_of(pupil, grid)
         ask = radial_plan(radial_stack(pupil), pupil.shape, window, self.tol, wanted, integrate=grid.integrate)
@@ -112,11 +113,35 @@ class NijboerZernike(FieldMethod["Pupil"]):
         if wanted.terms:
             raise ValueError("derivatives by Zernike terms are not available from NijboerZernike; use ChordalGauss")
         if pupil.radial:
+            if _filters(pupil, grid):
+                try:
+                    return disk_images(_radial_samples, pupil, grid, self.tol, wanted)
+                except ToleranceError:
+                    pass  # filters magnify the errors of samples
             window = window_of(pupil, grid)
             return radial_images(radial_stack(pupil), window, self.tol, wanted, integrate=grid.integrate)
         if wanted.powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
-        return disk_images(series_images, pupil, grid, self.tol, wanted)
+        return disk_images(_series_samples, pupil, grid, self.tol, wanted)
+
+
+def _radial_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    return radial_images(radial_stack(pupil), window_of(pupil, grid), tol, wanted)
+
+
+def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    return series_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
+
+
+# Weights for pixels around an axis anywhere take as long as about so many images by filtered samples, of pixels up to
+# so wide in v.
+_WORTH, _WIDEST = 8, 12.6
+
+
+def _filters(pupil: Pupil, grid: Grid) -> bool:
+    """Return whether averages of a radial pupil had best be those of finer samples."""
+    few = grid.integrate and not (grid.stack or math.prod(pupil.shape) > _WORTH)
+    return few and not grid.mirrored and grid.step(pupil) <= _WIDEST
 
 
 def radial_stack(pupil: Pupil) -> RadialStack:
@@ -141,13 +166,9 @@ def window_of(pupil: Pupil, grid: Grid) -> Window:
 
 
 def disk_images(
-    sample: Callable[[DiskStack, Window, float, Wanted], Images], pupil: Pupil, grid: Grid, tol: float, wanted: Wanted
+    sampled: Callable[[Pupil, Grid, float, Wanted], Images], pupil: Pupil, grid: Grid, tol: float, wanted: Wanted
 ) -> Images:
     """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
-
-    def sampled(some: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Images:
-        return sample(disk_stack(some), window_of(some, pixels), tol, wanted)
-
     if not grid.integrate:
         return sampled(pupil, grid, tol, wanted)
     from lommel.methods.pixels.averaging import averaged_images

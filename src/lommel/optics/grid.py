@@ -115,6 +115,16 @@ class Grid(EqualByContent):
             )
 
     @property
+    def sampled(self) -> Grid:
+        """The same pixels, with a fill factor of 1, as samples of their centres."""
+        grid = object.__new__(Grid)
+        vars(grid).update(self._fields() | {"integrate": False})
+        return grid
+
+    def _fields(self) -> dict[str, object]:
+        return {name: vars(self)[name] for name in ("height", "width", "pixel", "center", "stack", "fill")}
+
+    @property
     def square(self) -> bool:
         """Whether pixels are square with a fill factor of 1, as methods take them."""
         return isinstance(self.pixel, float) and not self.partly
@@ -149,6 +159,13 @@ class Grid(EqualByContent):
     def centered(self) -> bool:
         """Whether the axis is at the default position."""
         return not self.stack and self.center == (self.height // 2, self.width // 2)
+
+    @property
+    def mirrored(self) -> bool:
+        """Whether the one axis is in the window, in the middle of a pixel or between two, along both sides."""
+        return not self.stack and all(
+            0.0 <= c <= side - 1 and 2.0 * c % 1.0 == 0.0 for c, side in zip(self.axis, self.shape, strict=True)
+        )
 
     @cached_property
     def shape(self) -> tuple[int, int]:

@@ -97,6 +97,49 @@ def test_the_contract_holds_for_any_window_pitch_and_tolerance(seed: int) -> Non
     assert answer.error_bound <= tol
 
 
+@pytest.mark.parametrize("shape", [(7, 10), (10, 7), (9, 130), (1, 2)])
+@pytest.mark.parametrize("row", [0.0, 0.5, 0.25, 0.8, 1.0])
+@pytest.mark.parametrize("column", [0.0, 0.5, 0.75, 1.0])
+def test_samples_around_the_middle_of_a_pixel_an_edge_or_a_corner(shape, row, column) -> None:
+    # Whole and half pixels from a side, at most as far as the other one.
+    center = tuple(math.floor(2.0 * part * (n - 1)) / 2.0 for part, n in zip((row, column), shape, strict=True))
+    for wavefront in (lm.Wavefront(2.0, 0.7), lm.Wavefront([2.0, 0.3, 1.0, 4.0, 5.0], 0.7)):
+        pupil = lm.Pupil(wavefront, obscuration=0.2)
+        answer = lm.psf(pupil, shape, 0.6, center=center, tol=1e-7)
+        for values, scale, one in zip(
+            answer.values.reshape(-1, *shape), np.ravel(answer.scale), np.ravel(wavefront.defocus), strict=True
+        ):
+            alone = lm.Pupil(lm.Wavefront(one, 0.7), obscuration=0.2)
+            exact = by_quadrature(alone, shape, 0.6 * math.pi, center, integrate=False) * scale
+            assert np.abs(values - exact).max() <= 1e-7 * max(exact.max(), 0.02 * scale)
+
+
+def test_axes_and_tolerances_in_turn_have_pieces_of_their_own() -> None:
+    pupil = lm.Pupil(lm.Wavefront(3.0, 1.0))
+    # The two in the middle end at the same distance.
+    windows = [((24, 24), (10.2, 11.3)), ((24, 3), (200.1, 1.3)), ((200, 3), (-0.9, 1.3)), ((24, 24), (11.3, -250.2))]
+    cases = [(*window, tol) for window in windows for tol in (1e-4, 1e-9)]
+    for shape, center, tol in [*cases, *cases[::-1]]:
+        answer = lm.psf(pupil, shape, 0.7, center=center, tol=tol, dtype=np.float64)
+        exact = by_quadrature(pupil, shape, 0.7 * math.pi, center, integrate=False) * float(answer.scale)
+        assert np.abs(answer.values - exact).max() <= tol * max(exact.max(), 0.01 * float(answer.scale))
+
+
+@pytest.mark.parametrize("tol", [1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize("pixel", [0.3, 1.0, 3.0])
+def test_averages_around_one_axis_are_those_of_a_stack_with_weights(pixel: float, tol: float) -> None:
+    # By filters of finer samples where pupils are few, and by weights where they are many.
+    wavefront = lm.Wavefront(np.linspace(2.0, 4.0, 9), 0.7)
+    options = {"center": (10.3, 7.8), "integrate": True, "dtype": np.float64, "tol": tol, "derivatives": ("defocus",)}
+    many = lm.psf(lm.Pupil(wavefront, obscuration=0.3), (20, 17), pixel, **options)
+    one = lm.psf(lm.Pupil(lm.Wavefront(2.0, 0.7), obscuration=0.3), (20, 17), pixel, **options)
+    off = np.abs(one.values - many.values[0]).max() / one.values.max()
+    assert 0.0 < off <= one.error_bound + many.error_bound <= 2.0 * tol
+    (slope,), (slopes,) = one.derivatives.values(), many.derivatives.values()
+    (bound,), (bounds,) = one.derivative_bounds.values(), many.derivative_bounds.values()
+    assert np.abs(slope - slopes[0]).max() / one.values.max() <= bound + bounds
+
+
 @pytest.mark.parametrize("names", [("defocus",), ("rho^8", "rho^6", "spherical")])
 @pytest.mark.parametrize(("center", "integrate"), [(None, True), ((2.3, -4.1), True), ((30.2, 8.7), False)])
 @pytest.mark.parametrize("pitch", [0.3, 3.4])

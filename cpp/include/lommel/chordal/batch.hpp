@@ -1,4 +1,5 @@
-// Batches of pupils, one in each vector lane, with the tables they share for the full disk and for the obscured one.
+// Batches of pupils, one in each vector lane, or a pupil alone, with chords in the lanes; with the tables for the full disk and
+// for the obscured one.
 #pragma once
 
 #include <algorithm>
@@ -24,9 +25,9 @@ struct ChordalTables {
     // Of a disk of such a radius, for places `step` in v apart; kept for further images.
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
-                            double step, double radius, const More& more) {
-        return {cache<TermTable>.get(count, stack.terms, stack.amplitude.scaled(radius * radius)),
-                cache<KernelTable<Real>>.get(count, rows, columns, radius * step),
+                            double step, double radius, const More& more, const ChordLanes& lanes) {
+        return {cache<TermTable>.get(count, stack.terms, stack.amplitude.scaled(radius * radius), lanes),
+                cache<KernelTable<Real>>.get(count, rows, columns, radius * step, lanes),
                 More::wanted ? cache<FactorTable>.get(count, more.terms, radius) : nullptr};
     }
 };
@@ -58,17 +59,21 @@ struct ChordalBatch {
     std::size_t lanes() const { return Kernels::lanes(level); }
     std::size_t rows() const { return disks[0].kernel->rows.count; }
     std::size_t columns() const { return disks[0].kernel->columns.count; }
-    // Of a disk: of a pair of chords, parts even and odd in y and x, re and im.
+    bool lone() const { return disks[0].kernel->lanes.side > 1; }
+    // Of a row: a vector for each column, or for as many as it has lanes.
+    std::size_t vectors() const { return disks[0].kernel->lanes.vectors(columns()); }
+    // Of a disk: of a pair of chords or of a vector of pairs, parts even and odd in y and x, re and im.
     std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
     // Lays the coefficients of a disk into lanes: lanes without a pupil begin again with the first.
     void gather(std::size_t disk) const {
         const TermTable& table = *disks[disk].terms;
-        const std::size_t terms = stack.terms.size(), all = lanes();
+        const std::size_t terms = stack.terms.size(), all = lone() ? 1 : lanes();
+        const ChordLanes order{all, sizeof(Real) == sizeof(float)};
         scratch.coefficients.resize(terms * all);
         for (std::size_t lane = 0; lane < all; ++lane) {
             const double* own = (disk == 0 ? stack.outer : stack.inner).data() + pupils[lane % here] * terms;
-            double* to = scratch.coefficients.data() + Kernels::place(lane, all);
+            double* to = scratch.coefficients.data() + order.place(lane);
             for (std::size_t j = 0; j < terms; ++j) {
                 to[j * all] = Kernels::unit * own[table.classes.order[j]];
             }
@@ -78,10 +83,10 @@ struct ChordalBatch {
     // U of one disk, row by row, [column][re, im].
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
-        const std::size_t half = kernel.count.half_chords(), line = 2 * half * 2 * lanes();
+        const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
         scratch.chords.resize(kernel.rows.count * line);
-        scratch.row.resize(kernel.columns.count * 2 * lanes());
-        for (std::size_t i = 0; i < half; ++i) {
+        scratch.row.resize(vectors() * 2 * lanes());
+        for (std::size_t i = 0; i < kernel.vectors(); ++i) {
             look();
             Kernels::rows(level, kernel, i, nodes_of(disk, i), scratch.chords.data());
         }
@@ -94,19 +99,19 @@ struct ChordalBatch {
 
     // U of the aperture: prepare(disk) before each disk.
     void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Sink& sink) const {
-        const std::size_t vectors = 2 * columns(), line = vectors * lanes();
+        const std::size_t all = 2 * vectors(), line = all * lanes();
         const bool obscured = area > 0.0;
         scratch.inner.resize(obscured ? rows() * line : 0);
         if (obscured) {
             prepare(1);
             disk_fields(1, nodes_of, [&](std::size_t y, Real* u) {
-                Kernels::scale(level, u, static_cast<Real>(area), vectors, scratch.inner.data() + y * line);
+                Kernels::scale(level, u, static_cast<Real>(area), all, scratch.inner.data() + y * line);
             });
         }
         prepare(0);
         disk_fields(0, nodes_of, [&](std::size_t y, Real* u) {
             if (obscured) {
-                Kernels::subtract(level, scratch.inner.data() + y * line, vectors, u);
+                Kernels::subtract(level, scratch.inner.data() + y * line, all, u);
             }
             sink(y, u);
         });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -39,9 +40,14 @@ struct ChordDisk {
 
 class ChordLines {
    public:
-    // For a window with so many rows, those at +v and -v as one, and pixels, with columns so.
-    ChordLines(const DiskStack& stack, const VBox& box, double rows, double pixels, int threads)
-        : stack_(stack), terms_(stack.terms), box_(box), rows_(rows), pixels_(pixels), threads_(threads) {}
+    // For a window whose rows and columns at +v and -v are one.
+    ChordLines(const DiskStack& stack, const WindowAxis& rows, const WindowAxis& columns, double step, int threads)
+        : stack_(stack), terms_(stack.terms),
+          box_{step * columns.low(), step * columns.high(), step * rows.low(), step * rows.high()},
+          around_{step * std::floor(columns.low()), step * std::ceil(columns.high()), step * std::floor(rows.low()),
+                  step * std::ceil(rows.high())},
+          rows_(static_cast<double>(rows.at.size())), pixels_(static_cast<double>(rows.count * columns.at.size())),
+          threads_(threads) {}
 
     // Of a disk over its radius.
     ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
@@ -118,7 +124,7 @@ class ChordLines {
 
     const DiskStack& stack_;
     TermPairs terms_;
-    VBox box_;
+    VBox box_, around_;  // the latter in whole pixels, so that windows around a moving axis share what samples take
     double rows_, pixels_;
     int threads_;
 };
@@ -155,7 +161,7 @@ LOMMEL_ONCE void ChordLines::find(const double* coefficients, double radius, con
         }
     }
     for (const Sum sum : {Sum::chords, Sum::nodes}) {
-        sample(coefficients, of_all, box_.scaled(radius), sum, worth, errors, disk);
+        sample(coefficients, of_all, around_.scaled(radius), sum, worth, errors, disk);
     }
 }
 #endif

@@ -13,6 +13,7 @@
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/tables.hpp"
+#include "lommel/chordal/transform.hpp"
 #include "lommel/special/exponential.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 
@@ -171,23 +172,31 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
     const auto size = [](V x) LOMMEL_INLINE_LAMBDA { return larger(x, splat<V>(0.0f) - x); };
     const std::size_t terms = table.terms.size();
     V top = splat<V>(0.0f);
-    for (std::size_t s = 0; s < table.samples; ++s) {
-        const float* value = table.values.data() + s * terms;
-        V part[4];
+    // As many chains of multiply-adds as hide their latency.
+    for_fixed_tiles<6>(table.samples, [&](std::size_t first, auto size_of) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size_of)::value;
+        const float* value = table.values.data() + first * terms;
+        V part[4][R] = {};
         for (std::size_t parity = 0, j = 0; parity < 4; ++parity) {
-            V total = splat<V>(0.0f);
+            V total[R] = {};
             for (; j < table.classes.ends[parity]; ++j) {
-                total = total + splat<V>(value[j]) * load<V>(coefficients + j * lanes);
+                const V c = load<V>(coefficients + j * lanes);
+                for (std::size_t r = 0; r < R; ++r) {
+                    total[r] = total[r] + splat<V>(value[r * terms + j]) * c;
+                }
             }
-            part[parity] = total;
+            std::copy_n(total, R, part[parity]);
         }
-        const V a = part[0] + part[2], b = part[1] + part[3], c = part[0] - part[2], d = part[1] - part[3];
-        const V image[SharpTable::images] = {a + b, a - b, c + d, c - d};
-        for (std::size_t k = 0; k < SharpTable::images; ++k) {
-            store(room + (s * SharpTable::images + k) * lanes, image[k]);
-            top = larger(top, size(image[k]));
+        for (std::size_t r = 0; r < R; ++r) {
+            const V a = part[0][r] + part[2][r], b = part[1][r] + part[3][r], c = part[0][r] - part[2][r],
+                    d = part[1][r] - part[3][r];
+            const V image[SharpTable::images] = {a + b, a - b, c + d, c - d};
+            for (std::size_t k = 0; k < SharpTable::images; ++k) {
+                store(room + ((first + r) * SharpTable::images + k) * lanes, image[k]);
+                top = larger(top, size(image[k]));
+            }
         }
-    }
+    });
     V sums[2][SharpTable::corners] = {};
     const float* share = table.shares.data();
     for (std::size_t s = 0; s < table.samples * SharpTable::images; ++s, share += 2 * SharpTable::corners) {

@@ -54,10 +54,7 @@ class ChordalRenderer {
                     const More& more = {})
         : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
-          area_(stack.obscuration * stack.obscuration),
-          lines_(stack, {step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
-                 static_cast<double>(rows_.at.size()), static_cast<double>(rows_.count * columns_.at.size()), threads),
-          states_(stack.count) {}
+          area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
     void run();
 
@@ -105,43 +102,55 @@ class ChordalRenderer {
     }
 
     template <class Real>
-    ChordalTables<Real> tables(const ChordCount& count, double radius) const {
+    ChordalTables<Real> tables(const ChordCount& count, double radius, const ChordLanes& lanes) const {
         if (KernelTable<Real>::bytes(count, rows_.at.size()) > max_table_bytes) {
             throw LimitExceeded("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
                                 std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
                                 " nodes, whose tables exceed the limit of 256 MiB");
         }
-        return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_);
+        return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
+
+    template <class Real>
+    struct Batch {
+        std::size_t first, here;
+        std::array<ChordalTables<Real>, 2> disks;
+    };
 
     template <class Real>
     void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
         const Level level = processor_level();
-        const std::size_t lanes = ChordKernels<Real>::lanes(level), batches = (pupils + lanes - 1) / lanes;
+        const std::size_t lanes = ChordKernels<Real>::lanes(level);
         // Tables before threads, so that no thread waits for another to make them.
-        std::vector<std::array<ChordalTables<Real>, 2>> disks(batches);
-        for (std::size_t b = 0; b < batches; ++b) {
+        std::vector<Batch<Real>> batches;
+        double work = 0.0;
+        for (std::size_t first = 0; first < pupils;) {
+            const bool lone = !More::wanted && ChordKernels<Real>::lone(level, pupils - first);
+            const std::size_t here = lone ? 1 : std::min(lanes, pupils - first);
             ChordCount far, near;
-            for (std::size_t i = b * lanes; i < std::min(pupils, (b + 1) * lanes); ++i) {
+            for (std::size_t i = first; i < first + here; ++i) {
                 far.include(states_[pending[i]].far.count);
                 near.include(states_[pending[i]].near.count);
             }
-            const bool same = b > 0 && disks[b - 1][0].terms->count == far;
-            disks[b][0] = same ? disks[b - 1][0] : tables<Real>(far, 1.0);
+            const Batch<Real>* last = batches.empty() ? nullptr : &batches.back();
+            const ChordLanes in = ChordKernels<Real>::chord_lanes(level, lone);
+            const auto made = [&](std::size_t disk, const ChordCount& count, double radius) {
+                const bool same = last != nullptr && last->disks[disk].terms->is(count, in);
+                return same ? last->disks[disk] : tables<Real>(count, radius, in);
+            };
+            Batch<Real> next{first, here, {made(0, far, 1.0), {}}};
             if (area_ > 0.0) {
-                const bool alike = b > 0 && disks[b - 1][1].terms->count == near;
-                disks[b][1] = alike ? disks[b - 1][1] : tables<Real>(near, stack_.obscuration);
+                next.disks[1] = made(1, near, stack_.obscuration);
             }
+            batches.push_back(std::move(next));
+            work += lines_.work(static_cast<double>(far.chords), static_cast<double>(far.nodes)) *
+                    (lone ? 2.0 / static_cast<double>(lanes) : 1.0);
+            first += here;
         }
-        double work = 0.0;
-        for (const auto& disk : disks) {
-            const ChordCount& count = disk[0].terms->count;
-            work += lines_.work(static_cast<double>(count.chords), static_cast<double>(count.nodes));
-        }
-        parallel_for(batches, worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
+        parallel_for(batches.size(), worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
-            const std::size_t first = b * lanes, here = std::min(lanes, pupils - first);
-            run_batch<Real>({level, stack_, pending + first, here, area_, disks[b], scratch});
+            const Batch<Real>& batch = batches[b];
+            run_batch<Real>({level, stack_, pending + batch.first, batch.here, area_, batch.disks, scratch});
         });
     }
 
@@ -149,22 +158,26 @@ class ChordalRenderer {
     void run_batch(const ChordalBatch<Real>& batch) {
         using Kernels = ChordKernels<Real>;
         const std::size_t lanes = batch.lanes(), width = columns_.count, pixels = rows_.count * width, here = batch.here;
+        const std::size_t vectors = batch.vectors();
         double scale[most_pupils];
         for (std::size_t lane = 0; lane < here; ++lane) {
             const double given = answer_.scales[batch.pupils[lane]];
             scale[lane] = given == 0.0 ? 1.0 : given;
         }
         ChordalScratch<Real>& scratch = batch.scratch;
-        scratch.intensity.resize(width * lanes);
+        scratch.intensity.resize(vectors * lanes);
         scratch.fields.resize(More::wanted ? 2 * pixels * lanes : 0);
         Real* intensity = scratch.intensity.data();
         alignas(64) Real peaks[most_pupils] = {};
         batch.pupil_fields(More::keeps_nodes, [&](std::size_t y, const Real* u) {
-            Kernels::intensities(batch.level, u, width, intensity, peaks);
+            Kernels::intensities(batch.level, u, vectors, intensity, peaks);
             if constexpr (More::wanted) {
                 std::copy_n(u, 2 * width * lanes, scratch.fields.data() + y * 2 * width * lanes);
             }
-            if (answer_.images != nullptr) {
+            if (answer_.images != nullptr && batch.lone()) {
+                Kernels::store_row(batch.level, intensity, scale[0], width,
+                                   answer_.images + batch.pupils[0] * pixels + y * width);
+            } else if (answer_.images != nullptr) {
                 T* to[most_pupils];
                 for (std::size_t lane = 0; lane < here; ++lane) {
                     to[lane] = answer_.images + batch.pupils[lane] * pixels + y * width;
@@ -172,6 +185,9 @@ class ChordalRenderer {
                 Kernels::store_lanes(batch.level, intensity, here, scale, width, to);
             }
         });
+        if (batch.lone()) {
+            peaks[0] = *std::max_element(peaks, peaks + lanes);
+        }
         bool any = false;
         for (std::size_t lane = 0; lane < here; ++lane) {
             any = finish(batch, batch.pupils[lane], static_cast<double>(peaks[lane])) || any;

@@ -13,15 +13,15 @@ namespace lommel {
 
 constexpr std::size_t most_pupils = 2 * row_lanes;  // side by side
 
-// Of pupils side by side, as many as lanes() says; what each does is said where the template of its name is.
+// Of pupils side by side, as many as lanes() says, or of chords of one pupil; what each does is said where the template of its
+// name is.
 template <class Real>
 struct ChordKernels {
     static constexpr double unit = Waves<Portable, Real>::unit;
     static constexpr std::size_t lanes(Level level) { return vector_lanes(level) * sizeof(double) / sizeof(Real); }
-    // Where the coefficient of the pupil in a lane stands.
-    static constexpr std::size_t place(std::size_t lane, std::size_t lanes) {
-        return sizeof(Real) == sizeof(double) ? lane : lane % 2 * (lanes / 2) + lane / 2;
-    }
+    // Whether so many pupils take less time one by one.
+    static bool lone(Level level, std::size_t pupils) { return 2 * pupils <= lanes(level); }
+    static ChordLanes chord_lanes(Level level, bool lone) { return {lone ? lanes(level) : 1, sizeof(Real) == sizeof(float)}; }
 
     static void nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to);
     static void rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords);
@@ -39,6 +39,15 @@ struct ChordKernels {
     static void add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                              Real share, Real* room, Real* sums);
 
+    // A row of one pupil, times a number.
+    template <class T>
+    static void store_row(Level level, const Real* values, double by, std::size_t columns, T* to) {
+        dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t x = 0; x < columns; ++x) {
+                to[x] = static_cast<T>(by * static_cast<double>(values[x]));
+            }
+        });
+    }
     // What stands in each of some lanes of a row, times a number each, to a row each.
     template <class T>
     static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
@@ -56,16 +65,24 @@ struct ChordKernels {
 
 template <class Real>
 void ChordKernels<Real>::nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { pair_of_chords(isa, table, chord, coefficients, to); });
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        table.lanes.side > 1 ? pair_of_chords<true>(isa, table, chord, coefficients, to)
+                             : pair_of_chords<false>(isa, table, chord, coefficients, to);
+    });
 }
 template <class Real>
 void ChordKernels<Real>::rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes,
                               Real* chords) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { rows_of_chords(isa, kernel, chord, nodes, chords); });
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        kernel.lanes.side > 1 ? rows_of_chords<true>(isa, kernel, chord, nodes, chords)
+                              : rows_of_chords<false>(isa, kernel, chord, nodes, chords);
+    });
 }
 template <class Real>
 void ChordKernels<Real>::columns(Level level, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { columns_of_row(isa, kernel, chords, row); });
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        kernel.lanes.side > 1 ? lone_columns_of_row(isa, kernel, chords, row) : columns_of_row(isa, kernel, chords, row);
+    });
 }
 template <class Real>
 void ChordKernels<Real>::intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top) {

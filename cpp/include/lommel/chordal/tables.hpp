@@ -84,43 +84,60 @@ struct TermClasses {
     }
 };
 
-// Terms at the nodes of a quadrant.
+// What the lanes of a vector hold: a pupil each, or, where there is but one, a chord each, `side` of them side by side.
+struct ChordLanes {
+    std::size_t side = 1;
+    bool single = false;  // which is how phases lie: see Waves
+
+    bool operator==(const ChordLanes& other) const { return side == other.side && single == other.single; }
+    std::size_t vectors(std::size_t count) const { return (count + side - 1) / side; }
+    // Where the phase of a lane stands.
+    std::size_t place(std::size_t lane) const { return single && side > 1 ? lane % 2 * (side / 2) + lane / 2 : lane; }
+};
+
+// Terms at the nodes of a quadrant; chords beyond the last have no weight.
 struct TermTable {
     ChordCount count;
+    ChordLanes lanes;
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     TermClasses classes;
-    Doubles values;   // [chord][tile of nodes][term, in the order of classes][node of the tile]
-    Doubles weights;  // [chord][node], with the amplitude
+    Doubles values;   // [vector of chords][tile of nodes][term, in the order of classes][node of the tile][chord]
+    Doubles weights;  // [vector of chords][node][chord], with the amplitude
 
-    TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light);
-    bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light) const {
-        return count == n && amplitude == light && terms == list;
+    TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
+    bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
+        return count == n && lanes == in && amplitude == light && terms == list;
     }
+    bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size()) * sizeof(double); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light)
-    : count(n), terms(list), amplitude(light), classes(list), values(n.half_chords() * n.half_nodes() * list.size()),
-      weights(n.half_chords() * n.half_nodes()) {
+LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light,
+                                 const ChordLanes& in)
+    : count(n), lanes(in), terms(list), amplitude(light), classes(list),
+      values(in.vectors(n.half_chords()) * in.side * n.half_nodes() * list.size()),
+      weights(in.vectors(n.half_chords()) * in.side * n.half_nodes()) {
     const ChordRule rule(n);
     const std::size_t half = n.half_nodes();
     for (std::size_t i = 0; i < n.half_chords(); ++i) {
+        const std::size_t from = i / in.side * half, lane = i % in.side;
         for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
             look();
-            double* tile = values.data() + (i * half + first) * list.size();
+            double* tile = values.data() + (from + first) * list.size() * in.side + in.place(lane);
             for (std::size_t j = 0; j < list.size(); ++j) {
                 for (std::size_t r = 0; r < size; ++r) {
-                    tile[j * size + r] =
+                    tile[(j * size + r) * in.side] =
                         static_cast<double>(zernike_value(list[classes.order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
                 }
             }
         });
         for (std::size_t k = 0; k < half; ++k) {
             const wide y = rule.s[i] * rule.eta[k];
-            weights[i * half + k] = static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
+            weights[(from + k) * in.side + lane] =
+                static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
         }
     }
 }
@@ -158,24 +175,29 @@ struct KernelTable {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
 
     ChordCount count;
+    ChordLanes lanes;
     WindowAxis rows, columns;
     double step;
-    Values row_cos, row_sin;        // [chord][tile of rows][node][row of the tile]
+    Values row_cos, row_sin;        // [vector of chords][tile of rows][node][row of the tile][chord]
     Values column_cos, column_sin;  // [tile of columns][chord][column of the tile]
 
-    KernelTable(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step)
-        : count(n), rows(down), columns(across), step(pixel_step), row_cos(n.half_chords() * n.half_nodes() * rows.at.size()),
-          row_sin(row_cos.size()), column_cos(n.half_chords() * columns.at.size()), column_sin(column_cos.size()) {
+    KernelTable(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step, const ChordLanes& in)
+        : count(n), lanes(in), rows(down), columns(across), step(pixel_step),
+          row_cos(in.vectors(n.half_chords()) * in.side * n.half_nodes() * rows.at.size()), row_sin(row_cos.size()),
+          column_cos(n.half_chords() * in.vectors(columns.at.size()) * in.side), column_sin(column_cos.size()) {
         const ChordRule rule(n);
         for (std::size_t i = 0; i < n.half_chords(); ++i) {
-            const std::size_t from = i * n.half_nodes() * rows.at.size();
-            fill(rows.at, row_tile, rule.eta, rule.s[i], row_cos.data() + from, row_sin.data() + from);
+            const std::size_t from = i / in.side * in.side * n.half_nodes() * rows.at.size() + i % in.side;
+            fill(rows.at, row_tile, false, rule.eta, rule.s[i], in.side, row_cos.data() + from, row_sin.data() + from);
         }
-        fill(columns.at, column_tile, rule.x, 1, column_cos.data(), column_sin.data());
+        // Where chords lie side by side, columns do, too.
+        fill(columns.at, in.side > 1 ? in.side : column_tile, in.side > 1, rule.x, 1, 1, column_cos.data(), column_sin.data());
     }
-    bool is(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step) const {
-        return count == n && step == pixel_step && rows == down && columns == across;
+    bool is(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step,
+            const ChordLanes& in) const {
+        return count == n && lanes == in && step == pixel_step && rows == down && columns == across;
     }
+    std::size_t vectors() const { return lanes.vectors(count.half_chords()); }
     std::size_t bytes() const { return 2 * (row_cos.size() + column_cos.size()) * sizeof(Real); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
     static double bytes(const ChordCount& n, std::size_t rows) {
@@ -183,19 +205,47 @@ struct KernelTable {
     }
 
    private:
-    void fill(const std::vector<double>& at, std::size_t tile, const std::vector<wide>& nodes, wide factor, Real* cosines,
-              Real* sines) const {
-        for_tiles(at.size(), tile, [&](std::size_t first, std::size_t size) {
-            look();
-            for (std::size_t k = 0; k < nodes.size(); ++k) {
-                for (std::size_t r = 0; r < size; ++r) {
-                    const wide angle = static_cast<wide>(at[first + r] * step) * factor * nodes[k];
-                    const std::size_t place = first * nodes.size() + k * size + r;
-                    cosines[place] = static_cast<Real>(std::cos(angle));
-                    sines[place] = static_cast<Real>(std::sin(angle));
-                }
+    // Of places in tiles, all as long as the longest where they are padded, in units of as many values as lie `apart`.
+    void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
+              std::size_t apart, Real* cosines, Real* sines) const {
+        look();
+        std::vector<std::size_t> first(at.size()), size(at.size(), tile);
+        if (padded) {
+            std::generate(first.begin(), first.end(), [&, i = std::size_t{0}]() mutable { return i++ / tile * tile; });
+        } else {
+            for_tiles(at.size(), tile, [&](std::size_t begin, std::size_t length) {
+                std::fill_n(first.begin() + static_cast<std::ptrdiff_t>(begin), length, begin);
+                std::fill_n(size.begin() + static_cast<std::ptrdiff_t>(begin), length, length);
+            });
+        }
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const auto put = [&](std::size_t i, auto cosine, auto sine) {
+                const std::size_t place = (first[i] * nodes.size() + k * size[i] + i - first[i]) * apart;
+                cosines[place] = static_cast<Real>(cosine);
+                sines[place] = static_cast<Real>(sine);
+            };
+            turn(at, static_cast<wide>(step) * factor * nodes[k], put);
+        }
+    }
+
+    // Cosines and sines of places times an angle: from one pixel to the next by a rotation, from the beginning again after
+    // some, where that is off by far less than what is stored.
+    template <class Put>
+    static void turn(const std::vector<double>& at, wide angle, const Put& put) {
+        constexpr std::size_t most = wider || sizeof(Real) == sizeof(float) ? 32 : 1;
+        const wide along = std::cos(angle), up = std::sin(angle);
+        wide cosine = 1, sine = 0;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            if (i % most == 0 || at[i] - at[i - 1] != 1.0) {
+                cosine = std::cos(static_cast<wide>(at[i]) * angle);
+                sine = std::sin(static_cast<wide>(at[i]) * angle);
+            } else {
+                const wide turned = cosine * along - sine * up;
+                sine = sine * along + cosine * up;
+                cosine = turned;
             }
-        });
+            put(i, cosine, sine);
+        }
     }
 };
 

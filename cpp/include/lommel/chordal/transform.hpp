@@ -1,7 +1,9 @@
 // Fourier transform of one disk by two matrix products, along y, then along x, for several pupils in vector lanes.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "lommel/chordal/tables.hpp"
 #include "lommel/base/simd.hpp"
@@ -35,6 +37,7 @@ struct Size {
 // for_tiles with the size known when compiling.
 template <std::size_t Most, class F>
 LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
+    static_assert(Most <= 6, "sizes up to five are below");
     for_tiles(count, Most, [&](std::size_t first, std::size_t size) LOMMEL_INLINE_LAMBDA {
         if (size == Most) {
             return f(first, Size<Most>{});
@@ -69,9 +72,6 @@ struct Waves {
     using Phase = V;
     static constexpr std::size_t vectors = 1, lanes = I::lanes;
     static constexpr double unit = 1.0;  // of phases, in 1 / rad
-    // Where the coefficient of the pupil in a lane stands.
-    static constexpr std::size_t place(std::size_t lane) { return lane; }
-
     static LOMMEL_INLINE V zero() { return splat<V>(0.0); }
     static LOMMEL_INLINE Phase phase(const V (&sum)[vectors]) { return sum[0]; }
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos(I{}, x, sine, cosine); }
@@ -85,7 +85,6 @@ struct Waves<I, float> {
     using Phase = typename I::turns;
     static constexpr std::size_t vectors = 2, lanes = 2 * I::lanes;
     static constexpr double unit = 683565275.57643158978;  // 2^32 / (2 pi)
-    static constexpr std::size_t place(std::size_t lane) { return lane % 2 * I::lanes + lane / 2; }
 
     // 1.5 * 2^52: sums are rounded to whole numbers.
     static LOMMEL_INLINE typename I::pack zero() { return splat<typename I::pack>(6755399441055744.0); }
@@ -93,10 +92,56 @@ struct Waves<I, float> {
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos_turns(x, sine, cosine); }
 };
 
+// The same where lanes hold chords: numbers of the table are vectors.
+template <std::size_t R, std::size_t C, class V, class Real>
+LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+    for (std::size_t k = 0; k < count; ++k, table += R * lanes, data += C * lanes) {
+        V d[C];
+        for (std::size_t c = 0; c < C; ++c) {
+            d[c] = load<V>(data + c * lanes);
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            const V t = load<V>(table + r * lanes);
+            for (std::size_t c = 0; c < C; ++c) {
+                sum[r][c] = sum[r][c] + t * d[c];
+            }
+        }
+    }
+}
+
+// sum += table[k] * coefficients[k], of chords side by side.
+template <std::size_t R, std::size_t C, class V>
+LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, std::size_t count, V (&sum)[R][C]) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(double);
+    for (std::size_t k = 0; k < count; ++k) {
+        const V t = splat<V>(coefficients[k]);
+        for (std::size_t r = 0; r < R; ++r) {
+            for (std::size_t c = 0; c < C; ++c, table += lanes) {
+                sum[r][c] = sum[r][c] + load<V>(table) * t;
+            }
+        }
+    }
+}
+
+// Weights of chords side by side.
+template <class I>
+LOMMEL_INLINE typename I::pack weights_of(I, const double* from, double) {
+    return load<typename I::pack>(from);
+}
+template <class I>
+LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
+    float narrow[2 * I::lanes];
+    for (std::size_t lane = 0; lane < 2 * I::lanes; ++lane) {
+        narrow[lane] = static_cast<float>(from[lane]);
+    }
+    return load<typename I::floats>(narrow);
+}
+
 // The pupil function of a pair of chords at +-x: nodes[even, odd in y][node][even, odd in x][re, im], weighted. Bound
-// by the sines.
-template <class I, class Real>
-LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
+// by the sines. Of one pupil, of a vector of such pairs.
+template <bool Lone, class I, class Real>
+LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
     using V = typename Wave::V;
     using Phase = typename Wave::Phase;
@@ -105,7 +150,8 @@ LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, 
     Real *even = nodes, *odd = nodes + half * 4 * lanes;
     for_fixed_tiles<node_tile>(half, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
-        const double* values = table.values.data() + (chord * half + first) * terms;
+        constexpr std::size_t side = Lone ? lanes : 1;
+        const double* values = table.values.data() + (chord * half + first) * terms * side;
         Phase parts[4][R];
         for (std::size_t parity = 0, from = 0; parity < 4; from = table.classes.ends[parity], ++parity) {
             typename I::pack sums[R][C];
@@ -114,7 +160,12 @@ LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, 
                     sums[r][c] = Wave::zero();
                 }
             }
-            multiply<R, C>(values + from * R, coefficients + from * lanes, table.classes.ends[parity] - from, sums);
+            const std::size_t count = table.classes.ends[parity] - from;
+            if constexpr (Lone) {
+                add_phases(values + from * R * lanes, coefficients + from, count, sums);
+            } else {
+                multiply<R, C>(values + from * R, coefficients + from * lanes, count, sums);
+            }
             for (std::size_t r = 0; r < R; ++r) {
                 parts[parity][r] = Wave::phase(sums[r]);
             }
@@ -127,7 +178,13 @@ LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, 
             Wave::wave(a - b, im[1], re[1]);
             Wave::wave(c + d, im[2], re[2]);
             Wave::wave(c - d, im[3], re[3]);
-            const V w = splat<V>(static_cast<Real>(table.weights[chord * half + first + r]));
+            const double* const weight = table.weights.data() + (chord * half + first + r) * side;
+            V w;
+            if constexpr (Lone) {
+                w = weights_of(isa, weight, Real());
+            } else {
+                w = splat<V>(static_cast<Real>(*weight));
+            }
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
                 Real *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
@@ -142,19 +199,25 @@ LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, 
     });
 }
 
-// What a pair of chords, with its nodes as above, makes of each row: chords[row][even, odd in x][chord][re, im].
-template <class I, class Real>
+// What a pair of chords, with its nodes as above, makes of each row: chords[row][even, odd in x][chord][re, im]; of one pupil,
+// what a vector of them makes.
+template <bool Lone, class I, class Real>
 LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
     const std::size_t rows = kernel.rows.at.size(), within = kernel.count.half_nodes();
-    const std::size_t line = kernel.count.half_chords() * 2 * lanes;
+    const std::size_t line = kernel.vectors() * 2 * lanes;
     for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
-        const std::size_t at = (chord * rows + first) * within;
+        const std::size_t at = (chord * rows + first) * within * (Lone ? lanes : 1);
         V a[R][4] = {}, b[R][4] = {};
-        multiply<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
-        multiply<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
+        if constexpr (Lone) {
+            multiply_lanes<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
+            multiply_lanes<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
+        } else {
+            multiply<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
+            multiply<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
+        }
         for (std::size_t r = 0; r < R; ++r) {
             Real* to = chords + kernel.rows.plus[first + r] * 2 * line + chord * 2 * lanes;
             for (std::size_t x = 0; x < 2; ++x) {
@@ -191,6 +254,53 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
                 to = row + kernel.columns.minus[first + r] * 2 * lanes;
                 store(to, a[r][0] - b[r][1]);
                 store(to + lanes, a[r][1] + b[r][0]);
+            }
+        }
+    });
+}
+
+// The same of one pupil, from chords side by side to columns side by side: row[vector of columns][re, im], and zeros.
+template <class I, class Real>
+LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t half = kernel.count.half_chords(), line = kernel.vectors() * 2 * lanes, across = kernel.columns.at.size();
+    const std::size_t last = (kernel.columns.count - 1) / lanes * 2 * lanes;
+    store(row + last, splat<V>(Real(0)));
+    store(row + last + lanes, splat<V>(Real(0)));
+    for_fixed_tiles<2>(kernel.lanes.vectors(across), [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size)::value;
+        V a[R][2] = {}, b[R][2] = {};
+        for (std::size_t i = 0; i < half; ++i) {
+            const Real* const even = chords + (i - i % lanes) * 2 + i % lanes;
+            const V e[2] = {splat<V>(even[0]), splat<V>(even[lanes])};
+            const V o[2] = {splat<V>(even[line]), splat<V>(even[line + lanes])};
+            for (std::size_t r = 0; r < R; ++r) {
+                const std::size_t at = ((first + r) * half + i) * lanes;
+                const V cosine = load<V>(kernel.column_cos.data() + at), sine = load<V>(kernel.column_sin.data() + at);
+                for (std::size_t part = 0; part < 2; ++part) {
+                    a[r][part] = a[r][part] + cosine * e[part];
+                    b[r][part] = b[r][part] + sine * o[part];
+                }
+            }
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            Real here[2][2 * lanes];
+            store(here[0], a[r][0] + b[r][1]);
+            store(here[0] + lanes, a[r][1] - b[r][0]);
+            store(here[1], a[r][0] - b[r][1]);
+            store(here[1] + lanes, a[r][1] + b[r][0]);
+            const std::size_t from = (first + r) * lanes;
+            for (std::size_t side = 0; side < 2; ++side) {
+                const std::vector<std::size_t>& places = side == 0 ? kernel.columns.plus : kernel.columns.minus;
+                for (std::size_t lane = 0; lane < std::min(lanes, across - from); ++lane) {
+                    const std::size_t x = places[from + lane];
+                    if (x != WindowAxis::none) {
+                        Real* const to = row + (x - x % lanes) * 2 + x % lanes;
+                        to[0] = here[side][lane];
+                        to[lanes] = here[side][lanes + lane];
+                    }
+                }
             }
         }
     });

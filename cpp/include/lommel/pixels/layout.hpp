@@ -1,4 +1,4 @@
-// Distinct radii of a centred grid, and the index of the radius of each pixel.
+// Distinct radii of a grid around the middle of a pixel or of an edge or a corner, and the index of the radius of each pixel.
 #pragma once
 
 #include <algorithm>
@@ -21,26 +21,35 @@ struct Radii {
 };
 
 struct Layout : Radii {  // distinct radii in pixels
-    std::size_t height, width;
-    std::vector<std::int32_t> index;  // quadrant, (height / 2 + 1) x (width / 2 + 1): rank of each pixel's radius
+    FoldedSide rows, columns;
+    std::vector<std::int32_t> index;  // [distance along y][distance along x]: rank of each pixel's radius
 
-    Layout(std::size_t h, std::size_t w) : height(h), width(w), index((h / 2 + 1) * (w / 2 + 1)) {
-        const SquaredRadii squares(h / 2, w / 2);
+    Layout(const FoldedSide& down, const FoldedSide& across)
+        : rows(down), columns(across), index(rows.distances() * columns.distances()) {
+        const SquaredRadii squares(rows, columns);
         squares.ranks(index.data());
         count = squares.count();
         radii.resize(count + padding);
-        squares.each([&](std::size_t rank, std::size_t s) { radii[rank] = static_cast<double>(s); });
+        squares.each([&](std::size_t rank, std::size_t s) { radii[rank] = squares.square(s); });
         std::transform(radii.begin(), radii.begin() + count, radii.begin(), [](double s) { return std::sqrt(s); });
         std::fill(radii.begin() + count, radii.end(), radii[count - 1]);
     }
 
     static constexpr std::size_t padding = widest_step;
+    std::size_t height() const { return rows.count; }
+    std::size_t width() const { return columns.count; }
     std::size_t bytes() const { return sizeof(double) * radii.size() + sizeof(std::int32_t) * index.size(); }
 
-    bool is(std::size_t h, std::size_t w) const { return height == h && width == w; }
+    bool is(const FoldedSide& down, const FoldedSide& across) const { return rows == down && columns == across; }
 
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
-    static std::shared_ptr<const Layout> get(std::size_t h, std::size_t w) { return cache<Layout>.get(h, w); }
+    static std::shared_ptr<const Layout> get(const FoldedSide& down, const FoldedSide& across) {
+        return cache<Layout>.get(down, across);
+    }
+    // Around the middle of pixel (height / 2, width / 2).
+    static std::shared_ptr<const Layout> get(std::size_t height, std::size_t width) {
+        return get(FoldedSide(height), FoldedSide(width));
+    }
 };
 
 }  // namespace lommel

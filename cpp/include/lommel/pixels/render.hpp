@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -13,16 +14,37 @@
 
 namespace lommel {
 
-// The distinct radii of a centred quadrant of (rows + 1) x (cols + 1) pixels, squared: all pixels (dy, dx) with the same
-// dy^2 + dx^2 share one value. A bit for each number up to the largest square, and how many are set before: linear in that, without
+// One side of a window whose axis is in the middle of a pixel or between two: the last pixel up to the axis, the first from there on.
+struct FoldedSide {
+    std::size_t count, low, high;
+
+    static bool fits(std::size_t pixels, double center) {
+        return center >= 0.0 && center <= static_cast<double>(pixels - 1) && 2.0 * center == std::floor(2.0 * center);
+    }
+    FoldedSide(std::size_t pixels, double center)
+        : count(pixels), low(static_cast<std::size_t>(center)), high(low + (center > static_cast<double>(low) ? 1 : 0)) {}
+    explicit FoldedSide(std::size_t pixels) : count(pixels), low(pixels / 2), high(low) {}
+
+    bool operator==(const FoldedSide& o) const { return count == o.count && low == o.low && high == o.high; }
+    std::size_t between() const { return high - low; }  // 1 where the axis is between two pixels
+    // Distances that differ: 0, 1, ... pixels from the first on either side.
+    std::size_t distances() const { return std::max(low + 1, count - high); }
+};
+
+// The distinct radii of a quadrant of rows x columns distances, squared: all pixels (dy, dx) with the same
+// dy^2 + dx^2 share one value. With y (y + 1) + 1/4 the square of y + 1/2 where the axis is between two rows, numbers are
+// dy^2 + dx^2 less 1/4, or half of that less 1/2 where it is so both ways, which is even. A bit for each number up to the largest square, and how many are set before: linear in that, without
 // sorting, and small enough for the first cache, where a rank for each number is not.
 class SquaredRadii {
    public:
-    SquaredRadii(std::size_t rows, std::size_t cols) : rows_(rows), cols_(cols), words_((rows * rows + cols * cols) / 64 + 1) {
-        for (std::size_t y = 0; y <= rows; ++y) {
+    SquaredRadii(const FoldedSide& rows, const FoldedSide& columns)
+        : rows_(rows.distances()), cols_(columns.distances()), odd_y_(rows.between()), odd_x_(columns.between()),
+          words_(number(rows_ - 1, cols_ - 1) / 64 + 1) {
+        for (std::size_t y = 0; y < rows_; ++y) {
             look();
-            for (std::size_t x = y <= std::min(rows, cols) ? y : 0; x <= cols; ++x) {  // (x, y) for (y, x) where both are there
-                const std::size_t s = y * y + x * x;
+            // (x, y) for (y, x) where both are there.
+            for (std::size_t x = odd_y_ == odd_x_ && y < std::min(rows_, cols_) ? y : 0; x < cols_; ++x) {
+                const std::size_t s = number(y, x);
                 words_[s / 64].bits |= std::uint64_t{1} << s % 64;
             }
         }
@@ -34,7 +56,12 @@ class SquaredRadii {
 
     std::size_t count() const { return count_; }
 
-    // The squares, rising, to take(rank, square).
+    double square(std::size_t number) const {
+        const double s = static_cast<double>(number);
+        return odd_y_ + odd_x_ == 2 ? 2.0 * s + 0.5 : s + 0.25 * static_cast<double>(odd_y_ + odd_x_);
+    }
+
+    // The numbers, rising, to take(rank, number).
     template <class Take>
     void each(const Take& take) const {
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -50,10 +77,10 @@ class SquaredRadii {
     // The rank of each pixel's radius.
     void ranks(std::int32_t* index) const {
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // counting bits is one instruction where there are vectors
-            for (std::size_t y = 0; y <= rows_; ++y) {
+            for (std::size_t y = 0; y < rows_; ++y) {
                 look();
-                for (std::size_t x = 0; x <= cols_; ++x) {
-                    const std::size_t s = y * y + x * x;
+                for (std::size_t x = 0; x < cols_; ++x) {
+                    const std::size_t s = number(y, x);
                     const Word word = words_[s / 64];
                     *index++ = static_cast<std::int32_t>(word.before + set(word.bits & ((std::uint64_t{1} << s % 64) - 1)));
                 }
@@ -66,14 +93,17 @@ class SquaredRadii {
         std::uint64_t bits = 0, before = 0;
     };
     static LOMMEL_INLINE std::size_t set(std::uint64_t bits) { return std::bitset<64>(bits).count(); }
+    LOMMEL_INLINE std::size_t number(std::size_t y, std::size_t x) const {
+        return (y * (y + odd_y_) + x * (x + odd_x_)) >> (odd_y_ & odd_x_);
+    }
 
-    std::size_t rows_, cols_, count_ = 0;
+    std::size_t rows_, cols_, odd_y_, odd_x_, count_ = 0;
     std::vector<Word> words_;
 };
 
-// The squared radii in rising order; `index` receives the rank of each pixel's.
+// The squared radii around the middle of a pixel in rising order; `index` receives the rank of each pixel's.
 inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
-    const SquaredRadii found(rows, cols);
+    const SquaredRadii found(FoldedSide(2 * rows + 1), FoldedSide(2 * cols + 1));
     found.ranks(index);
     std::vector<std::int64_t> squares(found.count());
     found.each([&](std::size_t rank, std::size_t s) { squares[rank] = static_cast<std::int64_t>(s); });
@@ -106,36 +136,38 @@ LOMMEL_INLINE void store_scaled(const From* values, double scale, std::size_t co
 // A row to both sides of its middle. Not inlined: where its callers have other things in registers, it loads its end from memory
 // for each pixel.
 template <class T>
-LOMMEL_NOINLINE void mirrored_row(const T* profile, const std::int32_t* from, std::size_t count, T* center) {
+LOMMEL_NOINLINE void mirrored_row(const T* profile, const std::int32_t* from, std::size_t count, T* right, T* left) {
     for (std::size_t dx = 0; dx < count; ++dx) {
         const T value = profile[from[dx]];
-        center[dx] = value;
-        *(center - dx) = value;
+        right[dx] = value;
+        *(left - dx) = value;
     }
 }
 
-// Rows [first, last) of the quadrant, and their mirror images, of one image of height x width from the values at the
-// distinct radii. The centre is the middle of pixel (height / 2, width / 2). Each row is gathered once and its mirror
-// images copied: bound by the loads of the gather and by memory writes.
+// Rows at distances [first, last), on both sides, of one image from the values at the distinct radii. Each row is gathered once and
+// its mirror image copied: bound by the loads of the gather and by memory writes.
 template <class T>
-LOMMEL_INLINE void scatter_rows(const T* profile, const std::int32_t* index, std::size_t height, std::size_t width,
+LOMMEL_INLINE void scatter_rows(const T* profile, const std::int32_t* index, const FoldedSide& rows, const FoldedSide& columns,
                                 std::size_t first, std::size_t last, T* out) {
-    const std::size_t cy = height / 2, cx = width / 2, right = width - cx;
+    const std::size_t width = columns.count, right = width - columns.high, left = columns.low + 1, both = std::min(left, right);
     for (std::size_t dy = first; dy < last; ++dy) {
-        const std::int32_t* from = index + dy * (cx + 1);
-        T* row = out + (cy - dy) * width;
-        T* center = row + cx;
-        mirrored_row(profile, from, right, center);
-        if (cx >= right) {
-            row[0] = profile[from[cx]];
+        const std::int32_t* from = index + dy * columns.distances();
+        const bool above = dy <= rows.low, below = rows.high + dy < rows.count;
+        T* row = out + (above ? rows.low - dy : rows.high + dy) * width;
+        mirrored_row(profile, from, both, row + columns.high, row + columns.low);
+        for (std::size_t dx = both; dx < right; ++dx) {
+            row[columns.high + dx] = profile[from[dx]];
         }
-        if (dy > 0 && cy + dy < height) {
-            T* below = out + (cy + dy) * width;
+        for (std::size_t dx = both; dx < left; ++dx) {
+            row[columns.low - dx] = profile[from[dx]];
+        }
+        T* const other = out + (rows.high + dy) * width;
+        if (above && below && other != row) {
             if (width >= 128) {
-                std::memcpy(below, row, width * sizeof(T));
+                std::memcpy(other, row, width * sizeof(T));
             } else {
                 for (std::size_t x = 0; x < width; ++x) {
-                    below[x] = row[x];
+                    other[x] = row[x];
                 }
             }
         }

@@ -23,7 +23,21 @@ struct PixelWindow {
                integrate == o.integrate;
     }
     double side() const { return integrate ? step : 0.0; }
+    // The distances of the middles of pixels from the axis, in pixels: none is less or more.
+    void reach(double (&ends)[2]) const {
+        const auto near = [](double center, std::size_t side) {
+            return std::max(0.0, std::max(-center, center - static_cast<double>(side - 1)));
+        };
+        const auto far = [](double center, std::size_t side) {
+            return std::max(std::abs(center), std::abs(static_cast<double>(side - 1) - center));
+        };
+        ends[0] = std::hypot(near(center_y, height), near(center_x, width));
+        ends[1] = std::hypot(far(center_y, height), far(center_x, width));
+    }
     // As render.hpp has it.
+    FoldedSide rows() const { return {height, center_y}; }
+    FoldedSide columns() const { return {width, center_x}; }
+    bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }
     bool centered() const { return center_y == static_cast<double>(height / 2) && center_x == static_cast<double>(width / 2); }
 };
 
@@ -37,10 +51,9 @@ struct PixelWindows {
     PixelWindows(const PixelWindow& like, const double* each, std::size_t pupils) : first(like), centers(each), farthest(1.0) {
         for (std::size_t p = 0; p < pupils; ++p) {
             const PixelWindow w = (*this)[p];
-            const auto away = [](double center, std::size_t side) {
-                return std::max(std::abs(center), std::abs(static_cast<double>(side - 1) - center));
-            };
-            farthest = std::max(farthest, std::ceil(std::hypot(away(w.center_y, w.height), away(w.center_x, w.width))));
+            double ends[2];
+            w.reach(ends);
+            farthest = std::max(farthest, std::ceil(ends[1]));
         }
     }
     PixelWindow operator[](std::size_t pupil) const {
@@ -77,10 +90,9 @@ struct PixelGroups {
     Fold rows, columns;
     std::vector<std::int32_t> index;  // [distance along y][distance along x]
     std::vector<double> v, cosine;    // of each group: its distance, and the cosine of four times its angle
-    bool centered;
+    PixelWindow window;
 
-    explicit PixelGroups(const PixelWindow& w)
-        : rows(w.height, w.center_y), columns(w.width, w.center_x), centered(w.centered()) {
+    explicit PixelGroups(const PixelWindow& w) : rows(w.height, w.center_y), columns(w.width, w.center_x), window(w) {
         const std::vector<double>&down = rows.distances, &across = columns.distances;
         const std::size_t common = std::min(down.size(), across.size());
         const bool alike = std::equal(down.begin(), down.begin() + static_cast<std::ptrdiff_t>(common), across.begin());
@@ -110,9 +122,9 @@ struct PixelGroups {
     // Rows [first, last) of distances along y, of one image.
     template <class T>
     LOMMEL_INLINE void paint(const T* values, std::size_t first, std::size_t last, T* out) const {
-        const std::size_t height = rows.rank.size(), width = columns.rank.size();
-        if (centered) {
-            return scatter_rows(values, index.data(), height, width, first, last, out);
+        const std::size_t height = window.height, width = window.width;
+        if (window.folds()) {
+            return scatter_rows(values, index.data(), window.rows(), window.columns(), first, last, out);
         }
         for (std::size_t y = 0; y < height; ++y) {
             const std::size_t distance = static_cast<std::size_t>(rows.rank[y]);

@@ -12,6 +12,7 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/bounds/refine.hpp"
+#include "lommel/pixels/sample_pieces.hpp"
 #include "lommel/radial/average_values.hpp"
 #include "lommel/radial/batch.hpp"
 #include "lommel/radial/coarse_averages.hpp"
@@ -98,6 +99,11 @@ class PixelRenderer {
         double top, off, by_field, by_table;   // the largest value, the bound on its error, and two parts of that
     };
 
+    struct Painted {
+        double scale = 1.0;
+        T* image = nullptr;
+    };
+
     std::size_t pixels() const { return window_.height * window_.width; }
     static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
 
@@ -109,6 +115,8 @@ class PixelRenderer {
     std::shared_ptr<const Table> table_of(const PixelWindow& window, int level) const {
         if constexpr (std::is_same_v<Table, AnywhereTable>) {
             return AnywhereTable::get(window.step, window.integrate, windows_.farthest, level);
+        } else if constexpr (std::is_same_v<Table, SamplePieces>) {
+            return SamplePieces::get(window, level);
         } else {
             return PixelTable::get(window, level, threads_);
         }
@@ -135,9 +143,10 @@ class PixelRenderer {
                             0.5 * aperture_.area * aperture_.area);
     }
 
+    // To `made`, or as `painted` wants it.
     template <class Table>
     Found<Table> measure(Field& field, const PixelWindow& window, const Phase& phase, const Attempt& attempt, int threads,
-                         Doubles& at_radii, WindowValues& made) const {
+                         Doubles& at_radii, WindowValues& made, const Painted& painted = {}) const {
         Found<Table> f{};
         f.table = table_of<Table>(window, attempt.level);
         const Table& table = *f.table;
@@ -146,8 +155,13 @@ class PixelRenderer {
         f.size = intensities(field, places(table), threads, [&](std::size_t first, std::size_t count, const double* values) {
             std::copy_n(values, count, at_radii.data() + first);
         });
-        made.make(table, window, at_radii.data(), threads);
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { f.top = largest(made.values.data(), made.count); });
+        if constexpr (std::is_same_v<Table, SamplePieces>) {
+            f.top = table.paint(window, at_radii.data(), painted.scale, T{0}, painted.image);
+            made.penalty = 0.0;
+        } else {
+            made.make(table, window, at_radii.data(), threads);
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { f.top = largest(made.values.data(), made.count); });
+        }
         f.off = window_bound(table, made.penalty, f.size, f.bound);
         f.by_field = table.magnification() * intensity_error(std::sqrt(f.size), f.bound);
         f.by_table = table.error * 0.5 * aperture_.area * aperture_.area;
@@ -170,9 +184,9 @@ class PixelRenderer {
     }
 
     // What the stored values are off by over the peak, which is `elsewhere` at least if not in the window.
-    double relative(double top, double off, double elsewhere, bool normalize) const {
+    double relative(double top, double off, double elsewhere, bool normalize, bool after = false) const {
         const double peak = std::max(top - off, elsewhere);
-        return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, false);
+        return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
     }
 
     // Whether rings are so narrow against pixels that the light is better followed across edges: beside weights that are there
@@ -262,6 +276,13 @@ class PixelRenderer {
                 // Differences of light within circles round more than weights do.
             }
         }
+        if (!window_.integrate && SamplePieces::pays(windows_[pupil], first_attempt(stack_[pupil]).level)) {
+            try {
+                return render_by<SamplePieces>(pupil, threads);
+            } catch (const ToleranceNotMet&) {
+                // Nor do powers of the distance round as little as weights do.
+            }
+        }
         if (anywhere()) {
             try {
                 return render_by<AnywhereTable>(pupil, threads);
@@ -284,15 +305,17 @@ class PixelRenderer {
         Attempt asked = first_attempt(phase);
         const PixelWindow window = windows_[pupil];
         Found<Table> f{};
+        constexpr bool at_once = std::is_same_v<Table, SamplePieces>;
+        const Painted painted{normalize ? 1.0 : answer_.scales[pupil], answer_.images + pupil * pixels()};
         const auto attempt = [&] {
-            f = measure<Table>(field, window, phase, asked, threads, at_radii, made);
-            const double bound = relative(f.top, f.off, elsewhere, normalize);
+            f = measure<Table>(field, window, phase, asked, threads, at_radii, made, painted);
+            const double bound = relative(f.top, f.off, elsewhere, normalize, at_once);
             if (bound <= tol_ || normalize || looked) {
                 return bound;
             }
             elsewhere = peak_at_least(phase, asked);
             looked = true;
-            return relative(f.top, f.off, elsewhere, normalize);
+            return relative(f.top, f.off, elsewhere, normalize, at_once);
         };
         const double bound = settle(tol_, attempt, [&](double) {
             // What the parts of the error may be, at a guess where nothing is seen yet.
@@ -307,7 +330,15 @@ class PixelRenderer {
             }
             return asked.error < before.error || asked.level > before.level;
         });
-        finish(pupil, *f.table, made.values.data(), made.count, f.top, std::max(f.top - f.off, elsewhere), bound, threads);
+        const double peak = std::max(f.top - f.off, elsewhere);
+        if constexpr (at_once) {
+            const double scale = answer_.finish(pupil, f.top, peak, bound);
+            if (normalize) {
+                store_scaled(painted.image, scale, pixels(), painted.image);
+            }
+        } else {
+            finish(pupil, *f.table, made.values.data(), made.count, f.top, peak, bound, threads);
+        }
         for (std::size_t d = 0; d < answer_.derivatives; ++d) {
             differentiate(pupil, d, window, field, f, asked.error, threads);
         }
@@ -329,7 +360,8 @@ class PixelRenderer {
             }
         });
     }
-    static void paint(const AnywhereTable&, const double* values, std::size_t count, double scale, T least, T* image, int) {
+    template <class Table>
+    static void paint(const Table&, const double* values, std::size_t count, double scale, T least, T* image, int) {
         store_clipped(values, count, scale, least, image);
     }
     static void paint(const PixelTable& table, const double* values, std::size_t count, double scale, T least, T* image,
@@ -353,16 +385,23 @@ class PixelRenderer {
         const Table& table = *f.table;
         const std::size_t power = answer_.powers[which], at = which * stack_.count + pupil;
         const Slopes slopes(field, stack_[pupil], power, stack_.obscuration, places(table), error);
-        WindowValues made;
-        made.make(table, window, slopes.values.data(), threads);
+        T* const image = answer_.derivative_images + at * pixels();
+        const T least = std::numeric_limits<T>::lowest();
+        double penalty = 0.0;
+        if constexpr (std::is_same_v<Table, SamplePieces>) {
+            table.paint(window, slopes.values.data(), answer_.scales[pupil], least, image);
+        } else {
+            WindowValues made;
+            made.make(table, window, slopes.values.data(), threads);
+            paint(table, made.values.data(), made.count, answer_.scales[pupil], least, image, threads);
+            penalty = made.penalty;
+        }
         const double root = std::sqrt(f.size), other = std::sqrt(slopes.size);
         const double given = 2.0 * (root * slopes.error + other * f.bound + slopes.error * f.bound);
-        const double off = window_error(table, made.penalty, slopes.steepest, given, (root + other) * std::sqrt(table.of_nodes),
+        const double off = window_error(table, penalty, slopes.steepest, given, (root + other) * std::sqrt(table.of_nodes),
                                         2.0 * aperture_.area * aperture_.moment(power));
         answer_.derivative_bounds[at] =
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
-        paint(table, made.values.data(), made.count, answer_.scales[pupil], std::numeric_limits<T>::lowest(),
-              answer_.derivative_images + at * pixels(), threads);
     }
 
     // Many pupils on one small window, or on those around their own axes, by the Bessel functions at the radii of one table.

@@ -11,6 +11,7 @@
 #include "lommel/base/tasks.hpp"
 #include "lommel/pixels/layout.hpp"
 #include "lommel/pixels/render.hpp"
+#include "lommel/pixels/window.hpp"
 #include "lommel/radial/batch.hpp"
 #include "lommel/radial/intensity.hpp"
 #include "lommel/radial/stack.hpp"
@@ -22,7 +23,12 @@ class Renderer {
    public:
     Renderer(const Stack& stack, std::size_t height, std::size_t width, double step, double tol, int threads,
              const Answer<T>& answer)
-        : stack_(stack), layout_(Layout::get(height, width)), step_(step), tol_(tol), threads_(threads), answer_(answer) {}
+        : Renderer(stack, {height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step, false}, tol,
+                   threads, answer) {}
+    // Of a window that folds.
+    Renderer(const Stack& stack, const PixelWindow& window, double tol, int threads, const Answer<T>& answer)
+        : stack_(stack), layout_(Layout::get(window.rows(), window.columns())), step_(window.step), tol_(tol),
+          threads_(threads), answer_(answer) {}
 
     void run() {
         // Roughly what the stack takes, in microseconds: in November 2026 one thread of a Zen 5 with AVX-512 took 0.65 for each
@@ -40,7 +46,7 @@ class Renderer {
     }
 
    private:
-    std::size_t pixels() const { return layout_->height * layout_->width; }
+    std::size_t pixels() const { return layout_->height() * layout_->width(); }
 
     // Images whose bound is too weak for them are computed again on their own.
     void render_batch(const Batch& batch) {
@@ -107,8 +113,8 @@ class Renderer {
     }
 
     void paint(const T* profile, T* image, int threads) {
-        for_rows(layout_->height / 2 + 1, layout_->width, threads, [&](std::size_t first, std::size_t last) {
-            scatter_rows(profile, layout_->index.data(), layout_->height, layout_->width, first, last, image);
+        for_rows(layout_->rows.distances(), layout_->width(), threads, [&](std::size_t first, std::size_t last) {
+            scatter_rows(profile, layout_->index.data(), layout_->rows, layout_->columns, first, last, image);
         });
     }
 

@@ -83,11 +83,11 @@ struct Judged {
 class Turned {
    public:
     Turned(const Planes& planes, const Layout& layout) : orders_(planes.harmonics.size()) {
-        const std::size_t pixels = planes.radial() ? 0 : layout.height * layout.width;
+        const std::size_t pixels = planes.radial() ? 0 : layout.height() * layout.width();
         around_.resize((orders_ - 1) * pixels);
         for (std::size_t i = 0; i < pixels; ++i) {
-            const double y = static_cast<double>(i / layout.width) - static_cast<double>(layout.height / 2);
-            const double x = static_cast<double>(i % layout.width) - static_cast<double>(layout.width / 2);
+            const double y = static_cast<double>(i / layout.width()) - static_cast<double>(layout.rows.low);
+            const double x = static_cast<double>(i % layout.width()) - static_cast<double>(layout.columns.low);
             const double r = std::max(std::hypot(x, y), 1e-300), c = x / r, s = y / r;
             for (std::size_t k = 1; k < orders_; ++k) {
                 const Harmonic& h = planes.harmonics[k];
@@ -98,10 +98,10 @@ class Turned {
     }
 
     void sum(const Layout& layout, const double* values, std::size_t stride, double* out) const {
-        const std::size_t pixels = layout.height * layout.width, cy = layout.height / 2, cx = layout.width / 2;
-        for (std::size_t y = 0, i = 0; y < layout.height; ++y) {
+        const std::size_t pixels = layout.height() * layout.width(), cy = layout.rows.low, cx = layout.columns.low;
+        for (std::size_t y = 0, i = 0; y < layout.height(); ++y) {
             const std::int32_t* ranks = layout.index.data() + (y < cy ? cy - y : y - cy) * (cx + 1);
-            for (std::size_t x = 0; x < layout.width; ++x, ++i) {
+            for (std::size_t x = 0; x < layout.width(); ++x, ++i) {
                 const auto rank = static_cast<std::size_t>(ranks[x < cx ? cx - x : x - cx]);
                 double total = values[rank];
                 for (std::size_t k = 1; k < orders_; ++k) {

@@ -113,7 +113,8 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
     if (degrees > max_degrees || exact > 4 * max_degrees) {
         throw LimitExceeded("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
                             " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
-                            std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
+                            std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees) +
+                            ": less aberration or a smaller window takes fewer");
     }
     rule = DiskRule::get(exact);
     quadrature = 2.0 * bounds.distance(rule->degree - degrees);

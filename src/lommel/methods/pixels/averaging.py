@@ -201,7 +201,7 @@ def _near_and_far(
     step, dtype, normalize = grid.step(pupil), wanted.dtype, wanted.scale is None
     room = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
     most = _farthest(step, grid.shape)
-    if wanted.terms or room <= 0.0 or most == 0.0:
+    if wanted.terms or wanted.powers or room <= 0.0 or most == 0.0:
         return None
     asked = _SHARE * room
     for _ in range(3):
@@ -250,7 +250,7 @@ def averaged_images(
     values = np.empty(made.values[0].shape, wanted.dtype) if wanted.out is None else wanted.out
     np.multiply(made.values[0], scales[:, None, None], out=values, casting="same_kind")
     slopes = None
-    if wanted.terms:
+    if wanted.terms or wanted.powers:
         off = made.error[1:]
         largest = np.abs(made.values[1:]).max(axis=(2, 3)) / made.peak
         stored_as = (made.values[1:] * scales[:, None, None]).astype(wanted.dtype)
@@ -357,9 +357,9 @@ def _filtered(
 
     Where samples are at most `dark` times the peak they are summed in single precision.
     """
-    count, images = math.prod(pupil.shape), 1 + len(wanted.terms)
+    count, images = math.prod(pupil.shape), 1 + len(wanted.terms) + len(wanted.powers)
     dtype = np.dtype(np.float32 if tol >= _SINGLE else np.float64)
-    question = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms)
+    question = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms, powers=wanted.powers)
     total, error, peaks = np.empty((images, count, *grid.shape)), np.zeros((images, count)), np.zeros((images, count))
     for part, one, pixels in blocks(pupil, grid, taps, images):
         for fine, rows in _strips_of(total[:, part], pixels, taps):

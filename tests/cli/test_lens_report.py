@@ -125,6 +125,26 @@ def test_what_means_nothing_is_left_out(call_lommel, lenses, tmp_path):
     assert dict(LINE.findall(sharp))["Marechal's estimate"] == "0.9655"
 
 
+@pytest.mark.parametrize("obscuration", [0.0, 0.25, 0.95])
+def test_the_first_dark_ring_is_of_the_obscured_aperture(phone, obscuration):
+    lens = dataclasses.replace(phone.lens, obscuration=obscuration)
+    facts = describe_lens(dataclasses.replace(phone, lens=lens)).facts
+    ring, pupil = facts["dark_ring_radius"], lens.pupil(1.2).unaberrated()
+    light = lm.psf(pupil, (1, 100), ring / 99, center=(0, 0), integrate=False, normalize="strehl").values[0]
+    assert light[-1] < 1e-9
+    assert (np.diff(light) < 1e-9).all()  # none is nearer
+    assert ring == pytest.approx(facts["airy_radius"] * {0.0: 1, 0.25: 0.93596, 0.95: 0.64364}[obscuration], rel=1e-5)
+
+
+def test_the_first_dark_ring_is_told_apart_from_the_airy_disc(call_lommel, lenses, tmp_path):
+    hubble = dict(LINE.findall(call_lommel("info", lenses["hubble-1990"], folder=tmp_path).stdout))
+    full, ring = (
+        float(hubble[name].split()[0])
+        for name in ("Airy disc of a clear aperture", "first dark ring without aberrations")
+    )
+    assert ring == pytest.approx(0.89998 * full, rel=1e-3)
+
+
 def test_tilt_moves_the_image_and_is_told_apart(lenses):
     instrument = lm.load_instrument(lenses["newtonian-off-axis"])
     tilted = instrument.lens.aberrations + lm.Wavefront.zernike({(1, 1): 5.0, (1, -1): -3.0})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 import json
 import math
@@ -291,10 +292,17 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
     # Each vane covers 0.75 radii of 0.01: 0.03 of pi - pi / 16, less what bends at the ends.
     assert facts["clear_area"] == pytest.approx(1 - 0.25**2 - 0.03 / math.pi, abs=1e-5)
     assert facts["aperture"]["spider"]["width"] == pytest.approx(0.01)
-    assert facts["mtf50"] is None
-    assert "MTF" not in shown
     assert "no proven error bound" not in shown
     pupil = lm.load_instrument(lens).pupil()
+    # The contrast is that with the vanes, which differs along x and y by the coma.
+    for end, angle in (("", 0.0), ("_y", 0.5 * math.pi)):
+        at = facts[f"nyquist{end}"] * np.array([math.cos(angle), math.sin(angle)])
+        assert facts[f"mtf_at_nyquist{end}"] == pytest.approx(float(lm.mtf(pupil, *at)), abs=1e-9)
+        half = facts[f"mtf50{end}"] * np.array([math.cos(angle), math.sin(angle)])
+        assert lm.mtf(pupil, *half) == pytest.approx(0.5, abs=1e-6)
+        clear = lm.mtf(dataclasses.replace(pupil, spider=None), *half)
+        assert abs(clear - 0.5) > 1e-3
+    assert rows["MTF50, x"].startswith(f"{facts['mtf50'] / 1e3:.4g} cycles/mm")
     image = lm.psf(pupil, 641, 0.05 * pupil.scale, method=lm.NonuniformFFT(1e-6))
     shown_energies = dict(LINE.findall(shown.partition("Encircled energy")[2]))
     for row in facts["encircled_energy"][:2]:
@@ -303,6 +311,28 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
             assert row["fraction"] == pytest.approx(image.encircled_energy(row["radius"]), abs=1e-4)
         assert row["fraction"] < row["unaberrated"]
         assert f"{row['fraction']:.1%}" in shown_energies[row["within"]]
+
+
+@pytest.mark.parametrize(
+    ("aperture", "mtf", "reason"),
+    [
+        ('telescope = "keck"', True, "MTF50, which takes minutes for 36 segments"),
+        ('mask = { file = "mask.npy" }', False, "pupil must be without a mask for its transfer function"),
+    ],
+)
+def test_an_mtf_that_is_not_given_is_said_to_be_missing(call_lommel, tmp_path, aperture, mtf, reason):
+    np.save(tmp_path / "mask.npy", np.ones((16, 16)))
+    lens = '[lens]\nfocal_length = "150 m"\naperture_diameter = "11 m"\nwavelength = "2 um"\n'
+    (tmp_path / "lens.toml").write_text(
+        f'{lens}[sensor]\npixel = "18 um"\n[aperture]\n{aperture}\n', encoding="utf-8"
+    )
+    facts = json.loads(call_lommel("info", "lens.toml", "--json", folder=tmp_path).stdout)
+    assert facts["mtf50"] is None
+    assert (facts["mtf_at_nyquist"] is not None) == mtf
+    assert any(told.startswith(reason) for told in facts["refused"])
+    shown = " ".join(call_lommel("info", "lens.toml", folder=tmp_path).stdout.split())
+    assert f"not computed: {reason}" in shown
+    assert ("MTF at Nyquist" in shown) == mtf
 
 
 def test_energies_of_a_wavefront_that_depends_on_the_direction_come_with_a_bound(call_lommel, lenses, tmp_path):

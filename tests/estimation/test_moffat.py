@@ -88,6 +88,55 @@ def test_images_without_a_star_are_refused(image, wrong):
         lm.fit_moffat(image, lm.Noise(read=1.0))
 
 
+def test_narrow_stars_have_unbiased_errors_too():
+    # The mean over pixels by many points, of stars that a pixel hardly resolves.
+    at = (np.arange(60) + 0.5) / 60 - 0.5
+    for fwhm in (0.4, 1.0):
+        alpha = 0.5 * fwhm / math.sqrt(2.0 ** (1.0 / 2.7) - 1.0)
+        y, x = ((np.arange(21)[:, None] + at - middle).ravel() for middle in (9.3, 10.8))
+        light = 1.7 / (math.pi * alpha**2) * (1.0 + (y[:, None] ** 2 + x**2) / alpha**2) ** -2.7
+        image = light.reshape(21, 60, 21, 60).mean(axis=(1, 3))
+        np.testing.assert_allclose(
+            _model(np.array([1.0, 9.3, 10.8, fwhm, 2.7, 0.0]), (21, 21))[0], image, atol=2e-4 * image.max()
+        )
+        fit = lm.fit_moffat(1e6 * image + 30.0, lm.Noise(read=3.0))
+        assert abs(fit.flux - 1e6) < fit.deviations["flux"]
+        assert abs(fit.fwhm - fwhm) < fit.deviations["fwhm"]
+
+
+def test_a_gaussian_ends_at_the_largest_exponent():
+    y, x = np.mgrid[:25, :25]
+    gaussian = 30.0 + 4e3 * np.exp(-((y - 12.2) ** 2 + (x - 12.4) ** 2) / (2.0 * 1.8**2))
+    fit = lm.fit_moffat(gaussian, lm.Noise(read=3.0))
+    assert fit.beta == 100.0
+    assert fit.row == pytest.approx(12.2, abs=1e-4)
+
+
+def test_missing_pixels_at_the_edge_do_not_count_as_a_background():
+    clean = _model(TRUTH, (21, 23))[0] + 1e4
+    seen = np.full(clean.shape, np.nan)
+    seen[1:-1, 1:-1] = clean[1:-1, 1:-1]
+    fit = lm.fit_moffat(seen, lm.Noise(read=3.0))
+    assert fit.background == pytest.approx(1e4 + 30.0, rel=1e-6)
+    assert fit.flux == pytest.approx(2e4, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("truth", "wrong"),
+    [
+        ((2e4, -3.0, 12.0, 4.0, 2.7, 30.0), "row at its limit -0.5"),
+        ((2e5, 12.0, 26.0, 4.0, 2.7, 30.0), "column at its limit 24.5"),
+        (None, "no solution"),
+    ],
+)
+def test_a_fit_that_ends_at_a_limit_or_nowhere_is_refused(truth, wrong):
+    y, x = np.mgrid[:25, :25]
+    r = np.hypot(y - 12.0, x - 12.0)
+    clean = 30.0 + 200.0 * ((r > 5.0) & (r < 9.0)) if truth is None else _model(np.array(truth), (25, 25))[0]
+    with pytest.raises(ValueError, match=wrong):
+        lm.fit_moffat(clean, lm.Noise(read=3.0))
+
+
 def test_other_arguments_are_checked():
     with pytest.raises(TypeError, match="real numbers"):
         lm.fit_moffat(np.ones((9, 9), complex), lm.Noise(read=1.0))

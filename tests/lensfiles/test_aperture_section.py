@@ -200,7 +200,7 @@ def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
         ('[aperture]\ntelescope = "gtc"\n', "aperture.telescope (line 10): Input should be 'elt', 'hst'"),
         ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston: must have one row for"),
-        ("[aperture.segments]\nrings = 1\ngap = 0.7\n", "aperture.segments: gap must leave something"),
+        ("[aperture.segments]\nrings = 1\ngap = 1.1\n", "aperture.segments: gap must leave something"),
         ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file: must have one row"),
         ('[aperture.segments]\nrings = 1\nfile = "words.txt"\n', "line 2: must hold piston, or piston, tip and tilt"),
         ('[aperture.segments]\nrings = 1\nfile = "none.txt"\n', "'none.txt' holds no numbers"),

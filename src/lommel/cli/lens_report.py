@@ -53,6 +53,8 @@ _SHARE = 0.8
 _WIDE = 60.0
 # An image whose circle of 80 % of the light is so many times its FWHM has a bright centre within a wide blur.
 _SPIKE = 4.0
+# Mirrors of more segments have an MTF50 that takes longer than all the rest.
+_MANY = 24
 
 
 def introduce_lens(instrument: Instrument) -> Report:
@@ -162,9 +164,6 @@ def describe_lens(instrument: Instrument) -> Report:
             reasons[str(reason)] = None
             return None
 
-    def of_circle(work: Callable[[], Any]) -> Any:
-        return tried(work) if pupil.circular else None
-
     nothing: list[None] = [None] * len(at)
     seen, error = tried(lambda: _energies(pupil, at)) or (nothing, None)
     ideal, other_error = tried(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None)
@@ -172,10 +171,10 @@ def describe_lens(instrument: Instrument) -> Report:
     plain = lens if lens.aberrations.flat else replace(lens, aberrations=Wavefront())
     across, down = (
         {
-            f"mtf50{end}": of_circle(partial(_mtf50, pupil, angle)),
+            f"mtf50{end}": tried(partial(_mtf50, pupil, angle)),
             f"nyquist{end}": nyquist,
-            f"mtf_at_nyquist{end}": of_circle(partial(_mtf, pupil, nyquist, angle)),
-            f"mtf_at_nyquist_with_pixel{end}": of_circle(partial(_mtf, pupil, nyquist, angle, **sensor)),
+            f"mtf_at_nyquist{end}": tried(partial(_mtf, pupil, nyquist, angle)),
+            f"mtf_at_nyquist_with_pixel{end}": tried(partial(_mtf, pupil, nyquist, angle, **sensor)),
         }
         for end, angle, nyquist in (
             ("", 0.0, 0.5 / instrument.pitch[1]),
@@ -193,6 +192,7 @@ def describe_lens(instrument: Instrument) -> Report:
         "balancing_W020": _balancing(pupil),
         "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
         "airy_radius": airy,
+        "dark_ring_radius": _dark_ring(pupil),
         "geometric_radius": blur,
         "circle_of_confusion": 2.0 * float(plain.pupil(instrument.object_distance).geometric_radius()),
         "strehl": tried(lambda: float(aperture_means.strehl(pupil))),
@@ -221,6 +221,9 @@ def _mtf(pupil: Pupil, frequency: float, angle: float, **sensor: Any) -> float:
 
 
 def _mtf50(pupil: Pupil, angle: float) -> float:
+    segments = len(pupil.opening.regions)
+    if segments > _MANY:
+        raise ValueError(f"MTF50, which takes minutes for {segments} segments: lommel.mtf_frequency(pupil) has it")
     return float(transfer.mtf_frequency(pupil, angle=angle))
 
 
@@ -334,9 +337,26 @@ def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
     return [(f"{name}, {axis}", text) for pair in pairs for axis, (name, text) in zip("xy", pair, strict=True)]
 
 
+def _dark_ring(pupil: Pupil) -> float | None:
+    """Return the radius of the first dark ring without aberrations; None where the aperture is no annulus.
+
+    The field of an annulus is the difference of those of two discs: ``J1(v) = eps J1(eps v)``.
+    """
+    from scipy.optimize import brentq
+    from scipy.special import j1, jn_zeros
+
+    shapes = (pupil.spider, pupil.vignetting, pupil.stop, pupil.mask)
+    if not pupil.illumination.uniform or any(shape is not None for shape in shapes):
+        return None
+    last, inner = float(jn_zeros(1, 1)[0]), pupil.obscuration
+    ring = float(brentq(lambda v: j1(v) - inner * j1(inner * v), 0.5, last)) if inner else last
+    return pupil.airy_radius * ring / last
+
+
 def _diameters(facts: Facts, pixel: float) -> RenderableType:
     """Return the table of the diameters of the blur, in the units of the field of the lens."""
-    fwhm, circle = facts["fwhm"], facts["diameter_80"]
+    fwhm, circle, ring = facts["fwhm"], facts["diameter_80"], facts["dark_ring_radius"]
+    cut = ring != facts["airy_radius"]
     centre = fwhm is not None and circle is not None and circle > _SPIKE * fwhm
     whole, rays = "80 % of the light", 2.0 * facts["geometric_radius"]
     if any(term["m"] for term in facts["zernike"]):
@@ -346,7 +366,8 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
         ("FWHM with the pixel", facts["fwhm_with_pixel"]),
         (whole, circle),
         (f"{whole}{',' if 'about' in whole else ''} with the pixel", facts["diameter_80_with_pixel"]),
-        ("Airy disc (first dark ring)", 2.0 * facts["airy_radius"]),
+        ("Airy disc" + (" of a clear aperture" if cut else " (first dark ring)"), 2.0 * facts["airy_radius"]),
+        ("first dark ring without aberrations", 2.0 * ring if cut and ring else None),
         ("circle of confusion (defocus alone)", facts["circle_of_confusion"] or None),
         ("all rays, with the aberrations", None if math.isclose(rays, facts["circle_of_confusion"]) else rays),
     ]

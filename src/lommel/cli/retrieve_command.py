@@ -111,7 +111,7 @@ def retrieve(
     """Estimate a wavefront from star images (phase retrieval).
 
     IMAGES, of a star or another point source, are TIFF (one image per page), NPY, FITS or 16-bit PNG files of one
-    size, linear in light (no JPEG, no sRGB). LENS is a lens file with a circular or annular aperture, wavelength,
+    size, linear in light (no JPEG, no sRGB). LENS is a lens file with aperture, wavelength,
     f-number and pixel pitch; its wavefront is the starting point. Several images need the --defocus of each (phase
     diversity). One image leaves the common sign of the even terms (total defocus, astigmatism, spherical)
     undetermined: the solution nearer to the starting point is returned, or the one whose first even term is positive

@@ -14,9 +14,9 @@ from lommel.estimation.noise import Noise
 from lommel.special.legendre import gauss_legendre
 
 _NAMES = ("flux", "row", "column", "fwhm", "beta", "background")
-_NODES = 4  # Gauss-Legendre nodes a side of a pixel
 _STEPS = 200
 _BETA = (1.05, 100.0)  # of less the light is infinite; of more it is a Gaussian
+_NARROWEST = 0.2  # fwhm, pixels
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class MoffatFit:
     fwhm : float
         Full width at half maximum, in the unit of the pixel pitch: ``2 alpha sqrt(2^(1/beta) - 1)``.
     beta : float
-        Exponent: 4.765 for the atmosphere without outer scale, 2 to 4 as measured.
+        Exponent: 4.765 for the atmosphere without outer scale, 2 to 4 as measured; at most 100, nearly a Gaussian.
     background : float
         Electrons a pixel.
     deviations : dict of str to float
@@ -77,7 +77,9 @@ def fit_moffat(image: ArrayLike, noise: Noise, *, pixel: float = 1.0) -> MoffatF
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, too few pixels count, or no star stands out of the background.
+        If an argument is out of range, too few pixels count, no star stands out of the background, or the fit has not
+        settled or ends at a limit: a centre beyond the window, a width below 0.2 pixels or above 4 windows, an
+        exponent of 1.05.
 
     References
     ----------
@@ -98,7 +100,8 @@ def fit_moffat(image: ArrayLike, noise: Noise, *, pixel: float = 1.0) -> MoffatF
         )
     data = noise.electrons(np.where(counts, given, 0.0))
     p = _start(data, counts)
-    step, best = 1e-3, math.inf
+    low, high = _limits(given.shape)
+    step, best, settled = 1e-3, math.inf, False
     for _ in range(_STEPS):
         model, slopes = _model(p, given.shape)
         variance = np.maximum(noise.variance(np.maximum(model, 0.0)), 1e-3)
@@ -108,9 +111,10 @@ def fit_moffat(image: ArrayLike, noise: Noise, *, pixel: float = 1.0) -> MoffatF
         chi2 = float((weight * (data - model) ** 2).sum())
         size = np.sqrt(np.maximum(np.diag(information), 1e-300))
         scaled = information / np.outer(size, size)
+        free = np.where(score > 0.0, p < high, p > low)  # others stay at their limit
         while True:
-            change = np.linalg.solve(scaled + step * np.eye(len(p)), score / size) / size
-            tried = _allowed(p + change, given.shape)
+            system = np.where(np.outer(free, free), scaled, 0.0) + step * np.eye(len(p)) + np.diag(1.0 * ~free)
+            tried = np.clip(p + np.linalg.solve(system, free * score / size) / size, low, high)
             there = _model(tried, given.shape)[0]
             if float((weight * (data - there) ** 2).sum()) <= chi2 or step > 1e12:
                 break
@@ -125,6 +129,11 @@ def fit_moffat(image: ArrayLike, noise: Noise, *, pixel: float = 1.0) -> MoffatF
         raise ValueError(
             f"image must show a star above its background, got a flux of {p[0]:.3g} +- {errors[0]:.2g} electrons"
         )
+    at_end = (p == low) | (p == high)
+    at_end[4] = p[4] == low[4]  # of more it is a Gaussian
+    if at_end.any() or not settled:
+        ends = ", ".join(f"{_NAMES[i]} at its limit {p[i]:.4g}" for i in np.flatnonzero(at_end))
+        raise ValueError(f"image must show a star that the profile fits; the fit ended with {ends or 'no solution'}")
     scale = np.array([1.0, 1.0, 1.0, pitch, 1.0, 1.0])
     numbers, errors = p * scale, errors * scale
     found = dict(zip(_NAMES, numbers.tolist(), strict=True))
@@ -135,8 +144,9 @@ def fit_moffat(image: ArrayLike, noise: Noise, *, pixel: float = 1.0) -> MoffatF
 
 def _start(data: Array, counts: Array) -> Array:
     """Return parameters to begin with: from the median of the edge and the moments of what is above it."""
-    edge = np.concatenate([data[0], data[-1], data[:, 0], data[:, -1]])
-    background = float(np.median(edge))
+    edge = counts.copy()
+    edge[1:-1, 1:-1] = False
+    background = float(np.median(data[edge if edge.any() else counts]))
     above = np.where(counts, data - background, 0.0)
     row, column = np.unravel_index(int(above.argmax()), above.shape)
     peak = max(float(above.max()), 1e-6)
@@ -145,20 +155,21 @@ def _start(data: Array, counts: Array) -> Array:
     return np.array([peak * math.pi * alpha**2 / 2.0, float(row), float(column), wide, 3.0, background])
 
 
-def _allowed(p: Array, shape: tuple[int, ...]) -> Array:
-    """Return parameters within what a fit may find."""
-    flux, row, column, fwhm, beta, background = p
-    row, column = (float(np.clip(at, -0.5, side - 0.5)) for at, side in zip((row, column), shape, strict=True))
-    return np.array([flux, row, column, np.clip(fwhm, 0.05, 4.0 * max(shape)), np.clip(beta, *_BETA), background])
+def _limits(shape: tuple[int, ...]) -> tuple[Array, Array]:
+    """Return the least and the largest parameters that a fit may find."""
+    least = [-math.inf, -0.5, -0.5, _NARROWEST, _BETA[0], -math.inf]
+    return np.array(least), np.array([math.inf, shape[0] - 0.5, shape[1] - 0.5, 4.0 * max(shape), _BETA[1], math.inf])
 
 
 def _model(p: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
     """Return the average over each pixel, and its derivatives by the parameters, shape (6, height, width)."""
     flux, row, column, fwhm, beta, background = p
-    at, w = gauss_legendre(_NODES, -0.5, 0.5)
+    root = 2.0 ** (1.0 / beta) - 1.0
+    # Poles at i alpha: Gauss's rule of n nodes is off by about exp(-2 n arsinh(2 alpha)), here 1e-7.
+    nodes = max(4, math.ceil(8.0 / math.asinh(fwhm / math.sqrt(root))))
+    at, w = gauss_legendre(nodes, -0.5, 0.5)
     y, x = (np.arange(side)[:, None] + at - middle for side, middle in zip(shape, (row, column), strict=True))
     u, v = y[:, None, :, None], x[None, :, None, :]
-    root = 2.0 ** (1.0 / beta) - 1.0
     square = 4.0 * root / fwhm**2  # 1 / alpha^2
     q = square * (u * u + v * v)
     log = np.log1p(q)

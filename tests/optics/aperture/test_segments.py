@@ -36,6 +36,10 @@ def test_segments_of_which_nothing_is_left_go_with_their_phases():
     assert lm.Pupil(stop=left).area < lm.Pupil(stop=PHASED).area
     covered = PHASED - lm.Disc(0.5, tuple(PHASED.centers[2]))
     assert len(covered.shapes) == 5
+    # Also where only the exact area shows that nothing is left, or all of it.
+    hexagon = lm.Polygon.regular(6, 0.39, tuple(PHASED.centers[2]))
+    assert (PHASED - hexagon).piston == covered.piston
+    assert lm.Pupil(stop=PHASED - hexagon).area == pytest.approx(lm.Pupil(stop=SIX).area * 5 / 6, rel=1e-12)
     with pytest.raises(ValueError, match="other must leave something of the segments"):
         PHASED - lm.Disc(2.0)
     with pytest.raises(TypeError, match="other must be a shape"):

@@ -137,7 +137,7 @@ def test_rays_that_are_stopped_do_not_widen_the_blur():
 def test_a_spider_that_leaves_light_makes_a_pupil_and_any_other_is_refused(width, angles):
     spider = Spider(width, angles)
     points = np.random.default_rng(1).uniform(-1, 1, (2, 4000))
-    if (np.minimum(spider.margin(*points), 1 - np.hypot(*points)) > 0).any():
+    if (np.minimum(-spider.margin(*points), 1 - np.hypot(*points)) > 0).any():
         assert 0 < Pupil(spider=spider).area < 1
 
 
@@ -193,6 +193,7 @@ convex = (
     | st.builds(Polygon.regular, st.integers(3, 9), st.floats(1e-3, 1.5), points, st.floats(-4, 4))
     | st.builds(Polygon.half_plane, st.floats(-4, 4), st.floats(-1, 1))
     | st.builds(Spider.equal, st.integers(1, 5), st.floats(1e-3, 0.5), st.floats(-3, 3))
+    | st.builds(CatEye, points, st.floats(0.8, 2.0))
 )
 shapes = st.recursive(convex, lambda part: st.builds(Combined, st.sampled_from("|&-"), part, part), max_leaves=6)
 
@@ -202,6 +203,8 @@ def inside(shape, x, y):
     if isinstance(shape, Combined):
         first, second = inside(shape.first, x, y), inside(shape.second, x, y)
         return {"|": first | second, "&": first & second, "-": first & ~second}[shape.kind]
+    if isinstance(shape, CatEye):
+        shape = shape.disc
     if isinstance(shape, Disc):
         return (x - shape.center[0]) ** 2 + (y - shape.center[1]) ** 2 < shape.radius**2
     if isinstance(shape, Ellipse):
@@ -233,11 +236,7 @@ def test_what_is_moved_turned_or_written_is_the_same_shape(shape, angle, by, see
     assert shape_from_dict(json.loads(json.dumps(shape.to_dict()))) == shape
     c, s = math.cos(angle), math.sin(angle)
     assert shape.turned(angle).margin(c * x - s * y, s * x + c * y) == pytest.approx(here, abs=1e-11)
-    try:
-        moved = shape.moved(*by)
-    except NotImplementedError:
-        return  # vanes are about the axis
-    assert moved.margin(x + by[0], y + by[1]) == pytest.approx(here, abs=1e-11)
+    assert shape.moved(*by).margin(x + by[0], y + by[1]) == pytest.approx(here, abs=1e-11)
 
 
 def test_operators_make_unions_intersections_and_differences():
@@ -258,6 +257,16 @@ def test_a_strip_a_half_plane_and_a_regular_polygon_are_where_they_should_be():
     ) == pytest.approx(0.7)
     clockwise = Polygon(((0, 0), (0, 1), (1, 0)))
     assert clockwise.margin(np.array(0.2), np.array(0.3)) == pytest.approx(0.2)
+
+
+def test_segments_may_overlap_by_rounding_and_no_more():
+    def pair(common):
+        left = Polygon(((-0.2, -0.2), (common, -0.2), (common, 0.2), (-0.2, 0.2)))
+        return Segments((left, Polygon(((0.0, -0.2), (0.2, -0.2), (0.2, 0.2), (0.0, 0.2)))))
+
+    assert Pupil(stop=pair(1e-11)).area == pytest.approx(0.16 / math.pi, rel=1e-9)
+    with pytest.raises(ValueError, match=r"segments must not overlap, .* with an area of 4e-09 in common"):
+        Pupil(stop=pair(1e-8))
 
 
 @pytest.mark.parametrize(("rings", "count"), [(1, 6), (2, 18), (3, 36)])
@@ -304,6 +313,7 @@ def test_segments_have_phases_about_their_centres():
         (lambda: Ellipse(0.5, 0.5, 0.0, (0, math.inf)), ValueError, r"center\[1\] must be finite"),
         (lambda: Polygon(((0, 0), (1, 0))), ValueError, "corners must be 3 to 256 pairs"),
         (lambda: Polygon(((0, 0), (1, 0), (2, 0))), ValueError, "corners must be those of a convex polygon"),
+        (lambda: Polygon(((0, 0), (1, 1), (2, 2))), ValueError, "convex polygon, not on a line"),
         (lambda: Polygon(((0, 0), (1, 0), (0.2, 0.2), (0, 1))), ValueError, "corners must be those of a convex"),
         (lambda: Polygon(((0, 0), (1, 1), (1, 0), (0, 1))), ValueError, "corners must be those of a convex polygon"),
         (lambda: Polygon(((0, 0), (1, 0), (1, 0), (0, 1))), ValueError, "corners must be those of a convex polygon"),
@@ -316,6 +326,14 @@ def test_segments_have_phases_about_their_centres():
         (lambda: Segments((Disc(),), piston=(1.0, 2.0)), ValueError, r"piston must be one number a segment, 1"),
         (lambda: Segments((Disc(),), tip=(math.nan,)), ValueError, "tip must be finite, got nan"),
         (lambda: Segments.hexagonal(2, 0.5), ValueError, "gap must leave something of the segments"),
+        (lambda: Segments.hexagonal(8, 0.4), ValueError, "gap must .* rings=8 it must be below 0.125, got 0.4"),
+        (lambda: Segments.hexagonal(2, -0.01), ValueError, "gap must be >= 0, got -0.01"),
+        (lambda: Segments.hexagonal(1).phased([1.0, 2.0]), ValueError,
+         r"piston must be a number, or one for each of 6 segments, got shape \(2,\)"),
+        (lambda: Segments.hexagonal(1).phased(tilt=np.ones((2, 6))), ValueError, r"tilt must be .* shape \(2, 6\)"),
+        (lambda: (Disc() | Polygon.regular(3, 1.0)).turned(math.nan), ValueError, "angle must be finite, got nan"),
+        (lambda: Ellipse(0.5, 0.4).turned("up"), TypeError, "angle must be a real number, got 'up'"),
+        (lambda: Polygon.regular(3, 1.0).moved(0.0, math.inf), ValueError, "y must be finite, got inf"),
         (lambda: Pupil(stop=Segments((Disc(0.5), Disc(0.5, (0.8, 0))))), ValueError,
          r"segments must not overlap, got shapes\[0\] and shapes\[1\] with an area of 0.*in common"),
         (lambda: Pupil(stop=Segments((Disc(0.5), Disc(0.3, (1.4, 0))))), ValueError,

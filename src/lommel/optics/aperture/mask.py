@@ -20,6 +20,7 @@ from lommel.base.cached import EqualByContent
 MAX_SIDE = 8192
 _MOST_POINTS = 64  # along each side of a cell
 _BAND = 2**24  # points at a time
+_OF_PHASES = "those of a map of phases in radians are np.exp(1j * phase)"
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,13 +70,16 @@ class Mask(EqualByContent):
                 raise ValueError("values must be finite, got NaN or infinity")
             self._keep(np.ascontiguousarray(given, dtype=np.complex128))
         else:
-            self._keep(np.ascontiguousarray(validation.real_array("values", given, least=0.0)) + 0.0)
+            real = validation.real_array("values", given)
+            if real.min() < 0.0:
+                raise ValueError(f"values must be amplitudes from 0 to 1, got {real.min():.6g}; {_OF_PHASES}")
+            self._keep(np.ascontiguousarray(real) + 0.0)
 
     def _keep(self, values: Values) -> None:
         """Keep values of the right shape, finite and not negative, without a copy."""
         most = float(np.abs(values).max())
         if most > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # of cos and sin, rounded
-            raise ValueError(f"values must have a modulus from 0 to 1, got {most:.15g}")
+            raise ValueError(f"values must have a modulus from 0 to 1, got {most:.15g}; {_OF_PHASES}")
         if most == 0.0:
             raise ValueError("values must not be 0 throughout: no light would pass")
         values.flags.writeable = False
@@ -118,7 +122,13 @@ class Mask(EqualByContent):
         for start in range(0, n, band):
             part = at[start * times : (start + band) * times]
             found = validation.array("function", function(at[None, :], part[:, None]))
-            whole = np.broadcast_to(found, (len(part), n * times))
+            try:
+                whole = np.broadcast_to(found, (len(part), n * times))
+            except ValueError:
+                raise ValueError(
+                    f"function must return a number, or values of the shape ({len(part)}, {n * times}) that x and y "
+                    f"broadcast to, got shape {found.shape}"
+                ) from None
             if times > 1:
                 whole = whole.reshape(-1, times, n, times).mean(axis=(1, 3))
             rows.append(whole)

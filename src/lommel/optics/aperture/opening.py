@@ -113,7 +113,8 @@ def degree_needed(
     high = next((2**k for k in range(3, MAX_DEGREE.bit_length()) if holds(2**k)), None)
     if high is None:
         raise ValueError(
-            f"aberrations and a window of v = {v:.4g} this large take polynomials of a degree over {MAX_DEGREE}"
+            f"aberrations and a window of v = {v:.4g} this large take polynomials of a degree over {MAX_DEGREE}; "
+            "a window of fewer or smaller pixels, or less aberration, takes fewer"
         )
     return bisect_left(range(high), True, lo=high // 2 + 1, key=holds)
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import or_
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,6 +26,7 @@ _FAR = 1000.0
 _FARTHEST = _FAR + 1.0  # that such a disc may reach the aperture
 _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
+_LEAST = 1e-10  # error of areas over pi
 _BOTH, _EITHER, _WITHOUT = -1, -2, -3  # as the compiled core has them
 _STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
 
@@ -60,11 +63,17 @@ class Shape:
         return tuple(parts)
 
     def moved(self, x: float, y: float) -> Shape:
-        """Return the shape moved by (`x`, `y`)."""
-        raise NotImplementedError
+        """Return the shape moved by (`x`, `y`); TypeError or ValueError if they are not finite."""
+        return self._moved(validation.real("x", x), validation.real("y", y))
 
     def turned(self, angle: float) -> Shape:
-        """Return the shape turned about the axis by an `angle`, radians from x to y."""
+        """Return the shape turned about the axis by an `angle`, radians from x to y; TypeError or ValueError."""
+        return self._turned(validation.real("angle", angle))
+
+    def _moved(self, x: float, y: float) -> Shape:
+        raise NotImplementedError
+
+    def _turned(self, angle: float) -> Shape:
         raise NotImplementedError
 
     def _listed(self, parts: list[Shape], steps: list[int]) -> None:
@@ -139,7 +148,7 @@ def _point(name: str, value: Any) -> tuple[float, float]:
     return x, y
 
 
-def _turned(point: tuple[float, float], angle: float) -> tuple[float, float]:
+def _rotated(point: tuple[float, float], angle: float) -> tuple[float, float]:
     c, s = math.cos(angle), math.sin(angle)
     return c * point[0] - s * point[1], s * point[0] + c * point[1]
 
@@ -161,13 +170,11 @@ class Combined(Shape):
         """Return points along the edges of both."""
         return self.first.outline(points) + self.second.outline(points)
 
-    def moved(self, x: float, y: float) -> Shape:
-        """Return both moved."""
-        return Combined(self.kind, self.first.moved(x, y), self.second.moved(x, y))
+    def _moved(self, x: float, y: float) -> Shape:
+        return Combined(self.kind, self.first._moved(x, y), self.second._moved(x, y))
 
-    def turned(self, angle: float) -> Shape:
-        """Return both turned."""
-        return Combined(self.kind, self.first.turned(angle), self.second.turned(angle))
+    def _turned(self, angle: float) -> Shape:
+        return Combined(self.kind, self.first._turned(angle), self.second._turned(angle))
 
     def to_dict(self) -> Json:
         """Return both in plain types."""
@@ -222,13 +229,11 @@ class Ellipse(Shape):
         u, v, c, s = self.a * np.cos(t), self.b * np.sin(t), math.cos(self.angle), math.sin(self.angle)
         return [np.stack([self.center[0] + c * u - s * v, self.center[1] + s * u + c * v], axis=-1)]
 
-    def moved(self, x: float, y: float) -> Shape:
-        """Return the ellipse moved by (`x`, `y`)."""
+    def _moved(self, x: float, y: float) -> Shape:
         return Ellipse(self.a, self.b, self.angle, (self.center[0] + x, self.center[1] + y))
 
-    def turned(self, angle: float) -> Shape:
-        """Return the ellipse turned about the axis."""
-        return Ellipse(self.a, self.b, self.angle + angle, _turned(self.center, angle))
+    def _turned(self, angle: float) -> Shape:
+        return Ellipse(self.a, self.b, self.angle + angle, _rotated(self.center, angle))
 
     def to_dict(self) -> Json:
         """Return the ellipse in plain types, with its name."""
@@ -269,13 +274,11 @@ class Disc(Shape):
         t = np.arange(points) * (2.0 * math.pi / points)
         return [np.array(self.center) + self.radius * np.stack([np.cos(t), np.sin(t)], axis=-1)]
 
-    def moved(self, x: float, y: float) -> Shape:
-        """Return the disc moved by (`x`, `y`)."""
+    def _moved(self, x: float, y: float) -> Shape:
         return Disc(self.radius, (self.center[0] + x, self.center[1] + y))
 
-    def turned(self, angle: float) -> Shape:
-        """Return the disc turned about the axis."""
-        return Disc(self.radius, _turned(self.center, angle))
+    def _turned(self, angle: float) -> Shape:
+        return Disc(self.radius, _rotated(self.center, angle))
 
     def to_dict(self) -> Json:
         """Return the disc in plain types, with its name."""
@@ -321,10 +324,11 @@ class Polygon(Shape):
         way = math.copysign(1.0, turn.sum())
         # A convex polygon turns one way, and once.
         around = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
-        if length.min() < 1e-12 or np.any(way * turn < -flat) or abs(abs(around) - 2.0 * math.pi) > 1e-6:
+        line = np.all(np.abs(turn) <= flat)
+        if length.min() < 1e-12 or line or np.any(way * turn < -flat) or abs(abs(around) - 2.0 * math.pi) > 1e-6:
             raise ValueError(
-                "corners must be those of a convex polygon, in order and each once; join convex ones by |, "
-                f"got {validation.shown(self.corners)}"
+                "corners must be those of a convex polygon, not on a line, in order and each once; "
+                f"join convex ones by |, got {validation.shown(self.corners)}"
             )
         object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(way)]))
 
@@ -363,7 +367,7 @@ class Polygon(Shape):
         """
         turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
         corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
-        return cls(tuple(_turned(corner, turn) for corner in corners))
+        return cls(tuple(_rotated(corner, turn) for corner in corners))
 
     @property
     def center(self) -> tuple[float, float]:
@@ -385,13 +389,11 @@ class Polygon(Shape):
         t = np.linspace(0.0, 1.0, max(2, points // len(at)), endpoint=False)[:, None, None]
         return [(at + t * (np.roll(at, -1, axis=0) - at)).reshape(-1, 2)]
 
-    def moved(self, x: float, y: float) -> Shape:
-        """Return the polygon moved by (`x`, `y`)."""
+    def _moved(self, x: float, y: float) -> Shape:
         return Polygon(tuple((u + x, v + y) for u, v in self.corners))
 
-    def turned(self, angle: float) -> Shape:
-        """Return the polygon turned about the axis."""
-        return Polygon(tuple(_turned(corner, angle) for corner in self.corners))
+    def _turned(self, angle: float) -> Shape:
+        return Polygon(tuple(_rotated(corner, angle) for corner in self.corners))
 
     def to_dict(self) -> Json:
         """Return the polygon in plain types, with its name."""
@@ -453,7 +455,7 @@ class Spider(Shape):
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a lower bound on the distance of points (`x`, `y`) from the edges; negative outside of the vanes."""
-        most = np.full(np.broadcast_shapes(x.shape, y.shape), -np.inf)
+        most = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), -np.inf)
         for angle in self.angles:
             c, s = math.cos(angle), math.sin(angle)
             np.maximum(most, np.minimum(0.5 * self.width - np.abs(y * c - x * s), x * c + y * s), out=most)
@@ -463,8 +465,10 @@ class Spider(Shape):
         """Return points along the edges."""
         return [line for vane in self.vanes() for line in vane.outline(points)]
 
-    def turned(self, angle: float) -> Shape:
-        """Return the vanes turned about the axis."""
+    def _moved(self, x: float, y: float) -> Shape:
+        return reduce(or_, self.vanes())._moved(x, y)
+
+    def _turned(self, angle: float) -> Shape:
         return Spider(self.width, tuple(each + angle for each in self.angles))
 
     def to_dict(self) -> Json:
@@ -528,9 +532,11 @@ class CatEye(Shape):
         """Return points along the edge of the second circle."""
         return self.disc.outline(points)
 
-    def turned(self, angle: float) -> Shape:
-        """Return the circle turned about the axis."""
-        return CatEye(_turned(self.shift, angle), self.radius)
+    def _moved(self, x: float, y: float) -> Shape:
+        return self.disc._moved(x, y)  # which may be farther than a cat's eye
+
+    def _turned(self, angle: float) -> Shape:
+        return CatEye(_rotated(self.shift, angle), self.radius)
 
     def _listed(self, parts: list[Shape], steps: list[int]) -> None:
         self.disc._listed(parts, steps)
@@ -550,7 +556,7 @@ class Segments:
     Parameters
     ----------
     shapes : sequence of Shape
-        The segments, which must not overlap; 1 to 4096 of them.
+        The segments, 1 to 4096 of them. A :class:`Pupil` refuses segments that overlap, or lie beyond its rim.
     piston, tip, tilt : sequence of float, optional
         Phase of each segment, radians: constant, and its change along x and along y, a radius of the aperture further
         (2 pi are a wavelength of path); the slopes about the segment's centre. 0 by default.
@@ -558,7 +564,7 @@ class Segments:
     Raises
     ------
     TypeError, ValueError
-        If they are not such shapes and finite numbers, or overlap.
+        If they are not such shapes and finite numbers.
 
     Examples
     --------
@@ -623,8 +629,12 @@ class Segments:
         # The farthest corner: of a hexagon at a corner of the last ring, whose pitch makes it 1.
         far = max(places, key=lambda place: math.hypot(*place))
         low, high = between, 2.0
-        if between >= 0.5:
-            raise ValueError(f"gap must leave something of the segments, got {between:g}")
+        most = 1.0 / math.hypot(*far)
+        if between > (1.0 - 1e-9) * most:
+            raise ValueError(
+                f"gap must leave something of the segments: with rings={count} it must be below {most:.4g}, "
+                f"got {between:g}"
+            )
         for _ in range(80):
             pitch = 0.5 * (low + high)
             size = (pitch - between) / math.sqrt(3.0)
@@ -662,6 +672,11 @@ class Segments:
         turn = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
         phases = {"piston": piston, "tip": tip, "tilt": tilt}
         given = [validation.real_array(name, value) for name, value in phases.items()]
+        for name, part in zip(phases, given, strict=True):
+            if part.shape not in ((), (len(self.shapes),)):
+                raise ValueError(
+                    f"{name} must be a number, or one for each of {len(self.shapes)} segments, got shape {part.shape}"
+                )
         return Segments(
             self.shapes, *(tuple(np.broadcast_to(turn * part, len(self.shapes)).tolist()) for part in given)
         )
@@ -680,6 +695,9 @@ class Segments:
     def _cut(self, other: Shape, by: Callable[[Shape, Shape], Shape | None]) -> Segments:
         """Return what is left of the segments, those that vanish left out."""
         left = [by(part, other) for part in self.shapes]
+        # Bounds of the margin tell some of those that vanish, their area the others.
+        whole = zip(left, self.shapes, strict=True)
+        left = [None if part is not one and part is not None and not _clear(part) else part for part, one in whole]
         kept = [i for i, part in enumerate(left) if part is not None]
         if not kept:
             raise ValueError(f"other must leave something of the segments, got {validation.shown(other)}")
@@ -697,6 +715,11 @@ class Segments:
         """Return the segments in plain types, with the name."""
         numbers = {name: list(getattr(self, name)) for name in ("piston", "tip", "tilt") if any(getattr(self, name))}
         return {"name": "Segments", "shapes": [part.to_dict() for part in self.shapes], **numbers}
+
+
+def _clear(part: Shape) -> bool:
+    """Return whether a part has points within the rim."""
+    return listed(Disc() & part).rule(0, _LEAST).weight > 0.0
 
 
 def _whole(part: Shape) -> Shape:

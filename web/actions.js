@@ -75,6 +75,7 @@ export function actions(view) {
       view.take(preset);
     },
     reset() {
+      view.controls.forget();
       view.set(view.start);
     },
     hold,
@@ -101,7 +102,8 @@ export function actions(view) {
       const { page, state } = view;
       const text = view.linkText();
       await copy(page.link, location.href.split("#")[0] + (text ? `#${text}` : ""));
-      if (state.picture === "own") sayBeside(page.node, page.tip, page.link, "Your own picture is not in the link.");
+      const missing = [view.compare.held && "A", state.picture === "own" && "your own picture"].filter(Boolean).join(", ");
+      if (missing) sayBeside(page.node, page.tip, page.link, `Not in the link: ${missing}.`);
     },
     python: () => (view.shown?.psf ? copy(view.page.python, (view.settled ?? view.shown).psf.python) : undefined),
     png: () => save(() => savePng(view.figure())),

@@ -2,8 +2,8 @@
 
 import { el, menu, unique } from "./dom.js";
 import { short } from "./plots.js";
-import { FIELDS } from "./fields.js";
-import { furtherTerms } from "./state.js";
+import { DIRECTED, FIELDS } from "./fields.js";
+import { furtherTerms, INFINITE } from "./state.js";
 import { LENGTH_UNITS, WAVES_UNITS, wavesUnit, withUnit } from "./units.js";
 
 // [title, rows or pairs of a size and its direction], in the order of FIELDS. lommel.page.state lists the contents of rows.
@@ -39,10 +39,10 @@ const SIDEWAYS = 6; // px that a finger moves before a slider follows it
 const PAUSE = 700; // ms without a change that end a gesture of the keyboard
 
 export class Controls {
-  // set(change, moving, gesture) takes every change, say(node, text) shows a remark; `only` lists the keys to show, or is empty for
-  // all. touched(key) is called with the slider that is used.
-  constructor({ state, set, say, touched, only = [], level = 2 }) {
-    Object.assign(this, { set, say, touched });
+  // set(change, moving, gesture) takes every change; `only` lists the keys to show, or is empty for all. touched(key) is called with
+  // the slider that is used.
+  constructor({ state, set, touched, only = [], level = 2 }) {
+    Object.assign(this, { set, touched });
     this.rows = new Map();
     this.menus = {};
     this.gesture = { count: 0, key: "", time: 0 };
@@ -109,10 +109,16 @@ export class Controls {
     const name = spec.name ?? spec.label;
     const hint = `${FIELDS[key].about ?? name}\nDouble click, or Delete, for the default`;
     const slider = el("input", { type: "range", "aria-label": name, "data-key": key, title: hint });
-    const box = el("input", { type: "number", id, "data-key": key, inputmode: "decimal", autocomplete: "off", step: "any" });
+    // A box of numbers takes no "inf".
+    const type = FIELDS[key].infinite ? "text" : "number";
+    const box = el("input", { type, id, "data-key": key, inputmode: "decimal", autocomplete: "off", step: "any", "aria-errormessage": `${id}-fault` });
     const unit = el("span", { class: "unit" }, spec.unit ?? "");
-    const row = { key, spec, slider, box, unit, name, dragging: false };
-    const reset = () => this.set({ [key]: FIELDS[key].initial });
+    const fault = el("p", { class: "fault", id: `${id}-fault`, role: "alert", hidden: true });
+    const row = { key, spec, slider, box, unit, fault, name, dragging: false };
+    const reset = () => {
+      this.allow(row);
+      this.set({ [key]: FIELDS[key].initial });
+    };
     this.slide(row);
     slider.addEventListener("dblclick", reset);
     slider.addEventListener("keydown", (event) => {
@@ -121,7 +127,7 @@ export class Controls {
     this.type(row);
     const label = el("label", { for: id, title: hint, "data-word": key, ondblclick: reset }, spec.label);
     this.rows.set(key, row);
-    return el("div", { class: "row", "data-row": key }, el("div", { class: "line" }, label, box, unit), slider);
+    return el("div", { class: "row", "data-row": key }, el("div", { class: "line" }, label, box, unit), fault, slider);
   }
 
   // A mouse moves a slider at once. A finger does after some way sideways, or as a tap; what scrolls the page leaves it as it was.
@@ -162,17 +168,14 @@ export class Controls {
     for (const name of ["pointerup", "pointercancel", "blur", "lostpointercapture"]) slider.addEventListener(name, end);
   }
 
-  // What is typed counts as it is typed where it is in range; what is not is said, and moved into the range at the end.
+  // What is typed counts as it is typed where it is in range. What is not stays in the box, with the range below, and changes nothing.
   type(row) {
-    const { key, box, name, spec } = row;
-    const { low, high } = FIELDS[key];
-    const typed = () => (box.validity.badInput ? NaN : box.valueAsNumber) / row.factor;
-    const outside = () => typed() < low * (1 - 1e-12 * Math.sign(low)) || typed() > high * (1 + 1e-12);
-    const range = () => `${name} is ${short(low * row.factor)} to ${short(high * row.factor)} ${spec.waves ? row.unit.textContent : spec.said}`.trim();
+    const { key, box } = row;
     // All digits, selected as a whole: what is typed replaces them. A click would put a caret between them.
     let fresh = false;
     box.addEventListener("focus", () => {
-      box.value = short(this.state[key] * row.factor, 12);
+      row.before = this.state[key];
+      if (row.kept === undefined) box.value = textOf(row, row.before, 12);
       box.select();
       fresh = true;
     });
@@ -182,19 +185,43 @@ export class Controls {
     });
     box.addEventListener("input", () => {
       this.edited = box;
-      if (outside() || box.validity.badInput) this.say(box, range());
-      else if (Number.isFinite(typed())) this.set({ [key]: typed() }, true, this.gestureOf(key, false));
+      if (faultOf(row)) return;
+      this.allow(row);
+      this.set({ [key]: typedIn(row) }, true, this.gestureOf(key, false));
     });
+    box.addEventListener("keydown", (event) => event.key === "Escape" && this.allow(row));
     const written = () => {
-      if (this.edited === box && outside()) {
-        const inside = Math.min(high, Math.max(low, typed()));
-        this.set({ [key]: inside }, false, this.gestureOf(key, false));
-        this.say(box, `${range()}: set to ${short(inside * row.factor)}`);
-      } else if (this.edited === box && !Number.isFinite(typed())) this.say(box, `${range()}: unchanged`);
-      this.edited = row.shown = undefined;
-      this.update(this.state);
+      if (this.edited !== box) return row.kept === undefined && this.allow(row);
+      this.edited = undefined;
+      const wrong = (box.value || box.validity.badInput) && faultOf(row);
+      if (!wrong) {
+        if (box.value) row.before = typedIn(row);
+        return this.allow(row);
+      }
+      row.kept = row.before;
+      row.fault.textContent = wrong;
+      this.mark(row);
+      this.set({ [key]: row.before }, false, this.gestureOf(key, false)); // of what was typed the beginning may have been a number
     };
     for (const end of ["change", "blur"]) box.addEventListener(end, written);
+  }
+
+  // The box shows the state again.
+  allow(row) {
+    row.kept = row.shown = undefined;
+    this.mark(row);
+    this.update(this.state);
+  }
+
+  mark({ box, fault, kept }) {
+    fault.hidden = kept === undefined;
+    box.setAttribute("aria-invalid", String(kept !== undefined));
+  }
+
+  // As allow, in every box.
+  forget() {
+    this.edited = undefined;
+    for (const row of this.rows.values()) this.allow(row);
   }
 
   // Whether a box holds what is not taken yet.
@@ -224,13 +251,15 @@ export class Controls {
     if (print === row.shown) return;
     row.shown = print;
     row.factor = factor;
+    if (row.kept !== undefined && row.kept !== value) row.kept = undefined;
+    this.mark(row);
     const { slider, box, spec } = row;
     if (!row.dragging) this.range(row, value);
     slider.value = placeOf(row, value);
     this.fill(row);
-    const text = short(value * factor, Math.abs(value * factor) < 0.1 ? 3 : 4); // what the box has room for
+    const text = textOf(row, value, Math.abs(value * factor) < 0.1 ? 3 : 4); // what the box has room for
     // What is typed stays until the typing is over.
-    if (this.edited !== box) box.value = box.matches(":focus") ? short(value * factor, 12) : text;
+    if (this.edited !== box && row.kept === undefined) box.value = box.matches(":focus") ? textOf(row, value, 12) : text;
     row.unit.textContent = name;
     slider.setAttribute("aria-valuetext", withUnit(text, spec.waves ? name : spec.said).trim());
     const said = spec.waves ? `${row.name}, ${name}` : [row.name, spec.said].filter(Boolean).join(", ");
@@ -254,6 +283,28 @@ export class Controls {
     // The step counts from the least: a value between two steps would be moved to one of them, on the screen only.
     for (const [name, number] of Object.entries(wanted)) if (slider[name] !== String(number)) slider[name] = number;
   }
+}
+
+// The digits of a value; the most of a distance stands for infinity.
+const textOf = ({ key, factor }, value, digits) => (FIELDS[key].infinite && value >= FIELDS[key].high ? "∞" : short(value * factor, digits));
+
+// The value that is typed, NaN where it is none.
+function typedIn({ key, box, factor }) {
+  if (FIELDS[key].infinite && INFINITE.test(box.value)) return FIELDS[key].high;
+  return box.value.trim() ? Number(box.value.replace(",", ".")) / factor : NaN;
+}
+
+// Why what is typed is not taken, or nothing.
+function faultOf(row) {
+  const { key, name, spec, factor, unit } = row;
+  const { low, high, whole, infinite } = FIELDS[key];
+  const value = typedIn(row);
+  const inside = value >= low - 1e-12 * Math.abs(low) && value <= high + 1e-12 * Math.abs(high);
+  if (inside && !(whole && value % 1)) return "";
+  const [least, most] = [low, high].map((limit) => short(limit * factor));
+  const range = `${whole ? "a whole number, " : ""}${least} to ${infinite ? "∞ (or inf)" : most} ${spec.waves ? unit.textContent : spec.said}`.trim();
+  const turned = value < 0 && DIRECTED.find((term) => term.name === key);
+  return `${name} is ${range}${turned ? `; for the other sign turn its angle by ${180 / turned.m}°` : ""}. Still ${textOf(row, row.before, 4)}.`;
 }
 
 // Between a value and its place on the slider, which is logarithmic where it has no step.

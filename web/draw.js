@@ -116,7 +116,9 @@ export function drawBar(canvas, { map, stretch }, top = 1) {
   const step = tickStep(top);
   const floored = (value) => Math.floor(value / 10 ** Math.floor(Math.log10(value)) + 1e-9) * 10 ** Math.floor(Math.log10(value));
   const marks = stretch === "sqrt" ? [0, ...[0.05, 0.2, 0.5, 1].map((share) => floored(share * top))] : integers(0, Math.floor(1e-9 + top / step)).map((k) => k * step);
-  return marks.map((mark) => [STRETCHES[stretch](mark / top), String(Number(mark.toPrecision(4)))]);
+  const ticks = marks.map((mark) => [STRETCHES[stretch](mark / top), String(Number(mark.toPrecision(4)))]);
+  // Labels have room, on a bar of 200 pixels too.
+  return ticks.filter(([at, word], k) => k === 0 || at - ticks[k - 1][0] > (6 * word.length + 6) / 200);
 }
 
 const integers = (first, last) => Array.from({ length: last - first + 1 }, (_, i) => first + i);

@@ -60,6 +60,7 @@ export class Engine {
     this.refuse(stated, quality);
     const { side, pixel } = asked(state, quality);
     const { error, radii } = QUALITY[quality];
+    const fwhm = this.fwhm(state, quality);
     this.light(state);
     const window = stepOf(state, fineReach(state));
     const cut = state.vanes || beyondCircles(state);
@@ -75,6 +76,7 @@ export class Engine {
       strehl: mean[0],
       strehl_error: circles.error,
       unaberrated: (area * brightness(state) * stepOf(state, pixel) ** 2) / (4 * Math.PI), // value of a pixel at the peak
+      fwhm,
       d80_axis: radius < 0 ? null : 2 * lengthOf(state, radius),
       within: summed ? null : circles.within(edge),
       profile: { r, mean, reference },
@@ -91,6 +93,36 @@ export class Engine {
     const near = cut && evenly(Math.max(33, Math.ceil((radii * far) / reach)), far);
     const about = cut ? sharesOf(state, near, this.cutLight(near, 1)).radius : this.core.call("radius_of", 0.8, far);
     return { ...made, d80: about < 0 ? null : 2 * lengthOf(state, about) };
+  }
+
+  // Full width at half maximum of the optics, the mean of x and y: extents of what is brighter than half of the maximum, in an image
+  // that just holds it. NaN where it would take long, or the samples are too far apart.
+  fwhm(state, quality) {
+    const plain = !state.vanes && !unevenSlope(state);
+    const unit = lengthOf(state, Math.PI);
+    let [middle, width] = [[0, 0], 2 * fineReach(state)];
+    if (quality === "drag" && !plain) return NaN;
+    for (const [least, most] of [[2.5, Infinity], [6, 1024]]) {
+      const side = Math.min(most, Math.max(256, 2 ** Math.ceil(Math.log2((least * width) / unit))));
+      const pixel = width / side;
+      if (side > 1024 || this.tooLong(state, side, pixel, false)) return NaN;
+      const values = new Float32Array(side * side);
+      const [error, peak, , area] = this.image(state, side, pixel, false, 1e-6, values, middle.map((at) => -stepOf(state, at)));
+      if (error * area * brightness(state) * stepOf(state, pixel) ** 2 > 0.04 * Math.PI * peak) return NaN;
+      const lines = [new Float32Array(side), new Float32Array(side)]; // the brightest of each column and row
+      values.forEach((value, i) => [i % side, Math.floor(i / side)].forEach((at, k) => (lines[k][at] = Math.max(lines[k][at], value))));
+      const half = 0.5 * peak;
+      const ends = lines.map((rows) => {
+        const first = rows.findIndex((most) => most >= half);
+        const last = rows.findLastIndex((most) => most >= half);
+        const past = (inside, outside) => (rows[inside] - half) / (rows[inside] - (rows[outside] ?? 0));
+        return [first - past(first, first - 1), last + past(last, last + 1)].map((at) => (at - side / 2) * pixel);
+      });
+      middle = middle.map((at, k) => (plain ? 0 : at + 0.5 * (ends[k][0] + ends[k][1])));
+      const extents = ends.map(([low, high]) => high - low);
+      if (width < 2 * fineReach(state)) return 0.5 * (extents[0] + extents[1]);
+      width = Math.min(1.2 * Math.max(...extents) + 4 * pixel, 0.99 * width);
+    }
   }
 
   // Mean intensities and encircled energies up to a radius in v, of a pupil without vanes.
@@ -234,10 +266,10 @@ export class Engine {
 
   // Fractions of all light per pixel, left in the block of values, and copied into an array; returns the bound on their error over
   // the peak, the largest, the sum, and the clear area over that of the disk.
-  image(state, side, pixel, integrate, tol, copy = null) {
+  image(state, side, pixel, integrate, tol, copy = null, moved = [0, 0]) {
     const { core } = this;
     for (let asked = tol; ; asked *= 10) {
-      this.light(state);
+      this.light(state, moved);
       const out = core.room("values", Float32Array, side * side);
       const numbers = core.room("numbers", Float64Array, 4);
       try {
@@ -446,7 +478,7 @@ function advice(state, fits, most = 2) {
 }
 
 function beyondCircles(state) {
-  return unevenSlope(state) > (state.light === "white" ? 700 : 2750);
+  return slopeOf(state) > 2750 || (state.light === "white" && unevenSlope(state) > 700);
 }
 
 // Of settings that change the expected numbers, not of those of the display.

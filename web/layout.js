@@ -145,7 +145,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
   const files = el(
     "span",
     { class: "group files", role: "group", "aria-label": "Save" },
-    button("link", "Copy link", "An address that restores all but a picture of your own", actions.link),
+    button("link", "Copy link", "An address that restores this setting; neither A nor a picture of your own is in it", actions.link),
     button("python", "Copy as Python", "The call of lommel that makes the same array", actions.python),
     button("png", "PNG", "The point spread function as it is seen", actions.png),
     button("csv", "CSV", "Profile, encircled energy and MTF", actions.csv),

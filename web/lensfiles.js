@@ -207,9 +207,9 @@ function lensOf(raw, where, faults, opened) {
   const vanes = equalVanes(spider, radius);
   const pending = typeof zernike?.file === "string" && !table;
   if (pending) leftOut.push(`the Zernike table ${zernike.file}, which can be opened after this file`);
-  // All that an aperture has but the spider.
-  const more = Object.keys(aperture).some((key) => key !== "spider");
-  if ((spider && !vanes) || more) leftOut.push("the spider, vignetting, stop or mask");
+  if (spider && !vanes) leftOut.push("the spider");
+  const parts = { vignetting: ["ellipse", "cat_eye"], stop: ["telescope", "segments", "clear", "blocked"], mask: ["mask"] };
+  for (const [part, keys] of Object.entries(parts)) if (keys.some((key) => Object.hasOwn(aperture, key))) leftOut.push(`the ${part}`);
   if (lens.apodization && inWords(lens.apodization) !== "[]") leftOut.push("the apodization");
   if (others.colour) leftOut.push("colour aberrations");
   if (others.field) leftOut.push("aberrations of the field");
@@ -268,8 +268,10 @@ function withWavefront(given, terms, leftOut = []) {
   }
   for (const [key, value] of Object.entries(state)) {
     if (typeof value !== "number") continue;
-    const { low, high } = FIELDS[key];
-    if (!(value >= low && value <= high)) throw new Error(`${key} must be from ${low} to ${high} on this page, got ${value.toPrecision(4)}`);
+    const { low, high, row } = FIELDS[key];
+    const unit = row.waves ? "waves" : row.said;
+    if (!(value >= low && value <= high))
+      throw new Error(`${key} must be ${[`from ${low} to ${high}`, unit].filter(Boolean).join(" ")} on this page, got ${Number(value.toPrecision(4))}`);
     state[key] = nine(value);
   }
   const { terms: most, degree, waves } = FIELDS.zernike;

@@ -73,6 +73,7 @@ function mountScripts() {
       theme: script.dataset.lommelTheme,
       lesson: script.dataset.lommelLesson,
       name: script.dataset.lommelName,
+      left_out: script.dataset.lommelWithout,
       heading: script.dataset.lommelHeading,
       docs: script.dataset.lommelDocs,
     });

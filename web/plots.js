@@ -34,9 +34,10 @@ export function short(value, digits = 4) {
   return rounded && Math.abs(rounded) < 1e-3 ? rounded.toExponential() : String(rounded);
 }
 
-// A value to the decimals that an error leaves.
-export function rounded(value, error) {
-  return error > 0 && Number.isFinite(value) ? Number(value.toFixed(Math.max(0, Math.floor(-Math.log10(error))))) : value;
+// A value of a curve to the decimals that an error leaves, or that it is less than the error.
+export function curveSaid(value, error) {
+  if (value < (error || LEAST)) return `< ${error ? Math.ceil(1e3 * error) / 1e3 : "1e-6"}`;
+  return short(error > 0 && Number.isFinite(value) ? Number(value.toFixed(Math.max(0, Math.floor(-Math.log10(error))))) : value, 3);
 }
 
 export class Plot {
@@ -159,7 +160,8 @@ export class Plot {
     if (!by || !this.shown) return;
     event.preventDefault();
     const { top } = this.shown.x;
-    const at = (this.pointed ?? 0.5 * top) + by * (event.shiftKey ? 0.1 : 0.02) * top;
+    const unit = 0.1 * niceStep(top, 6); // so that round numbers are met
+    const at = (Math.round((this.pointed ?? 0.5 * top) / unit) + by * (event.shiftKey ? 5 : 1)) * unit;
     this.tell(this.snapped(Math.min(top, Math.max(0, at))));
   }
 
@@ -188,8 +190,7 @@ export class Plot {
   values(at) {
     const said = new Map();
     for (const { name, ...curve } of this.shown.curves) {
-      const value = rounded(read(curve, at), this.shown.error);
-      const text = !this.shown.error && value < LEAST ? "< 1e-6" : short(value, 3);
+      const text = curveSaid(read(curve, at), this.shown.error);
       const [, first, end = ""] = /^(.*?)( with pixel)?$/.exec(name);
       said.set(end + text, { text: `${end} ${text}`, names: [...(said.get(end + text)?.names ?? []), first] });
     }

@@ -170,7 +170,7 @@ export class Stage {
     this.label.textContent = drawn.label;
     page.selects.map.options[0].text = state.light === "white" ? "true colour" : "automatic";
     const print = JSON.stringify(drawn.ticks);
-    if (print !== this.print) page.ticks.replaceChildren(...drawn.ticks.map(([at, word]) => el("span", { style: `left:${100 * at}%` }, word)));
+    if (print !== this.print) page.ticks.replaceChildren(...drawn.ticks.map(([at, word]) => el("span", { style: `left:${100 * at}%;transform:translateX(${-100 * at}%)` }, word)));
     this.print = print;
     const now = page.psf.parentNode.querySelector(".tag");
     if (now) now.textContent = given.mode === "difference" ? "B − A" : "B";

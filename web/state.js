@@ -5,12 +5,15 @@ import { FIELDS } from "./fields.js";
 
 export const DEFAULTS = Object.freeze(Object.fromEntries(Object.entries(FIELDS).map(([key, field]) => [key, field.initial])));
 
+export const INFINITE = /^\s*\+?(inf(inity)?|∞)\s*$/i;
+
 // What a key takes: its value where it is of the kind, clamped; undefined where it is not.
 export function accepted(key, value) {
   if (typeof key !== "string" || !Object.hasOwn(FIELDS, key)) return undefined;
   const field = FIELDS[key];
   if (field.choices) return field.choices.includes(value) ? value : undefined;
   if (field.terms) return furtherTerms(value, field) && value;
+  if (field.infinite && INFINITE.test(value)) return field.high;
   if (typeof value === "string" && (value.length > 40 || !/^\s*[-+.\d]/.test(value))) return undefined;
   const number = typeof value === "string" ? Number(value) : value;
   if (typeof number !== "number" || Number.isNaN(number)) return undefined;
@@ -50,8 +53,22 @@ export function fromText(text) {
   return change;
 }
 
-// The name of a lens in the fragment of a link.
-export const nameIn = (text) => decoded(/[#&]name=([^&]*)/.exec(text)?.[1] ?? "").slice(0, 200);
+// What of a change from an address is not taken as it is there, in words.
+export function refused(change) {
+  const said = Object.keys(change).flatMap((key) => {
+    const text = String(change[key]);
+    const value = accepted(key, text);
+    const { low, high, row } = FIELDS[key];
+    if (value === undefined) return [`${key}=${text.slice(0, 40)} is not understood`];
+    if (typeof value !== "number" || INFINITE.test(text) || Math.abs(value - text) <= 1e-9 * Math.abs(value)) return [];
+    return [`${key} is ${low} to ${high}${row.said ? ` ${row.said}` : row.waves ? " waves" : ""}, so ${value} is shown instead of ${text.slice(0, 40)}`];
+  });
+  const more = said.length > 3 ? `; and ${said.length - 3} more` : "";
+  return said.length ? `Not as in the address: ${said.slice(0, 3).join("; ")}${more}.` : "";
+}
+
+// The name of a lens in the fragment of a link, or what is left out of it.
+export const wordsIn = (text, key) => decoded(new RegExp(`[#&]${key}=([^&]*)`).exec(text)?.[1] ?? "").slice(0, 200);
 
 function decoded(text) {
   try {

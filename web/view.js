@@ -9,15 +9,14 @@ import { drawFringes, drawPicture, drawWavefront } from "./draw.js";
 import { layout, UNNAMED } from "./layout.js";
 import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { STAR, testPicture } from "./pictures.js";
-import { niceTop, read, rounded, short, svg } from "./plots.js";
+import { curveSaid, niceTop, read, short, svg } from "./plots.js";
 import { PRESETS } from "./presets.js";
 import { differenceSaid, numbersSaid, plotSaid, psfSaid, wavefrontSaid } from "./sentences.js";
 import { FIELDS } from "./fields.js";
 import { Stage } from "./stage.js";
-import { changed, DEFAULTS, fromText, History, nameIn, toText } from "./state.js";
+import { changed, DEFAULTS, fromText, History, refused, toText, wordsIn } from "./state.js";
 import { styleText } from "./style.js";
 import { followTheme } from "./theme.js";
-import { sayBeside } from "./words.js";
 import { frequencyUnit, lengthUnit, unitAfter } from "./units.js";
 
 const SETTLE = 150; // ms after the last change
@@ -71,8 +70,8 @@ function longSaid({ view, light }) {
 }
 
 export class View {
-  // name: of the lens in the initial state; heading: level of the page's heading; docs: address of the documentation.
-  constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", heading = 2, docs = "" } = {}) {
+  // name: of the lens in the initial state, and what of it is left out; heading: level of the page's heading; docs: address of the documentation.
+  constructor(element, { state, onchange, url = false, controls = [], theme = "auto", lesson = "", name = "", left_out = "", heading = 2, docs = "" } = {}) {
     this.onchange = onchange;
     this.url = url;
     const asked = (url && askedLesson()) || lesson;
@@ -84,13 +83,12 @@ export class View {
     this.client = new Client();
     this.history = new History();
     this.lenses = PRESETS.map((preset) => ({ ...preset, state: changed(DEFAULTS, preset.state) }));
-    if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.given });
+    if (name) this.lenses.unshift({ name, source: "", left_out, state: this.given });
     if (url) this.nameFromLink();
     const set = (change, moving, gesture) => this.set(change, moving, gesture);
     const level = Math.min(5, Math.max(1, Number(heading) || 2));
-    const say = (node, text) => sayBeside(this.page.node, this.page.tip, node, text);
     const touched = (key) => key !== this.play.key && this.play.choose(key);
-    this.controls = new Controls({ state: this.state, set, say, touched, only, level });
+    this.controls = new Controls({ state: this.state, set, touched, only, level });
     const does = {
       ...actions(this),
       undo: () => this.travel(this.history.undo(this.state)),
@@ -134,6 +132,7 @@ export class View {
       const change = fromText(location.hash);
       if (!Object.keys(change).length) return; // it leads to a heading of the page
       this.set({ ...this.start, ...change });
+      this.remark(refused(change));
       this.nameFromLink();
     };
     if (url) addEventListener("hashchange", this.fromLink);
@@ -148,6 +147,7 @@ export class View {
     if (url) addEventListener("popstate", this.fromHistory);
     this.wanted = "settled";
     this.redraw = true;
+    if (url) this.remark(refused(fromText(location.hash)));
     this.born = performance.now();
     this.shown = {};
     this.of = {}; // the question that each part shown answers, {state, left: {part: when its setting was left}}
@@ -189,6 +189,7 @@ export class View {
     const keys = Object.keys(FIELDS).filter((key) => next[key] !== this.state[key]);
     if (!keys.length) return false;
     this.state = next;
+    this.remark("");
     this.redraw = true;
     this.leave(keys);
     if (keys.includes("picture")) this.wanted ??= "picture";
@@ -257,6 +258,7 @@ export class View {
       delete this.of[part];
       if (part === "measures") for (const plot of Object.values(this.page.plots)) plot.clear();
       if (part === "code") this.page.code.textContent = "–";
+      if (part === "wavefront") this.page.wavefrontSaid.textContent = this.page.fringesSaid.textContent = "–";
       for (const canvas of CANVASES[part] ?? []) this.page[canvas].getContext("2d").clearRect(0, 0, 1e5, 1e5);
     }
     if (parts.includes("code")) this.settled = undefined;
@@ -322,13 +324,16 @@ export class View {
     if (exact || sameLens(this.start, state)) this.lens = exact;
     this.exact = exact;
     // A lens without aberration that is changed is any lens.
-    const from = this.lens && this.lens.name !== PRESETS[0].name ? `Changed from: ${this.lens.name}` : "";
+    const from = this.lens && this.lens.name !== PRESETS[0].name ? `Changed from: ${this.lens.name.replace(/^Changed from: /, "")}` : "";
     page.name.textContent = exact ? exact.name : from || this.lessons.heading || UNNAMED;
     page.name.title = page.name.textContent; // the heading is cut where there is no room
     page.preset.value = String(PRESETS.findIndex(({ name }) => name === exact?.name)).replace("-1", "");
     page.preset.title = page.preset.selectedOptions[0].text;
-    const said = exact ? [exact.left_out && `Left out here: ${exact.left_out}.`, exact.source].filter(Boolean).join(" ") : "";
+    // What was left out stays so however the lens is changed.
+    const without = (exact ?? this.lens)?.left_out;
+    const said = [without && `Left out here: ${without}. All that is shown is of the rest.`, exact?.source].filter(Boolean).join(" ");
     page.source.hidden = !said;
+    page.source.classList.toggle("warns", Boolean(without));
     page.source.firstChild.textContent = said;
   }
 
@@ -576,10 +581,11 @@ export class View {
     const nyquist = (500 / state.pixel) * frequency.factor;
     const last = end(mtf, frequency.factor);
     const there = (x, y, names = ["x ", "y "]) => {
-      const [a, b] = [x, y].map((curve) => short(rounded(read({ x: mtf.f, y: curve }, nyquist / frequency.factor), mtf.error), 3));
-      return a === b ? a : `${names[0]}${a}, ${names[1]}${b}`;
+      const [a, b] = [x, y].map((curve) => curveSaid(read({ x: mtf.f, y: curve }, nyquist / frequency.factor), mtf.error));
+      const by = mtf.error && !(a.startsWith("<") && b.startsWith("<")) ? ` ± ${Math.ceil(1e3 * mtf.error) / 1e3}` : "";
+      return `${a === b ? a : `${names[0]}${a}, ${names[1]}${b}`}${by}`;
     };
-    const contrast = nyquist > last ? "beyond the diffraction limit" : `MTF ${there(mtf.x, mtf.y)}; with pixel ${there(mtf.pixel_x, mtf.pixel_y, ["", ""])}${mtf.error ? `, ± ${Math.ceil(1e3 * mtf.error) / 1e3}` : ""}`;
+    const contrast = nyquist > last ? "beyond the diffraction limit" : `MTF ${there(mtf.x, mtf.y)}; with pixel ${there(mtf.pixel_x, mtf.pixel_y, ["", ""])}`;
     page.plots.mtf.draw({
       x: { unit: frequency.name, label: frequency.name, top: last },
       y: { top: 1 },
@@ -624,20 +630,30 @@ export class View {
   }
 
   tell(text) {
-    this.page.notice.hidden = !text;
-    if (this.page.notice.textContent !== text) this.page.notice.textContent = text;
+    this.said = text;
+    const whole = [this.remarked, text].filter(Boolean).join(" ");
+    this.page.notice.hidden = !whole;
+    if (this.page.notice.textContent !== whole) this.page.notice.textContent = whole;
+  }
+
+  // What is told until the next change.
+  remark(text) {
+    if (text === (this.remarked ?? "")) return;
+    this.remarked = text;
+    this.tell(this.said);
   }
 
   // The fragment of a link, with the name of a lens that is not among the presets.
   linkText() {
-    const { exact } = this;
-    const own = exact && exact.state !== this.given && !PRESETS.some(({ name }) => name === exact.name);
-    return [toText(this.state, this.start), own && `name=${encodeURIComponent(exact.name)}`].filter(Boolean).join("&");
+    const { name, state, left_out } = this.exact ?? (this.lens?.left_out ? { ...this.lens, name: this.page.name.textContent } : {});
+    const own = name && (left_out || state !== this.given) && !PRESETS.some((preset) => preset.name === name);
+    const words = own ? { name, without: left_out } : {};
+    return [toText(this.state, this.start), ...Object.keys(words).map((key) => words[key] && `${key}=${encodeURIComponent(words[key])}`)].filter(Boolean).join("&");
   }
 
   nameFromLink() {
-    const name = nameIn(location.hash);
-    if (name) this.lenses.unshift({ name, source: "", left_out: "", state: this.state });
+    const [name, left_out] = ["name", "without"].map((key) => wordsIn(location.hash, key));
+    if (name) this.lenses.unshift({ name, source: "", left_out, state: this.state });
     this.named = undefined;
   }
 

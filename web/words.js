@@ -15,6 +15,11 @@ export const NUMBERS = {
     "Diameter of the circle around the centroid of the light that contains 80 % of it, as `lommel info` has it. The curve of encircled " +
       "energy is about the axis.",
   ],
+  fwhm: [
+    "FWHM",
+    "Full width at half maximum of the optics, without the pixel: the extent of what is brighter than half of the brightest point, " +
+      "the mean of x and y, as `lommel info` has it.",
+  ],
   inside: ["Light in the window", "Share of all light from the pupil that falls within the computed window."],
   bound: ["Proven error", "Upper bound on the error of every value shown, over the unaberrated peak: mathematically proven, not estimated."],
   time: ["Time", "Computing time of the last point spread function on this machine."],

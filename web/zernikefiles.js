@@ -58,6 +58,7 @@ const UNIT_NAMES = {
   micrometers: "um", nanometer: "nm", nanometers: "nm", millimeters: "mm",
 };
 const UNITS_OF_TABLES = ["radians", "waves", ...Object.keys(POWERS), ...Object.keys(INCHES)];
+const EXAMPLES = { order: "noll", unit: "waves", normalization: "rms" };
 const ALLOWED = { order: ORDERS, unit: UNITS_OF_TABLES, normalization: ["rms", "edge"] };
 
 // {terms: [[n, m, value at the edge]], unit, wavelength (metres or null)} of settings and [index, value, place]; faults are added.
@@ -67,7 +68,7 @@ export function builtTable(settings, terms, where, faults) {
       faults.push(`${where(key)}: unknown key; there are order, unit, normalization, wavelength and terms`);
   for (const [key, choices] of Object.entries(ALLOWED)) {
     const got = settings[key];
-    if (got === undefined) faults.push(`${where(key)}: is missing; it is one of ${choices.join(", ")}`);
+    if (got === undefined) faults.push(`${where(key)}: is missing; it is one of ${choices.join(", ").replace("nm, noll", "nm (n and m), noll")}`);
     else if (!choices.includes(got)) faults.push(`${where(key)}: must be one of ${choices.join(", ")}, got ${shownValue(got)}`);
   }
   let wavelength = null;
@@ -165,7 +166,7 @@ export function csvTable(text, faults) {
       terms.push([numbered(picked[0]) ?? picked.join(","), numberOf(number), `line ${at}`]);
     }
   }
-  return builtTable(settings, terms, (key) => (lines[key] ? `${key} (line ${lines[key]})` : `# ${key}:`), faults);
+  return builtTable(settings, terms, (key) => (lines[key] ? `${key} (line ${lines[key]})` : EXAMPLES[key] ? `the line "# ${key}: ${EXAMPLES[key]}"` : key), faults);
 }
 
 // A listing of OpticStudio, saved as text.

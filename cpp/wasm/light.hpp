@@ -194,10 +194,11 @@ inline Proof image_of_line(const Light& light, const Line& line, const View& vie
         double numbers[3] = {scale, 0.0, 0.0};
         const Stack stack{powers.data(), 1, powers.size(), light.obscuration};
         const Answer<float> answer{out, numbers, numbers + 1, numbers + 2, nullptr, 0, nullptr, nullptr};
+        const PixelWindow window{view.side, view.side, middle, middle, step, view.integrate};
         if (view.integrate) {
-            PixelRenderer<float>(stack, PixelWindow{view.side, view.side, middle, middle, step, true}, tol, 1, answer).run();
+            PixelRenderer<float>(stack, window, tol, 1, answer).run();
         } else {
-            Renderer<float>(stack, view.side, view.side, step, tol, 1, answer).run();
+            Renderer<float>(stack, window, tol, 1, answer).run();
         }
         proof = {numbers[1], numbers[2]};
     } else if (view.integrate) {

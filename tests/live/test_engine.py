@@ -880,3 +880,19 @@ def test_the_fine_view_has_no_photons_for_its_samples_are_no_pixels(engine):
     counts = engine.psf({**state, "view": "averaged", "side": 65, "read_noise": 0})["counts"]
     assert 800 < sum(counts) < 1200
     assert max(counts) > 20
+
+
+@pytest.mark.parametrize(
+    ("state", "within"),
+    [
+        ({"defocus": 0}, 2e-4),
+        ({"defocus": 30}, 3e-3),
+        ({"coma": 1, "coma_angle": 30, "pixel": 9, "view": "averaged"}, 5e-4),
+        ({"defocus": 0, "coma": 0.5, "light": "white", "side": 64}, 5e-4),
+        ({"defocus": 20, "coma": 3, "trefoil": 2}, 3e-3),
+        ({"defocus": 5, "vanes": 4, "obscuration": 0.3, "f_number": 8}, 2e-3),
+    ],
+)
+def test_the_fwhm_is_that_of_the_package(engine, state, within):
+    wanted = psf_of({**state, "side": 64}).fwhm(of="optics") * 1e6
+    assert engine.measures(state)["fwhm"] == pytest.approx(wanted, rel=within)

@@ -96,7 +96,7 @@ def test_the_link_of_a_lens_file_has_its_name_and_says_that_no_picture_is_in_it(
     rest(page)
     page.locator('[data-action="link"]').click()
     page.wait_for_timeout(50)
-    assert page.locator(".tip").inner_text() == "Your own picture is not in the link."
+    assert page.locator(".tip").inner_text() == "Not in the link: your own picture."
 
 
 def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:

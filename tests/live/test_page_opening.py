@@ -14,7 +14,7 @@ import pytest
 
 import lommel as lm
 from lens_file_texts import lens_file
-from live_page import rest, state
+from live_page import fragment, rest, state
 from lommel.page.state import FIELDS, Terms, complete, further_terms, state_of
 
 OPEN = """async ([name, text]) => {
@@ -206,12 +206,22 @@ FAULTS = {
     "a negative length": (GOOD.replace("50 mm", "-50 mm"), ".toml", ["lens.focal_length (line 2)", "positive"]),
     "both apertures": (GOOD.replace("f_number = 2", 'f_number = 2\naperture_diameter = "2 mm"'), ".toml", ["one of"]),
     "rectangular pixels": (GOOD.replace('"3 um"', '["3 um", "4 um"]'), ".toml", ["sensor.pixel (line 6)", "square"]),
-    "a wavelength out of range": (GOOD.replace("550 nm", "5 um"), ".toml", ["wavelength", "2000"]),
+    "a wavelength out of range": (
+        GOOD.replace("550 nm", "50 um"),
+        ".toml",
+        ["wavelength", "from 100 to 30000 nanometres", "got 50000"],
+    ),
     "a wrong word": (GOOD.replace("f_number = 2", 'f_number = 2\nmodel = "thick"'), ".toml", ["paraxial, aplanatic"]),
     "a microscope": ("[objective]\nna = 1\n", ".toml", ["microscope"]),
     "deep brackets": (GOOD + "shape = " + "[" * 5000, ".toml", ["line 7", "deep"]),
     "a suffix": ("x", ".doc", [".toml", ".csv"]),
     "no unit of coefficients": ("# normalization: rms\nn,m,value\n3,1,2\n", ".csv", ["unit", "waves"]),
+    "a table without head": ("n,m,value\n3,1,2\n", ".csv", ['the line "# unit: waves": is missing; it is one of']),
+    "no order": (
+        "index,value\n3,2\n",
+        ".csv",
+        ['the line "# order: noll": is missing; it is one of nm (n and m), noll'],
+    ),
     "no such term": ("# normalization: rms\n# unit: waves\nn,m,value\n3,2,2\n", ".csv", ["line 4", "n - m even"]),
     "other columns": ("# normalization: rms\na,b\n3,2\n", ".csv", ["line 2", "n,m,value"]),
     "annular terms": (LISTING.format(kind="Annular"), ".txt", ["annular"]),
@@ -241,7 +251,22 @@ def test_shapes_of_an_aperture_are_read_and_said_to_be_left_out(visit: Callable[
     parts = '[[aperture.clear]]\ntype = "disc"\n[[aperture.clear]]\ntype = "hexagon"\nradius = 0.5\n'
     assert opened(page, "lens.toml", GOOD + parts)["taken"]
     rest(page)
-    page.get_by_text("Left out here: the spider, vignetting, stop or mask").first.wait_for()
+    said = "Left out here: the stop. All that is shown is of the rest."
+    source = page.locator(".source")
+    assert source.inner_text() == said
+    # It stays with the lens that is changed, and with a link to either.
+    page.evaluate("live.set({ defocus: 0.1 })")
+    rest(page)
+    assert source.inner_text() == said
+    for name in ("Changed from: lens", "lens"):
+        again = visit(f"/mounted#{fragment(page)}")
+        assert (again.locator("h2.name").inner_text(), again.locator(".source").inner_text()) == (name, said)
+        page.get_by_role("button", name="Undo").click()
+        rest(page)
+    again.evaluate("live.set({ coma: 0.1 })")
+    rest(again)
+    assert again.locator("h2.name").inner_text() == "Changed from: lens"
+    assert again.locator(".source").inner_text() == said
     assert "has a value" in opened(page, "lens.toml", GOOD + "[aperture]\nclear = [1]\n" + parts)["said"]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
+import itertools
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -406,3 +407,47 @@ def test_legends_name_both_settings(visit: Callable[..., Any]) -> None:
         "B: mean over angle",
         "unaberrated",
     ]
+
+
+@pytest.mark.parametrize("photons", [10000, 14000, 17000, 20000, 1e6])
+@pytest.mark.parametrize("width", [390, 680, 1366])
+def test_labels_of_the_bar_do_not_overlap(visit: Callable[..., Any], photons: float, width: int) -> None:
+    telescope = "defocus=0&coma=0.5&f_number=5&obscuration=0.25&vanes=4&pixel=3.76&view=averaged&noise=on&side=64"
+    page = visit(f"/mounted#{telescope}&stretch=sqrt&photons={photons}", viewport={"width": width, "height": 768})
+    bar = page.locator(".ticks").bounding_box()
+    places = sorted((node.bounding_box() for node in page.locator(".ticks span").all()), key=lambda box: box["x"])
+    assert len(places) > 2
+    assert all(a["x"] + a["width"] < b["x"] for a, b in itertools.pairwise(places))
+    assert places[-1]["x"] + places[-1]["width"] <= bar["x"] + bar["width"] + 1
+
+
+def test_arrow_keys_read_the_mtf_at_round_frequencies(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&defocus=0")
+    page.locator(".curve.mtf .plot").focus()
+    page.keyboard.press("Shift+ArrowLeft")
+    said = []
+    for _ in range(13):
+        page.keyboard.press("ArrowLeft")
+        said.append(page.locator(".curve.mtf .readout").inner_text())
+    assert any(text.startswith("100 cycles/mm: x, y") for text in said), said
+
+
+def test_contrast_below_its_error_is_not_said_to_be_zero(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#spherical=2&defocus=4&coma=1&astigmatism=1&trefoil=1&light=white&vanes=6")
+    said = page.locator(".curve.mtf .readout").inner_text()
+    error = page.evaluate("live.result().measures.mtf.error")
+    assert error > 0
+    assert re.search(r"MTF (x )?< 0\.00\d", said), said
+    assert not re.search(r"(MTF|[xy]|pixel) 0(?!\.)", said), said
+
+
+def test_numbers_of_a_wavefront_that_is_refused_are_not_those_before(visit: Callable[..., Any]) -> None:
+    refusing = """const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message) {
+      const refused = message.arguments[0].defocus === 13;
+      postMessage.call(this, refused ? { ...message, method: "refuse" } : message);
+    };"""
+    page = visit("/mounted#side=64&coma=0.5", before=refusing)
+    assert page.get_by_text(re.compile(r"\d waves P–V")).count() == 1
+    move(page, defocus=13)
+    assert page.get_by_text(re.compile(r"\d waves P–V")).count() == 0

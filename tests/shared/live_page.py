@@ -33,7 +33,7 @@ def slider(page: Any, key: str) -> Any:
 
 def box(page: Any, key: str) -> Any:
     """Return the number box of a key."""
-    return page.locator(f'input[type=number][data-key="{key}"]')
+    return page.locator(f'.line input[data-key="{key}"]')
 
 
 def fragment(page: Any) -> str:

@@ -35,7 +35,7 @@ def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | No
       lommel live hubble-1990.toml --save hubble.html
     """
     state: dict[str, float] = {}
-    name = ""
+    name = left_out = ""
     if lens is not None:
         instrument = load_instrument(lens)
         state, left_out = state_of(instrument)
@@ -43,9 +43,10 @@ def live(lens: Path | None, port: int | None, no_browser: bool, saved: Path | No
         if left_out:
             click.echo(f"The page does not show {left_out}.", err=True)
     if saved is not None:
-        atomic.write(saved, module.html(state, name, alone=True).encode())
+        atomic.write(saved, module.html(state, name, left_out, alone=True).encode())
+        click.echo(f"wrote {saved}")
         return
-    with PageServer(state, name, port or 0) as server:
+    with PageServer(state, name, port or 0, left_out) as server:
         click.echo(f"{server.url} shows {name or 'lommel'}; Ctrl-C stops it.")
         if not no_browser:
             webbrowser.open(server.url)

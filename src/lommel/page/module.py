@@ -47,16 +47,15 @@ def documentation() -> str:
     return next((url for name, _, url in named if name.lower() == "documentation" and url.startswith("https://")), "")
 
 
-def html(state: Mapping[str, object], lens: str = "", *, alone: bool = False) -> str:
-    """Return the HTML of a page that starts in a state, that of the lens of this name if one is given.
+def html(state: Mapping[str, object], lens: str = "", left_out: str = "", *, alone: bool = False) -> str:
+    """Return the HTML of a page that starts in a state, that of the lens of this name, less what is left out of it.
 
     `alone` it has the module inside, else beside it.
     """
     # Within a script only its end has a meaning; in strings of the module it may be written so too.
     text = path().read_text(encoding="utf-8").replace("</script", "<\\/script") if alone else ""
     source = "" if alone else f"src={json.dumps(NAME)} "
-    more = "".join(
-        f' data-lommel-{key}="{escape(value)}"' for key, value in (("name", lens), ("docs", documentation())) if value
-    )
+    said = {"name": lens, "without": left_out, "docs": documentation()}
+    more = "".join(f' data-lommel-{key}="{escape(value)}"' for key, value in said.items() if value)
     title = escape(lens or "lommel")
     return _PAGE.format(title=title, source=source, state=escape(link(state)), more=more, text=text)

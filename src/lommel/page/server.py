@@ -25,8 +25,8 @@ class PageServer(ThreadingHTTPServer):
     daemon_threads = True
     request_queue_size = 128  # connections that wait: a browser opens several, and others may come with it
 
-    def __init__(self, state: Mapping[str, object], lens: str, port: int = 0) -> None:
-        page = module.html(state, lens).encode()
+    def __init__(self, state: Mapping[str, object], lens: str, port: int = 0, left_out: str = "") -> None:
+        page = module.html(state, lens, left_out).encode()
         self.served = {
             "/": (page, "text/html"),
             "/index.html": (page, "text/html"),

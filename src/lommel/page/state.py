@@ -75,6 +75,18 @@ class Whole(Real):
         return super().told() | {"whole": True}
 
 
+class Distance(Real):
+    """A control of distances, whose most stands for infinity."""
+
+    def accepted(self, name: str, value: object) -> float:
+        """Return the number, which is in the range."""
+        return self.high if value == math.inf else super().accepted(name, value)
+
+    def told(self) -> dict[str, object]:
+        """Return the description for the page."""
+        return super().told() | {"infinite": True}
+
+
 class Word(NamedTuple):
     """A control with choices, the default first."""
 
@@ -184,19 +196,20 @@ FIELDS: dict[str, Real | Word | Terms] = {
         Row("Wavefront", "Defocus", (-5, 5), waves=True, when=(("focus", "waves"),)),
         "Seidel term W020 ρ², waves at the edge of the pupil; positive: the sensor lies between lens and focus.",
     ),
-    "focus_distance": Real(
+    "focus_distance": Distance(
         2,
         1e-3,
         1e12,
         Row("Wavefront", "Focused at", (0.1, 1000), None, "m", "metres", name="Focus distance", when=(_DISTANCES,)),
-        "Distance from the lens to objects in focus, metres, above the focal length; 1e12 stands for infinity.",
+        "Distance from the lens to objects in focus, metres, above the focal length; inf for infinity.",
     ),
-    "object_distance": Real(
+    "object_distance": Distance(
         1.9,
         1e-3,
         1e12,
         Row("Wavefront", "Object at", (0.1, 1000), None, "m", "metres", name="Object distance", when=(_DISTANCES,)),
-        "Distance from the lens to the point object, metres; nearer than the focus distance is positive defocus.",
+        "Distance from the lens to the point object, metres, inf for infinity; nearer than the focus distance is "
+        "positive defocus.",
     ),
     "spherical": Real(
         0,
@@ -208,7 +221,8 @@ FIELDS: dict[str, Real | Word | Terms] = {
     ),
     **{key: field for name in DIRECTED for key, field in _aberration(name).items()},
     "zernike": Terms(
-        "Further Zernike terms added to the wavefront, written n,m:waves and separated by semicolons; waves rms."
+        "Zernike terms without a slider, of an opened file or of the address (zernike=4,2:0.05;6,0:-0.01): "
+        "n,m:waves rms."
     ),
     "focal_length": Real(
         50,
@@ -220,7 +234,7 @@ FIELDS: dict[str, Real | Word | Terms] = {
     "f_number": Real(
         4,
         0.7,
-        100,
+        300,
         Row(_LENS, "f-number", (1, 32), None),
         "Sensor distance over the diameter of the aperture; with distances, focal length over the diameter.",
     ),
@@ -255,8 +269,8 @@ FIELDS: dict[str, Real | Word | Terms] = {
     ),
     "wavelength": Real(
         550,
-        200,
-        2000,
+        100,
+        30000,
         Row(_LENS, "Wavelength", (380, 780), 1, "nm", "nanometres"),
         "Wavelength of the light, nanometres; in white light, the one at which the wavefront is given in waves.",
     ),
@@ -267,7 +281,7 @@ FIELDS: dict[str, Real | Word | Terms] = {
     "pixel": Real(
         2,
         0.05,
-        50,
+        200,
         Row(_SENSOR, "Pixel of the sensor", (0.5, 20), None, "µm", "micrometres"),
         "Pitch of the square pixels of the sensor, micrometres.",
     ),
@@ -403,8 +417,9 @@ def state_of(instrument: Instrument) -> tuple[dict[str, Any], str]:
     for name, value in (state | vanes).items():
         field = FIELDS[name]
         if isinstance(field, Real) and not field.low <= value <= field.high:
+            unit = " waves" if field.row.waves else f" {field.row.said}".rstrip()
             raise ValueError(
-                f"{name} must be from {field.low:g} to {field.high:g} on the live page, got {value:.4g} of "
+                f"{name} must be from {field.low:g} to {field.high:g}{unit} on the live page, got {value:.4g} of "
                 f"{instrument.name or 'the lens file'!r}"
             )
     state = {name: float(f"{value:.9g}") if isinstance(value, float) else value for name, value in state.items()}
@@ -417,7 +432,10 @@ def state_of(instrument: Instrument) -> tuple[dict[str, Any], str]:
     shown = vanes or lens.spider is None
     left_out = {
         f"further Zernike terms, {higher:.1g} waves rms": higher > 1e-9,
-        "the spider, vignetting, stop or mask": not shown or any((pupil.vignetting, pupil.stop, pupil.mask)),
+        "the spider": not shown,
+        "the vignetting": pupil.vignetting is not None,
+        "the stop": pupil.stop is not None,
+        "the mask": pupil.mask is not None,
         "the apodization": not pupil.illumination.uniform,
         "colour aberrations": lens.colour is not None,
         "aberrations of the field": instrument.aberrations_of_field is not None,

@@ -60,8 +60,8 @@ def read(name: str, made: dict[str, str]) -> str:
     return made[name] if name in made else (HERE / name).read_text(encoding="utf-8")
 
 
-def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
-    """Return a module and all that it imports as one, with the exports of the first or with none."""
+def ordered(entry: str, made: dict[str, str]) -> list[str]:
+    """Return the names of a module and all that it imports, each after those that it imports."""
     order: list[str] = []
 
     def visit(name: str, on_the_way: tuple[str, ...] = ()) -> None:
@@ -73,7 +73,17 @@ def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
             order.append(name)
 
     visit(entry)
-    texts, owner = [], {}
+    return order
+
+
+def names_of(names: str) -> list[str]:
+    """Return the names in the braces of an import."""
+    return [name for part in names.split(",") if (name := part.strip())]
+
+
+def joined(order: list[str], made: dict[str, str], owner: dict[str, str], *, exports: bool = False) -> str:
+    """Return modules as one, with the exports of the last or with none; `owner` gets where each name is declared."""
+    texts = []
     for name in order:
         text = read(name, made)
         for names, other in IMPORT.findall(text):
@@ -82,7 +92,7 @@ def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
         text = COMMENT.sub("", IMPORT.sub("", text))
         if re.search(r"^import\b", text, re.MULTILINE):
             raise ValueError(f'{name} has an import of another form than `import {{ a }} from "./b.js";`')
-        if not (exports and name == entry):
+        if not (exports and name == order[-1]):
             text = EXPORT.sub("", text)
             if re.search(r"^export\b", text, re.MULTILINE):
                 raise ValueError(f"{name} has an export of another form than that of a declaration")
@@ -113,12 +123,17 @@ def module(entry: str) -> str:
     fields = {name: field.told() for name, field in FIELDS.items()}
     other = {"DIRECTED": terms, "WHITE": WHITE.tolist(), "COLOURS": colour_weights().round(6).tolist()}
     made["fields.js"] = constants(FIELDS=fields, **other)
-    # The worker gets its own text, without rows and help, and the compiled core from the page.
-    short = {name: {k: v for k, v in field.items() if k not in ("row", "about")} for name, field in fields.items()}
-    without = {"packed.js": constants(wasmText=""), "fields.js": constants(FIELDS=short, **other)}
-    worker = joined("worker.js", {**made, **without}, exports=False)
-    made["workertext.js"] = constants(workerText=packed(worker.encode()))
-    return BANNER + joined(entry, made, exports=True)
+    # What the page and its workers both run is one function, whose text the workers get from the page.
+    both = ordered("worker.js", made)[:-1]
+    made["workertext.js"] = ""
+    own = [name for name in ordered(entry, made) if name not in both]
+    imports = [found for name in (*own, "worker.js") for found in IMPORT.findall(read(name, made))]
+    taken = ", ".join(sorted({name for names, other in imports if other in both for name in names_of(names)}))
+    owner = {"common": "build.py"}
+    common = f"const common = () => {{\n{joined(both, made, owner)}return {{ {taken} }};\n}};\n"
+    begin, end = f'"use strict";const {{ {taken} }} = (', f")();{joined(['worker.js'], made, {})}"
+    made["workertext.js"] = f"export const workerText = {json.dumps(begin)} + common + {json.dumps(end)};\n"
+    return f"{BANNER}{common}const {{ {taken} }} = common();\n{joined(own, made, owner, exports=True)}"
 
 
 if __name__ == "__main__":

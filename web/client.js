@@ -1,18 +1,18 @@
 // The engine behind promises: in two Workers, so that two cores compute at a time, or on the page itself where Workers are refused.
 
-import { compiledCore, Core, unpacked } from "./core.js";
+import { Core } from "./core.js";
 import { completed, Engine } from "./engine.js";
+import { compiledCore } from "./load.js";
 import { workerText } from "./workertext.js";
 
 let told = false;
 
-// Once for all pages of a document: the compiled core, and the address of the Worker's text.
+// Once for all pages of a document: the compiled core.
 const shared = {};
 const once = (name, make) => (shared[name] ??= make());
 
 async function startedWorker(core) {
-  const text = await once("text", async () => new Blob([await unpacked(workerText)], { type: "text/javascript" }));
-  const url = URL.createObjectURL(text);
+  const url = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
   const worker = new Worker(url);
   return new Promise((resolve, reject) => {
     worker.onerror = (event) => {

@@ -1,22 +1,6 @@
-// The compiled core: loaded once, called through named blocks of its memory, and made anew after a failure.
-import { wasmText } from "./packed.js";
+// The compiled core: called through named blocks of its memory, and made anew after a failure.
 
 const BLOCKS = ["terms", "edge", "lines", "values", "numbers", "points", "planes", "blurred", "weights", "colours"];
-
-// Text of packed.js -> bytes: base64 of what is deflated.
-export async function unpacked(text) {
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-export async function compiledCore() {
-  return WebAssembly.compile(await unpacked(wasmText));
-}
-
-export async function createCore(module = null) {
-  return new Core(module ?? (await compiledCore()));
-}
 
 export class Core {
   constructor(module) {

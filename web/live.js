@@ -1,9 +1,9 @@
 // The entry: a page in an element, after a script, in a notebook by anywidget; and the engine for scripts.
 
 import { openFile } from "./actions.js";
-import { createCore } from "./core.js";
 import { Engine } from "./engine.js";
 import { FIELDS } from "./fields.js";
+import { createCore } from "./load.js";
 import { changed, DEFAULTS, fromText } from "./state.js";
 import { View } from "./view.js";
 

@@ -112,6 +112,56 @@ def test_a_gaussian_ends_at_the_largest_exponent():
     assert fit.row == pytest.approx(12.2, abs=1e-4)
 
 
+def test_a_gaussian_says_so():
+    y, x = np.mgrid[:25, :25]
+    gaussian = 30.0 + 4e3 * np.exp(-((y - 12.2) ** 2 + (x - 12.4) ** 2) / (2.0 * 1.8**2))
+    fit = lm.fit_moffat(gaussian, lm.Noise(read=3.0))
+    assert math.isinf(fit.deviations["beta"])
+    assert "beta=100 (a Gaussian)," in repr(fit)
+    assert "beta=100 (held)," in repr(lm.fit_moffat(gaussian, lm.Noise(read=3.0), beta=100.0))
+
+
+# Stars of which the window determines flux, exponent and background only together.
+DIM = [((2e3, 16.3, 15.8, 11.0, 4.765, 50.0), 33), ((1e4, 16.3, 15.8, 14.0, 4.765, 500.0), 33)]
+
+
+@pytest.mark.parametrize(("truth", "side"), DIM)
+def test_dim_stars_are_found_where_the_exponent_and_the_background_are_held(truth, side):
+    clean, refused = _model(np.array(truth), (side, side))[0], []
+    pulls = []
+    for seed in range(40):
+        image = lm.Noise(read=3.0).record(clean, seed=seed)
+        try:
+            lm.fit_moffat(image, lm.Noise(read=3.0))
+        except ValueError as error:
+            refused.append(str(error))
+        fits = [lm.fit_moffat(image, lm.Noise(read=3.0), beta=4.765, background=truth[5])]
+        fits.append(lm.fit_moffat(image, lm.Noise(read=3.0), beta=4.765))
+        assert all(fit.beta == 4.765 and fit.deviations["beta"] == 0.0 for fit in fits)
+        assert fits[0].background == truth[5]
+        assert fits[0].deviations["background"] == 0.0 < fits[1].deviations["background"]
+        assert fits[0].deviations["flux"] < fits[1].deviations["flux"]
+        names = [name for name in NAMES if fits[0].deviations[name] > 0.0]
+        pulls.append([(getattr(fits[0], n) - truth[NAMES.index(n)]) / fits[0].deviations[n] for n in names])
+    assert len(pulls[0]) == 4
+    # Five standard errors: the logarithm of the width of dim stars is skewed.
+    assert np.abs(np.mean(pulls, axis=0)).max() < 5.0 / math.sqrt(40.0)
+    assert np.abs(np.std(pulls, axis=0) - 1.0).max() < 5.0 / math.sqrt(80.0)
+    # Others say what to hold.
+    assert len(refused) > 3
+    assert all(error.endswith("Give beta= (4.765 of seeing) or background= to hold it, or take a larger window")
+               for error in refused)  # fmt: skip
+    assert max(map(len, refused)) < 300
+
+
+def test_refusals_advise_to_hold_what_is_not_held():
+    flat, noise = np.full((9, 9), 7.0), lm.Noise(read=1.0)
+    with pytest.raises(ValueError, match=r"electrons\. Give background= to hold it"):
+        lm.fit_moffat(flat, noise, beta=3.0)
+    with pytest.raises(ValueError, match=r"electrons$"):
+        lm.fit_moffat(flat, noise, beta=3.0, background=7.0)
+
+
 def test_missing_pixels_at_the_edge_do_not_count_as_a_background():
     clean = _model(TRUTH, (21, 23))[0] + 1e4
     seen = np.full(clean.shape, np.nan)
@@ -144,3 +194,8 @@ def test_other_arguments_are_checked():
         lm.fit_moffat(np.ones((9, 9)), 1.0)
     with pytest.raises(ValueError, match="pixel"):
         lm.fit_moffat(np.ones((9, 9)), lm.Noise(read=1.0), pixel=0.0)
+    for name, value in (("beta", 1.0), ("beta", 101.0), ("background", math.nan)):
+        with pytest.raises(ValueError, match=name):
+            lm.fit_moffat(np.ones((9, 9)), lm.Noise(read=1.0), **{name: value})
+    with pytest.raises(TypeError, match="beta"):
+        lm.fit_moffat(np.ones((9, 9)), lm.Noise(read=1.0), beta="3")

@@ -203,6 +203,7 @@ def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
         ("[aperture.segments]\nrings = 1\ngap = 1.1\n", "aperture.segments: gap must leave something"),
         ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file: must have one row"),
         ('[aperture.segments]\nrings = 1\nfile = "words.txt"\n', "line 2: must hold piston, or piston, tip and tilt"),
+        ('[aperture.segments]\nrings = 1\nfile = "two.txt"\n', "one number or three in every line, got '0.1 0.2'"),
         ('[aperture.segments]\nrings = 1\nfile = "none.txt"\n', "'none.txt' holds no numbers"),
         ('[aperture.segments]\nrings = 1\nfile = "few.txt"\ntip = [0]\n', "takes file or the lists"),
     ],
@@ -210,6 +211,7 @@ def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
 def test_a_fault_of_a_shape_names_its_entry(load, tmp_path, section, what):
     (tmp_path / "few.txt").write_text("1\n2\n")
     (tmp_path / "words.txt").write_text("1\none\n")
+    (tmp_path / "two.txt").write_text("0.1 0.2\n" * 6)
     (tmp_path / "none.txt").write_text("# nothing\n")
     with pytest.raises(LensFileError) as caught:
         load(section)

@@ -354,13 +354,6 @@ def test_a_star_over_a_spider_has_the_transfer_function_of_its_image():
     assert abs(image.otf(0.3, 0.1) - lm.otf(pupil, 0.3, 0.1, tol=1e-6)) <= 1.0 - image.energy + 1e-4
 
 
-def test_a_mask_is_refused_with_what_to_do():
-    pupil = lm.Pupil(mask=lm.Mask.sample(lambda x, y: 1.0 - 0.5 * x**2, side=16))
-    for ask in (lambda: lm.mtf(pupil, 0.3), lambda: lm.mtf_frequency(pupil)):
-        with pytest.raises(ValueError, match=r"pupil must be without a mask .* psf\.mtf\(fx, fy\)"):
-            ask()
-
-
 def test_what_would_take_too_long_is_refused():
     with pytest.raises(ToleranceError, match=r"the OTF to tol=1e-12 cannot be computed: .* degree over 4096"):
         lm.otf(lm.Pupil(lm.Wavefront(1e4), **EDGES["vanes"]), 0.3, 0.2, tol=1e-12)

@@ -236,7 +236,7 @@ _PHASES = ("piston", "tip", "tilt")
 
 
 def _read_phases(path: Path) -> Values:
-    """Read rows of piston, and perhaps tip and tilt, in waves; commas or spaces between, # before a comment."""
+    """Read rows of piston, or of piston, tip and tilt, in waves; commas or spaces between, # before a comment."""
     rows: list[list[float]] = []
     for number, line in enumerate(reading.decoded(reading.contents(path, reading.MAX_TOML)).splitlines(), 1):
         words = line.partition("#")[0].replace(",", " ").split()
@@ -246,10 +246,10 @@ def _read_phases(path: Path) -> Values:
             row = [float(word) for word in words]
         except ValueError:
             row = [math.nan]
-        if not 1 <= len(row) <= 3 or not all(map(math.isfinite, row)) or (rows and len(row) != len(rows[0])):
+        if len(row) not in (1, 3) or not all(map(math.isfinite, row)) or (rows and len(row) != len(rows[0])):
             raise ValueError(
-                f"{path.name!r}, line {number}: must hold piston, or piston, tip and tilt, as many "
-                f"in each line, got {validation.shown(line.strip())}"
+                f"{path.name!r}, line {number}: must hold piston, or piston, tip and tilt, one number or "
+                f"three in every line, got {validation.shown(line.strip())}"
             )
         rows.append(row)
     if not rows:

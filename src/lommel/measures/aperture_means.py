@@ -18,6 +18,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import ToleranceError
+from lommel.measures.mask_overlap import cells
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.pupil import Pupil, checked, ray_height
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -123,7 +124,9 @@ def centroid(pupil: Pupil) -> Array:
     """Return the centroid of the light, from the wavefront: the mean gradient of the phase, weighted by intensity.
 
     The centroids of the rays and of the light are the same. That of the values in a window,
-    :func:`lommel.measures.energy.window_centroid`, approaches it as the window grows.
+    :func:`lommel.measures.energy.window_centroid`, approaches it as the window grows. With a complex mask, whose
+    phase has no gradient, it is that of the image: of one period around the axis, or of all of it for
+    ``squares=True``, as the limit of windows about the axis.
 
     Parameters
     ----------
@@ -135,7 +138,12 @@ def centroid(pupil: Pupil) -> Array:
         x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
         Exact but for rounding.
     """
-    at = _polynomial_rule(checked(pupil), 2.0)
+    if checked(pupil).phase_mask:
+        assert pupil.mask is not None
+        each = [pupil[index] for index in np.ndindex(pupil.shape)] if pupil.shape else [pupil]
+        found = np.array([cells(one).centroid(squares=pupil.mask.squares) for one in each])
+        return found.reshape(*pupil.shape, 2) * pupil.scale
+    at = _polynomial_rule(pupil, 2.0)
     mean = (at.rays(pupil) * at.weight).sum(axis=-1)
     return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
 

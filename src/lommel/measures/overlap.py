@@ -14,7 +14,7 @@ the ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which
 difference of the two phases is a polynomial there, and the amplitudes of its Zernike terms give the degree of a
 polynomial that is proven to be close to the integrand (:func:`lommel.optics.aperture.opening.degree_needed`). The
 ellipse moved by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there.
-Each pair of segments that overlap has its own rule and phase.
+Each pair of segments that overlap has its own rule and phase. Pupils with a mask: mask_overlap.py.
 
 References
 ----------
@@ -36,6 +36,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.core.answers import ToleranceError
+from lommel.measures.mask_overlap import of_mask
 from lommel.optics.aperture.opening import Opening, degree_needed
 from lommel.optics.aperture.shapes import Listed, listed
 from lommel.optics.pupil import Pupil
@@ -49,6 +50,8 @@ _MAX_NODES = 4096
 
 def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
     """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
+    if pupil.mask is not None:
+        return of_mask(pupil, f)
     if pupil.circular and pupil.radial:
         # It depends on the length of f only.
         canonical = np.stack([np.hypot(f[:, 0], f[:, 1]), np.zeros(len(f))], axis=-1)

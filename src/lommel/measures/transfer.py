@@ -62,21 +62,23 @@ def otf(
     tol : float, default 1e-10
         Absolute tolerance, 1e-13 to 0.1. Of circular and annular apertures nodes are added until two quadratures
         agree within it; for all others it is a proven bound, but for rounding, and a frequency takes a few
-        milliseconds.
+        milliseconds. Ignored where there is a mask.
 
     Returns
     -------
     complex or complex ndarray, shape ``pupil.shape + s``
         With s what fx and fy broadcast to. 1 at frequency 0, and 0 from ``pupil.cutoff`` on. A shift of
-        the image by (a, b) multiplies by ``exp(-2 pi i (fx a + fy b))``. Of a PSF whose pupil has a mask or is an
-        Objective's, or whose method is `Geometric`, from samples to 64 lambda*N around the image: off by up to 1e-3
-        below a fifth of the cutoff, and by 1e-4 above.
+        the image by (a, b) multiplies by ``exp(-2 pi i (fx a + fy b))``. With a mask it is that of square cells of
+        constant amplitude and phase, exact but for rounding, and reaches as far beyond the cutoff as cells that the
+        rim crosses; at multiples of ``1 / side`` of the cutoff it is also that of one period of the image of samples
+        (:class:`lommel.Mask`). Of a PSF whose pupil is an Objective's, or whose method is `Geometric`, from samples
+        to 64 lambda*N around the image: off by up to 1e-3 below a fifth of the cutoff, and by 1e-4 above.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is not real and finite or out of range, the frequencies do not broadcast, the pupil has a mask,
-        or pixel, fill, blur or spectrum are given with a PSF, which has its own.
+        If an argument is not real and finite or out of range, the frequencies do not broadcast, or pixel, fill, blur
+        or spectrum are given with a PSF, which has its own.
     ToleranceError
         If `tol` needs more than 4096 nodes along a line of a circular or annular aperture.
 
@@ -90,7 +92,7 @@ def otf(
         _own(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
         of_image: Complexes = pupil.measured(lambda one: image_otf(one, fx, fy, tol=tol))
         return of_image
-    _unmasked(pupil)
+    checked(pupil)
     across, down = frequencies(fx, fy)
     goal = validation.real("tol", tol, least=1e-13, most=0.1)
     rest, several = _of_pixels(pupil, across, down, pixel, fill), blurs(blur)
@@ -136,7 +138,7 @@ def image_otf(
     """
     pupil, grid, method = psf.pupil, psf.grid, psf.method
     averaged = validation.choice("of", of, ("image", "optics")) == "image" and grid.integrate
-    if isinstance(pupil, Pupil) and pupil.mask is None and method.sampling == "center":
+    if isinstance(pupil, Pupil) and method.sampling == "center":
         pixels = {"pixel": grid.pixel, "fill": grid.fill} if averaged else {}
         spectrum = method if isinstance(method, Polychromatic) else None
         return otf(pupil, fx, fy, **pixels, blur=psf.blur, spectrum=spectrum, tol=tol)
@@ -251,7 +253,8 @@ def mtf_frequency(
     -------
     float or ndarray, shape ``pupil.shape``
         Cycles per metre or per lambda*N. The first crossing is bracketed by steps of 1/128 of the cutoff or, behind
-        a large blur, of a quarter of an oscillation or less, and found in the bracket to 1e-10 of the cutoff.
+        a large blur, of a quarter of an oscillation or less, or by cells of a mask down to 1/1024, and found in the
+        bracket to 1e-10 of the cutoff.
 
     Raises
     ------
@@ -282,7 +285,6 @@ def _own(**given: bool) -> None:
 def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: dict[str, Any]) -> Numbers:
     from scipy.optimize import brentq
 
-    _unmasked(pupil)
     cos, sin = math.cos(turn), math.sin(turn)
     cutoff = pupil.cutoff
     if "spectrum" in sensor:
@@ -290,7 +292,7 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: dict[str, Any])
     # An image of radius r makes the OTF oscillate like J1(2 pi r f).
     oscillating = float(pupil.v(pupil.geometric_radius()).max())
     oscillating += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
-    steps = math.ceil(max(128.0, 2.0 * oscillating))
+    steps = math.ceil(max(128.0, 2.0 * oscillating, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
     first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
     for start in range(1, steps + 1, 32):
         k = np.arange(start, min(start + 32, steps + 1))
@@ -314,15 +316,6 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: dict[str, Any])
         else:
             out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
     return numbers(out, pupil.shape)
-
-
-def _unmasked(pupil: Pupil) -> None:
-    # The cells of a mask have too many edges.
-    if checked(pupil).mask is not None:
-        raise ValueError(
-            "pupil must be without a mask for its transfer function; take that of its image, psf.mtf(fx, fy) or "
-            "psf.otf(fx, fy), which is known to 1e-4 or so"
-        )
 
 
 def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:

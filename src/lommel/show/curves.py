@@ -10,7 +10,6 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.measures import transfer
-from lommel.measures.continuous_image import ImageModel, sampled_transfer
 from lommel.measures.energy import encircled_energy as within
 from lommel.measures.psf_like import PSFLike, checked, is_psf
 from lommel.optics.base_pupil import BasePupil
@@ -35,8 +34,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     ----------
     thing : Pupil or PSF
         Of a stack at most eight are drawn, evenly spaced. The curves of a PSF include its blur and pixels:
-        :meth:`lommel.PSF.mtf`. For apertures other than a disc or an annulus they are computed from samples, to about
-        1e-3.
+        :meth:`lommel.PSF.mtf`.
     ax : matplotlib Axes, optional
         By default those of a new figure, which has a title.
     pixel : float, optional
@@ -50,7 +48,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     Raises
     ------
     TypeError, ValueError
-        If `thing` is neither, if a pupil is obstructed, or a pixel is given for a PSF, which has its own.
+        If `thing` is neither, or a pixel is given for a PSF, which has its own.
     ImportError
         If matplotlib is not installed.
     """
@@ -62,8 +60,6 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         sides = grid.active
     else:
         pupil = checked_pupil(thing)
-        if pupil.mask is not None:
-            raise ValueError("pupil must be without a mask; draw the curve of its image, psf.plot_mtf()")
         side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
         sides = side, side
     places = few_of(pupil.shape, _MOST)
@@ -113,10 +109,7 @@ def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Arra
     """Return the MTF of a single pupil with pixels of such sides, or of a single PSF."""
     if not is_psf(thing):
         return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _of_pixel(fx, sides[1]) * _of_pixel(fy, sides[0])
-    if isinstance(thing.pupil, Pupil) and thing.pupil.mask is None:
-        return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
-    scale = thing.pupil.scale
-    return np.asarray(np.abs(sampled_transfer(ImageModel.of(thing), fx * scale, fy * scale)[0]))
+    return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
 
 
 def _title(pupil: BasePupil, pixel: float | tuple[float, float] | None) -> str:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from itertools import combinations, combinations_with_replacement
 
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
+from lommel.optics.wavefront.opd_fit import _enclosing
 from lommel.special import zernike
 
 TERMS = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]
@@ -330,3 +333,76 @@ def test_where_the_phase_must_be_determined_is_one_of_two():
         lm.fit_opd(np.zeros((8, 8)), unit="waves", within="disc")
     with pytest.raises(ValueError, match="obscuration must be"):
         lm.fit_opd(np.zeros((8, 8)), unit="waves", obscuration=1.0)
+
+
+def margined(shape: tuple[int, int], center: tuple[float, float], radius: float) -> np.ndarray:
+    wavefront = lm.Wavefront.zernike({(2, 2): 0.06, (3, 1): 0.04, (4, 0): -0.035}, unit="waves")
+    return lm.opd_map(wavefront, shape, unit="waves", center=center, radius=radius)
+
+
+@pytest.mark.parametrize(
+    ("shape", "center", "radius"),
+    [((120, 120), (59.5, 59.5), 50.0), ((100, 140), (49.5, 90.0), 40.0), ((90, 90), (40.0, 44.5), 40.0)],
+)
+def test_a_map_with_a_margin_is_refused_with_the_circle_that_its_samples_fill(shape, center, radius):
+    opd = margined(shape, center, radius)
+    with pytest.raises(ValueError, match="radius is by default") as caught:
+        lm.fit_opd(opd, unit="waves")
+    found = re.search(r"radius=([\d.]+) about center=\(([\d.]+), ([\d.]+)\)", str(caught.value))
+    assert len(str(caught.value)) < 300
+    size, row, column = map(float, found.groups())
+    assert (size, row, column) == pytest.approx((radius, *center), abs=0.3)
+    fit = lm.fit_opd(opd, unit="waves", radius=size, center=(row, column))
+    assert lm.rms(lm.Pupil(fit.wavefront), unit="waves") == pytest.approx(
+        math.sqrt(0.06**2 + 0.04**2 + 0.035**2), rel=0.02
+    )
+    # A mask, and a stack of maps, are seen likewise; a stated radius is taken as it is.
+    with pytest.raises(ValueError, match="radius is by default"):
+        lm.fit_opd(np.zeros(shape), unit="waves", mask=np.isfinite(opd))
+    with pytest.raises(ValueError, match="radius is by default"):
+        lm.fit_opd(np.stack([opd, opd]), unit="waves")
+    assert lm.fit_opd(opd, unit="waves", radius=0.5 * min(shape), degree=4, within="samples").samples > 0
+
+
+def test_maps_that_nearly_fill_their_array_need_no_radius():
+    for side, radius in ((100, 50.0), (100, 48.5), (9, 4.0), (400, 196.0)):
+        lm.fit_opd(margined((side, side), (0.5 * (side - 1),) * 2, radius), unit="waves", degree=4)
+    # A hexagon reaches the edge at its corners, and a vignetted pupil at the ends of its edge.
+    x, y = grid(120)
+    for shape in (lm.Polygon.regular(6, 1.0), lm.Disc() & lm.Disc(1.0, (0.4, 0.0))):
+        lm.fit_opd(np.zeros((120, 120)), unit="waves", mask=shape.margin(x, y) >= 0.0, degree=3, within="samples")
+
+
+def enclosing_radius(points: np.ndarray) -> float:
+    """Helly: the largest of the smallest circles of three points, by the law of sines."""
+    best = 0.0
+    for three in combinations_with_replacement(points, 3):
+        a, b, c = sorted(math.dist(p, q) for p, q in combinations(three, 2))
+        area = 0.5 * abs(np.linalg.det(np.array([three[1] - three[0], three[2] - three[0]])))
+        best = max(best, 0.5 * c if a * a + b * b <= c * c else a * b * c / (4.0 * area))
+    return best
+
+
+@given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 9)), min_size=1, max_size=9))
+def test_the_smallest_circle_around_points(listed):
+    points = np.array(listed, dtype=np.float64)
+    center, radius = _enclosing(points)
+    assert np.hypot(*(points - center).T).max() <= radius * (1.0 + 1e-9)
+    assert radius == pytest.approx(enclosing_radius(points), rel=1e-9)
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.5])
+def test_piston_terms_and_residual_add_up_to_the_map(obscuration):
+    x, y = grid(80)
+    clear = (np.hypot(x, y) <= 1.0) & (np.hypot(x, y) >= obscuration)
+    opd = lm.opd_map(lm.Wavefront.zernike({(4, 0): 0.2, (2, 2): 0.1}, obscuration=obscuration), 80)
+    opd += 3.0 + 0.1 * np.random.default_rng(0).normal(size=opd.shape)
+    fit = lm.fit_opd(opd, unit="radians", degree=6, obscuration=obscuration)
+    rho, theta = np.hypot(x, y)[clear], np.arctan2(y, x)[clear]
+    total = fit.piston + fit.residual[clear]
+    for (n, m), c in fit.wavefront.to_zernike().items():
+        angle = np.sin(-m * theta) if m < 0 else np.cos(m * theta)
+        total = total + c * zernike.rms_factor(n, m) * zernike.radial(n, abs(m), rho) * angle
+    np.testing.assert_allclose(total, opd[clear], atol=1e-10)
+    # The phase of the wavefront itself is 0 on the axis.
+    assert float(fit.wavefront.phase(0.0)) == pytest.approx(0.0, abs=1e-12)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import Any, Self
 
 import numpy as np
@@ -117,7 +118,9 @@ class WavefrontFit:
     wavefront : Wavefront
         Fitted wavefront, without piston; a stack for a stack of maps.
     piston : ndarray, shape ``wavefront.shape``
-        Fitted piston, which `wavefront` does not contain.
+        Fitted coefficient of the constant Zernike term over the disc, in `unit`: with the other terms over the disc,
+        :meth:`Wavefront.to_zernike`, and the residual it adds up to the measurement. With an obscuration too, where
+        it is not the mean of the map.
     rms, peak_to_valley : ndarray, shape ``wavefront.shape``
         Rms and peak-to-valley of the residual.
     residual : ndarray
@@ -235,7 +238,9 @@ def fit_opd(
     center : (float, float), optional
         Row and column of the centre of the pupil, from the centre of the first pixel. Default: the centre of the map.
     radius : float, optional
-        Radius of the pupil in pixels. Default: half the smaller side, the circle inscribed in the array.
+        Radius of the pupil in pixels. Default: half the smaller side, the circle inscribed in the array, if the
+        samples fill it: a map with a margin is refused, with the circle around its samples as radius and centre to
+        give if that is the pupil.
     tol : float, optional
         Largest accepted rms residual, in `unit`.
     obscuration : float, default 0
@@ -256,7 +261,8 @@ def fit_opd(
     ------
     TypeError, ValueError
         If the map is not finite inside the mask, the mask is empty, the samples are too few or do not determine the
-        terms, or the residual exceeds `tol`.
+        terms, the residual exceeds `tol`, or without a `radius` the smallest circle around the samples is smaller
+        than the pupil by more than a pixel and 2 %.
     """
     if isinstance(opd, OPDMap):
         if unit not in (None, "metres"):
@@ -282,6 +288,8 @@ def fit_opd(
     if not used.any(axis=(-2, -1)).all():
         of = "opd" if mask is None else "mask"
         raise ValueError(f"{of} must leave samples inside the pupil of every map, got none")
+    if radius is None:
+        _require_filled(valid.any(axis=tuple(range(valid.ndim - 2))))
     terms = [(n, m) for n in range(highest + 1) for m in range(-n, n + 1, 2)]
     flat = maps.reshape(-1, height, width)
     coefficients = np.empty((len(flat), len(terms)))
@@ -486,6 +494,46 @@ def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.boo
     if given.shape not in (maps.shape[-2:], maps.shape):
         raise ValueError(f"mask must have the shape {maps.shape[-2:]} or that of opd, got {given.shape}")
     return maps, np.broadcast_to(given, maps.shape) & (True if hidden is None else ~hidden)
+
+
+def _require_filled(valid: NDArray[np.bool_]) -> None:
+    """Raise ValueError if the samples of a map lie in a circle clearly smaller than the inscribed one."""
+    rows = np.flatnonzero(valid.any(axis=1))
+    ends = valid[rows].argmax(axis=1), valid.shape[1] - 1 - valid[rows, ::-1].argmax(axis=1)
+    middle, radius = _enclosing(np.column_stack([np.tile(rows, 2), np.concatenate(ends)]).astype(np.float64))
+    pupil = 0.5 * min(valid.shape)
+    if radius + 1.0 < 0.98 * pupil:
+        raise ValueError(
+            f"opd must have samples up to the edge of the pupil, whose radius is by default {pupil:g} pixels, half "
+            f"the smaller side; they lie in a circle of radius={radius:.1f} about "
+            f"center=({middle[0]:.1f}, {middle[1]:.1f}): give both if that is the pupil, or those of the pupil"
+        )
+
+
+def _enclosing(points: Array) -> tuple[Array, float]:
+    """Return centre and radius of the smallest circle around points, shape (n, 2)."""
+    circle = points[0], 0.0
+    held = points[:1]
+    while True:
+        away = np.hypot(*(points - circle[0]).T)
+        far = int(away.argmax())
+        if away[far] <= circle[1] * (1.0 + 1e-9):
+            return circle
+        # The circle grows at each turn: the smallest around those on its edge and the farthest point.
+        few = np.vstack([held, points[far]])
+        found = [
+            (_through(few[list(some)]), few[list(some)]) for k in (2, 3) for some in combinations(range(len(few)), k)
+        ]
+        fits = [one for one in found if np.hypot(*(few - one[0][0]).T).max() <= one[0][1] * (1.0 + 1e-9)]
+        circle, held = min(fits, key=lambda one: one[0][1])
+
+
+def _through(points: Array) -> tuple[Array, float]:
+    """Return centre and radius of the smallest circle through two or three points; infinite if there is none."""
+    apart = points[1:] - points[0]
+    # The least centre c from the first point with 2 c . apart = apart^2.
+    center, _, rank, _ = np.linalg.lstsq(2.0 * apart, (apart**2).sum(axis=1), rcond=None)
+    return points[0] + center, float(np.hypot(*center)) if rank == len(apart) else math.inf
 
 
 def _real_maps(name: str, value: ArrayLike) -> Array:

@@ -627,7 +627,7 @@ class Wavefront(EqualByContent, display.Shown):
         return type(self).trusted, (self.terms, self.edge.copy(), self.error, powers)
 
     def phase(self, rho: ArrayLike, theta: ArrayLike = 0.0) -> Array:
-        """Return the phase at points of the pupil, radians.
+        """Return the phase at points of the pupil, radians, 0 on the axis.
 
         Parameters
         ----------

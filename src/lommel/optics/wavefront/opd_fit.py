@@ -289,7 +289,7 @@ def fit_opd(
         of = "opd" if mask is None else "mask"
         raise ValueError(f"{of} must leave samples inside the pupil of every map, got none")
     if radius is None:
-        _require_filled(valid.any(axis=tuple(range(valid.ndim - 2))))
+        _require_filled(np.asarray(valid.any(axis=tuple(range(valid.ndim - 2)))))
     terms = [(n, m) for n in range(highest + 1) for m in range(-n, n + 1, 2)]
     flat = maps.reshape(-1, height, width)
     coefficients = np.empty((len(flat), len(terms)))

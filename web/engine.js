@@ -5,14 +5,16 @@ import { changed, DEFAULTS } from "./state.js";
 import {
   centroidOf, clearOf, cutoff, fineReach, focused, largestStep, lengthOf, linesOf, pixelOf, pythonOf, rayReach, slopes, spreadReach, stepOf, termsOf, vanesOf, waves,
 } from "./optics.js";
+import { lightOutside } from "./window.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
 const QUALITY = {
-  drag: { tol: 1e-4, side: 256, error: 1e-6, radii: 97, nodes: 2, grids: [[32, 1, 100], [32, 1, 30]], price: 1e6 },
-  settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, nodes: 10, grids: [[64, 0.5, 600], [48, 0.5, 150]], price: 4e7 },
+  drag: { tol: 1e-4, side: 256, seen: 128, error: 1e-6, radii: 97, nodes: 2, across: 128, grids: [[32, 1, 100], [32, 1, 30]], price: 1e6 },
+  settled: { tol: 1e-6, side: Infinity, seen: Infinity, error: 1e-10, radii: 193, nodes: 10, across: 1024, grids: [[64, 0.5, 600], [48, 0.5, 150]], price: 4e7 },
 };
 const DEAREST = 1.3e8; // nodes of all transfer functions of a state: about a second
 const DEAREST_CUT = 7e7; // where the light on circles has them, too
+const SUMMED = 1e-6; // of all light, about what sums of it over a window are off by
 const MISSING = 0.01; // error that an MTF from the light on circles may have
 const LONGEST = 1.2; // seconds that quadrature along rows may take for an image
 
@@ -58,18 +60,16 @@ export class Engine {
     const stated = changed(DEFAULTS, given);
     const state = focused(stated);
     this.refuse(stated, quality);
-    const { side, pixel } = asked(state, quality);
+    const { pixel } = asked(state, quality);
     const { error, radii } = QUALITY[quality];
     const fwhm = this.fwhm(state, quality);
+    const inside = this.inside(state, quality);
     this.light(state);
     const window = stepOf(state, fineReach(state));
     const cut = state.vanes || beyondCircles(state);
     const reach = cut ? this.core.call("cut_reach", window) : window;
     const dear = this.contrastAt(state, quality, QUALITY[quality].price).cost > DEAREST_CUT;
     const circles = cut ? this.cutCircles(state, reach, radii, dear) : this.wholeCircles(state, reach, radii, error);
-    // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
-    const summed = state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2;
-    const edge = Math.min(reach, stepOf(state, 0.5 * side * pixel));
     const { v, mean, reference, share, flat, area, radius } = circles;
     const r = v.map((at) => lengthOf(state, at));
     const made = {
@@ -78,7 +78,8 @@ export class Engine {
       unaberrated: (area * brightness(state) * stepOf(state, pixel) ** 2) / (4 * Math.PI), // value of a pixel at the peak
       fwhm,
       d80_axis: radius < 0 ? null : 2 * lengthOf(state, radius),
-      within: summed ? null : circles.within(edge),
+      inside: inside.share,
+      inside_error: inside.error,
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
       mtf: withPixel(state, this.contrast(stated, quality, cut)),
@@ -125,6 +126,40 @@ export class Engine {
     }
   }
 
+  // The share of all light that the window holds, and about what it is off by; NaN where it would take long.
+  inside(state, quality) {
+    const width = state.side * pixelOf(state, state.side);
+    const low = -(Math.floor(state.side / 2) + 0.5) * pixelOf(state, state.side);
+    const past = lightOutside(state, stepOf(state, low), stepOf(state, low + width));
+    const found = { share: 1 - past.share, error: past.error };
+    if (found.error < 1e-5) return found;
+    const middle = stepOf(state, low + 0.5 * width);
+    if (!state.vanes && !unevenSlope(state)) return this.roundInside(state, stepOf(state, 0.5 * width), middle);
+    // The sum of averages over pixels of about 0.9 in v, of which the window is made.
+    const across = 2 * Math.ceil(largestStep(state, width) / 1.8) + 1;
+    if (across > QUALITY[quality].across || this.tooLong(state, across, width / across, true)) return found.error < 0.01 ? found : { share: NaN, error: NaN };
+    const sum = this.image(state, across, width / across, true, QUALITY.settled.tol, null, [-middle, -middle])[2];
+    return { share: sum, error: SUMMED };
+  }
+
+  // Where the image is round, by the light within circles: of a window `half` wide on either side of `middle`, in v.
+  roundInside(state, half, middle) {
+    const ends = [half + middle, half - middle];
+    this.light(state);
+    this.core.call("set_circles", Math.SQRT2 * Math.max(...ends), 1e-7);
+    let share = 0;
+    // To each side of the window from the axis, on either hand, a triangle: by Simpson's rule in the angle.
+    for (const away of ends) {
+      for (const along of ends) {
+        const count = 64 + 2 * Math.ceil(away);
+        const step = Math.atan2(along, away) / count;
+        const within = this.circles(Float64Array.from({ length: count + 1 }, (_, i) => away / Math.cos(i * step)), true)[0];
+        within.forEach((light, i) => (share += (light * step * (i % count ? (i % 2 ? 4 : 2) : 1)) / (3 * Math.PI)));
+      }
+    }
+    return { share, error: SUMMED };
+  }
+
   // Mean intensities and encircled energies up to a radius in v, of a pupil without vanes.
   wholeCircles(state, reach, radii, allowed) {
     this.core.call("set_circles", reach, allowed);
@@ -134,8 +169,7 @@ export class Engine {
     const [mean, reference] = this.circles(v, false);
     const [share, flat] = this.circles(v, true);
     const radius = this.core.call("radius_of", 0.8, reach);
-    const within = (at) => this.circles(Float64Array.of(at), true)[0][0];
-    return { v, mean, reference, share, flat, error, radius, within, area: 1 - state.obscuration ** 2 };
+    return { v, mean, reference, share, flat, error, radius, area: 1 - state.obscuration ** 2 };
   }
 
   // Moves radii next to a least mean there, but not every fourth, so that dark rings are dark.
@@ -393,17 +427,18 @@ export class Engine {
   }
 }
 
-// With what the image says: its brightest pixel, and its light where the samples have all of it.
-export function completed({ unaberrated, within, ...curves }, { peak, sum }) {
-  return { ...curves, peak_strehl: peak / unaberrated, inside: within ?? sum };
+// With what the image says: its brightest pixel.
+export function completed({ unaberrated, ...curves }, { peak }) {
+  return { ...curves, peak_strehl: peak / unaberrated };
 }
 
-// A fine view has fewer pixels of the same field while something is dragged; where the pupil is radial and the light of one
-// wavelength nothing is won by it.
+// How large an image is made, of a window of state.side: the page says where it is smaller. A fine view has fewer pixels of the same
+// field while something is dragged; where the pupil is radial and the light of one wavelength nothing is won by it. Of the sensor's
+// pixels those in the middle are seen.
 function asked(state, quality) {
   const slow = state.light === "white" || termsOf(state).some(([, m]) => m !== 0);
   const { tol, side: most } = QUALITY[slow ? quality : "settled"];
-  let side = state.view === "fine" ? Math.min(most, state.side) : state.side;
+  let side = Math.min(state.side, state.view === "fine" ? most : QUALITY[quality].seen);
   // Images without symmetry are paid for by the window: of the sensor's pixels those in the fine window, or near the axis. Averages
   // far from it are not computed.
   const rows = alongRows(state, state.view === "averaged");
@@ -509,7 +544,7 @@ function sharesOf(state, v, { mean, share, area }) {
     if (within(middle) < 0.8) low = middle;
     else radius = middle;
   }
-  return { within, radius };
+  return { radius };
 }
 
 // Of all lines, over that of the reference.

@@ -28,22 +28,24 @@ export function ratioSaid(value, error = 0) {
   return size < 1e-3 || error > 1e-4 ? stated(size, error, 2) : size.toFixed(4);
 }
 
+// A share in percent, with one decimal, or as many as what is missing of all takes, if these are above its error: never "100 %" of less.
 export function percentSaid(share, error = 0) {
   const value = Math.max(0, 100 * share);
-  if (error >= 1) return "–"; // nothing is proven of it
+  if (!(error < 1)) return "–"; // nothing is known of it
   if (100 * error > value) return `< ${upwards(100 * error)} %`;
-  const most = share > 0.9995 ? 2 : 1;
-  return `${value.toFixed(Math.max(0, Math.min(most, Math.floor(-Math.log10(100 * error || 1e-9)))))} %`;
+  const missing = 100 - value;
+  const least = missing >= 0.05 ? 1 : missing > 0 ? Math.ceil(-Math.log10(missing)) + 1 : 6;
+  const digits = Math.max(0, Math.min(6, least, Math.floor(-Math.log10(100 * error || 1e-9))));
+  const said = value.toFixed(digits);
+  if (Number(said) < 100 || share === 1) return `${said} %`;
+  return `> ${(Math.floor((value - 100 * error) * 10 ** digits - 1e-9) / 10 ** digits).toFixed(digits)} %`;
 }
 
 const ASSUMED = 1e-6; // error where none is proven
 
-// Bounds on the errors of the numbers: over the unaberrated peak, and of the light in the window.
+// Errors of the numbers: bounds on those over the unaberrated peak, and about that of the light in the window.
 export function errorsOf(psf, measures) {
-  const { strehl_error: circles, peak_strehl: peak } = measures;
-  const perPixel = psf.peak / peak; // of the unaberrated peak
-  const summed = Number.isFinite(perPixel) ? (psf.bound ?? ASSUMED) * perPixel * psf.side ** 2 : 0;
-  return { strehl: circles ?? ASSUMED, largest: psf.bound ?? ASSUMED, inside: Math.min(1, Math.max(circles ?? ASSUMED, summed)) };
+  return { strehl: measures.strehl_error ?? ASSUMED, largest: psf.bound ?? ASSUMED, inside: measures.inside_error };
 }
 
 // {key: {text, value, error}} of what the numbers show; value in the unit that is shown, NaN where there is none to compare.

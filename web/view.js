@@ -33,7 +33,6 @@ const MTF_CURVES = [
   ["main pixel", "x with pixel", "pixel_x"],
   ["second pixel", "y with pixel", "pixel_y"],
 ];
-const SEEN = 128;
 // Keys that change how answers are shown, not the answers.
 const LOOKS = new Set(["stretch", "map", "waves_unit", "length_unit", "focal_length", "picture"]);
 // Those that no wavefront depends on, by distances and in waves.
@@ -399,10 +398,8 @@ export class View {
     const got = (part) => this.got(part, asked);
     const jobs = [];
     if (quality !== "picture") {
-      // Of the sensor's pixels no more than are seen, while something moves.
-      const side = quality === "drag" && state.view !== "fine" ? Math.min(state.side, SEEN) : state.side;
-      jobs.push(client.call("psf", { ...state, side }, quality).then((psf) => got({ psf })));
-      jobs.push(client.call("measures", { ...state, side }, quality).then((measures) => got({ measures: { ...measures, side } })));
+      jobs.push(client.call("psf", state, quality).then((psf) => got({ psf })));
+      jobs.push(client.call("measures", state, quality).then((measures) => got({ measures })));
       const pupil = Object.keys(state).map((key) => matters("wavefront", key, state) && state[key]).join();
       if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront, low, high }) => got({ wavefront: Object.assign(wavefront, { low, high }) })));
       this.pupil = pupil;
@@ -599,8 +596,6 @@ export class View {
     const { page, shown, compare } = this;
     const state = this.stateOf("measures");
     const now = numbersSaid(state, shown.psf, shown.measures);
-    // Of fewer pixels, while something moves.
-    if (shown.measures && shown.measures.side < state.side) delete now.inside;
     const held = compare.held ? numbersSaid(state, compare.held.psf, compare.held.measures) : {};
     for (const [key, node] of Object.entries(page.numbers)) {
       const by = now[key] && differenceSaid(now[key], held[key]);

@@ -20,7 +20,7 @@ export const NUMBERS = {
     "Full width at half maximum of the optics, without the pixel: the extent of what is brighter than half of the brightest point, " +
       "the mean of x and y, as `lommel info` has it.",
   ],
-  inside: ["Light in the window", "Share of all light from the pupil that falls within the computed window."],
+  inside: ["Light in the window", "Share of all light that falls into the window, however it is sampled; off by less than its last digit."],
   bound: ["Proven error", "Upper bound on the error of every value shown, over the unaberrated peak: mathematically proven, not estimated."],
   time: ["Time", "Computing time of the last point spread function on this machine."],
 };

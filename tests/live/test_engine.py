@@ -14,6 +14,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.special import j0, j1
 from scipy.stats import kstest, poisson
 
 import lommel as lm
@@ -223,6 +224,60 @@ def test_mean_and_light_in_a_window_are_those_of_its_pixels(engine):
     for i in (20, 60):
         ring = np.abs(distance - at[i]) < 0.5 * made["pixel"]
         assert values[ring].mean() / flat == pytest.approx(found["profile"]["mean"][i], rel=0.05)
+
+
+def windows(count):
+    """Settings of every view and window, with vanes or without, that are averaged in little time."""
+    rng = np.random.default_rng(12)
+    states = []
+    for i, state in enumerate(random_states(count, 11)):
+        more = {"side": int(rng.integers(16, 300)), "pixel": state["pixel"] * float(rng.choice([0.2, 1.0, 4.0]))}
+        if i % 6 == 1:
+            more |= {"vanes": int(rng.integers(1, 7)), "vane_width": rng.uniform(0.01, 0.2), "light": "mono"}
+        states.append({**state, **more, "vane_angle": rng.uniform(-90, 90)})
+    return states
+
+
+@pytest.mark.parametrize("state", windows(30), ids=lambda s: f"{s['view']}-{s['light']}-{s['side']}")
+def test_the_light_in_the_window_is_that_of_the_square(engine, state):
+    found = engine.measures(state)
+    pixel = engine.psf(state)["pixel"] if state["view"] == "fine" else state["pixel"]
+    # Pixels that average hold all the light of the window that they make up, whatever is computed for the view.
+    whole = lm.psf(
+        stated_pupil(state),
+        state["side"],
+        pixel * 1e-6,
+        integrate=True,
+        method=white(state),
+        tol=1e-8,
+        dtype=np.float64,
+    ).values.sum()
+    assert abs(found["inside"] - whole) <= found["inside_error"] <= 2e-5
+    assert abs(found["inside"] - whole) <= 2e-6
+    quick = engine.measures(state, "drag")
+    if not math.isnan(quick["inside"]):
+        assert abs(quick["inside"] - whole) <= quick["inside_error"] <= 0.01
+
+
+def test_the_light_in_large_windows_is_that_of_closed_forms_and_of_exact_averages(engine):
+    state = {"defocus": 0, "f_number": 5, "view": "sampled", "pixel": 10}
+    for side in (64, 512):
+        # Airy: 1 - J0^2 - J1^2 within a circle, and so along the sides of the square.
+        low, high = (math.pi * 10 / 2.75 * end for end in (-(side / 2 + 0.5), side / 2 - 0.5))
+        x, weights = np.polynomial.legendre.leggauss(1500)
+        exact = 0.0
+        for away in (-low, high):
+            for along in (-low, high):
+                half = 0.5 * math.atan2(along, away)
+                v = away / np.cos(half * (x + 1))
+                exact += half * (weights * (1 - j0(v) ** 2 - j1(v) ** 2)).sum() / math.pi
+        found = engine.measures({**state, "side": side})
+        assert abs(found["inside"] - exact) <= min(2e-6, found["inside_error"])
+    # With a tolerance of 1e-8; sums of 512^2 averages within 1e-6 of the peak may be off by more than is missing.
+    for pixel, exact in ((10, 0.99980399), (20, 0.99990199)):
+        found = engine.measures({"coma": 1, "f_number": 5, "view": "averaged", "pixel": pixel})
+        assert abs(found["inside"] - exact) <= found["inside_error"] + 1e-8
+        assert found["inside_error"] < 1e-6
 
 
 def test_few_pixels_have_no_more_light_than_there_is(engine):

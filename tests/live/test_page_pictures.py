@@ -181,6 +181,19 @@ def test_differences_of_shares_are_in_points(visit: Callable[..., Any]) -> None:
 # Numbers
 
 
+def test_all_light_is_never_said_to_be_in_a_window_that_misses_some(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#defocus=0&f_number=5&view=sampled&pixel=10")
+    inside = page.locator('dd[data-number="inside"]')
+    assert inside.inner_text() == "99.980 %"
+    move(page, side=64)
+    assert inside.inner_text() == "99.8 %"
+    # Of these only the pixels next to the axis are computed; the light is that of the whole window.
+    move(page, side=512, pixel=50, view="averaged", coma=1, vanes=3)
+    assert inside.inner_text().startswith("99.99")
+    move(page, side=1024, pixel=200, f_number=1, vanes=0, coma=0)
+    assert inside.inner_text() == "99.999902 %"
+
+
 def test_a_zero_on_the_axis_is_below_the_proven_error_and_never_negative(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64&defocus=1")
     for defocus in (1, 2, 3):

@@ -15,6 +15,7 @@
 #include "lommel/pixels/taps.hpp"
 #include "lommel/radial/average_images.hpp"
 #include "lommel/radial/images.hpp"
+#include "lommel/zernike/far_averages.hpp"
 #include "lommel/zernike/images.hpp"
 
 namespace live {
@@ -72,6 +73,8 @@ Proof sampled(const Light& light, const std::vector<double>& edge, const lommel:
 // the largest average anywhere is at least.
 struct Averages {
     static constexpr double single = 2e-7;  // tolerance from which on samples are stored in single precision
+    static constexpr double spared = 4e5;    // samples that pay for pixels without
+    static constexpr double exactly = 1.2e7;  // samples, at most of all lines together, where all pixels are as exact as asked
     static constexpr std::size_t at_once = std::size_t{1} << 23,
                                  most = std::size_t{1} << 23;  // samples, at most of all lines together
 
@@ -102,16 +105,72 @@ struct Averages {
         }
     }
 
-    // Of large windows of coarse pixels those next to the axis take samples, as many as there is time for. Those farther out hold
-    // no more than what is missing of all light: they get the mean of the light of the edges, as of EnergyTail, or that, if it is less.
+    // Far from the axis pixels take no samples, where that spares enough: as methods/pixels/averaging.py has it. Where those that
+    // remain would take too many, the page gets less exact averages.
     Proof run(double tol, double storing) {
         const std::size_t whole = side, across = lommel::PixelTaps::across(step, 1.05);
         // Those of the widest pixels must be so exact that each takes longer.
         const double budget = static_cast<double>(most) / static_cast<double>(light.lines.size() * (across > 256 ? 8 : 1));
         const std::size_t fit = static_cast<std::size_t>(std::sqrt(budget)) / across;
-        if (whole <= fit) {
-            return near_axis(tol, storing);
+        const double width = static_cast<double>(whole), inside = width * width - spared / (step * step);
+        // While something moves, tolerances are larger, and time is short.
+        const double samples = (tol > 1e-5 || across > 256 ? 0.25 : 1.0) * exactly / static_cast<double>(light.lines.size());
+        const double exact = std::floor(std::sqrt(samples) / static_cast<double>(across));
+        const double farthest = 0.5 * step * std::min({std::sqrt(std::max(0.0, inside)), inside / width, exact - 2.0});
+        if (farthest > 0.0) {
+            for (double asked = tol; asked < 0.02; asked *= 10.0) {
+                const Proof proof = near_and_far(asked, storing, farthest);
+                if (proof.bound <= asked) {
+                    return {proof.bound, proof.peak, asked > tol ? proof.bound : 0.0};
+                }
+                if (whole <= fit) {
+                    break;
+                }
+            }
         }
+        return whole <= fit ? near_axis(tol, storing) : mean_of_edges(tol, storing, fit);
+    }
+
+    // The bound is more than `tol` where pixels farther than `farthest` from the axis are not so exact.
+    Proof near_and_far(double tol, double storing, double farthest) {
+        using namespace lommel;
+        const std::size_t whole = side;
+        const double middle = static_cast<double>(whole / 2), room = tol - (1.0 + tol) * storing;
+        const DiskWindow window{whole, whole, middle, middle, step};
+        DiskStack stack(light.terms, edge.data(), 1, light.obscuration, Amplitude{});
+        stack.center_axes(window);
+        stack.shrink();
+        std::vector<double> image(whole * whole);
+        double asked = 0.7 * room;
+        for (int again = 0; again < 3; ++again) {
+            double found[FarAverages::numbers];
+            FarAverages(stack, window, farthest, asked, 1, image.data(), found).run();
+            const double row = found[3], column = found[4],
+                         reach = std::ceil(found[0]) + std::max(std::abs(row - middle), std::abs(column - middle));
+            if (!(2.0 * reach + 1.0 < static_cast<double>(whole))) {
+                break;
+            }
+            const std::size_t half = static_cast<std::size_t>(std::ceil(reach)), first = whole / 2 - half;
+            side = 2 * half + 1;
+            const Proof near = near_axis(tol, storing);
+            side = whole;
+            const double far = stored(found[1] / near.peak, storing);
+            if (far <= tol) {
+                for (std::size_t y = 0; y <= 2 * half; ++y) {
+                    std::copy_n(&total[y * (2 * half + 1)], 2 * half + 1, &image[(first + y) * whole + first]);
+                }
+                total.swap(image);
+                return {std::max(near.bound, far), near.peak};
+            }
+            asked *= 0.8 * room * near.peak / found[1];
+        }
+        return {1e300, 0.0};
+    }
+
+    // Pixels next to the axis take samples, as many as there is time for. Those farther out hold no more than what is missing of all
+    // light: they get the mean of the light of the edges, as of EnergyTail, or that, if it is less.
+    Proof mean_of_edges(double tol, double storing, std::size_t fit) {
+        const std::size_t whole = side;
         const std::size_t half = fit > 2 ? (fit - 1) / 2 : 0;
         side = 2 * half + 1;
         // The light that the edges of the aperture send past these pixels will be missing at least.

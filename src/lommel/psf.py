@@ -95,7 +95,8 @@ def psf(
         "fringe 7". Per pixel: "row", "column" of the axis. Per metre: "wavelength", of all light in proportion, path
         differences kept; "object_distance", and "focus_distance", for which the sensor moves, of a pupil by
         :meth:`Lens.pupil`. Per 1: "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by
-        `ChordalGauss`, of radially symmetric pupils all but other terms and the obscuration by `NijboerZernike`, or
+        `ChordalGauss`, of radially symmetric pupils all but other terms and the obscuration by `NijboerZernike`; of
+        any aperture all but the obscuration, and the wavelength where segments have phases, by `NonuniformFFT`; or
         by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified` or, with aberrations,
         `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and, without aberrations,
         "wavelength" (the stage, all indices and the pixel in metres as they are); "row", "column".

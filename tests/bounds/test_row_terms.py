@@ -117,3 +117,18 @@ def test_terms_change_by_at_most_the_square_of_their_degree(n, m):
     h = 1e-6
     slope = np.hypot(at(h, 0) - at(-h, 0), at(0, h) - at(0, -h)) / (2 * h)
     assert slope.max() <= n * n + 1e-4
+
+
+def test_the_roundings_of_a_turned_ellipse_are_counted():
+    # The same circle turned: sines, cosines and the difference in the slope of its middles are rounded as well.
+    lost = []
+    for angle in (0.0, 0.6):
+        (rule,) = Opening(stop=Ellipse(900.0, 900.0, angle, (0.0, -900.2))).rows(0, 1e-15)
+        assert rule.weight == pytest.approx(
+            Opening(stop=Disc(900.0, (0.0, -900.2))).rows(0, 1e-15)[0].weight, rel=1e-11
+        )
+        lost.append(rule.lost)
+    # The slope is 2 sin cos - 2 cos sin; both sides of about 0.8 of rows, 900 from the centre.
+    assert (
+        lost[1] - lost[0] > 0.8 * 20.0 * 1.1e-16 * 2.0 * math.sin(0.6) * math.cos(0.6) * 900.0 * 2.0 * 0.8 / math.pi
+    )

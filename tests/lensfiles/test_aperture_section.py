@@ -89,7 +89,7 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_p
         ('[aperture.spider]\nwidth = "0 mm"\nvanes = 3\n', "aperture.spider.width (line 10): must be positive"),
         ('[aperture.spider]\nwidth = "2 m"\nvanes = 3\n', "aperture.spider.width: must be below the diameter"),
         ('[aperture.spider]\nwidth = "190 mm"\nvanes = 8\n', "must leave part of the aperture clear"),
-        ("[aperture.ellipse]\na = 1\nb = 1.2\n", "aperture.ellipse.b (line 11): Input should be less than"),
+        ("[aperture.ellipse]\na = 1\nb = 1200\n", "aperture.ellipse.b (line 11): Input should be less than"),
         ("[aperture.cat_eye]\nshift = [2.0, 0.0]\n", "aperture.cat_eye (line 9): shift must be shorter than"),
         ("[aperture.cat_eye]\nshift = [0, 0]\n[aperture.ellipse]\na = 1\nb = 1\n", "one of ellipse and cat_eye"),
         ('[aperture.mask]\nfile = "nowhere.npy"\n', "aperture.mask.file (line 10): 'nowhere.npy' cannot be read"),

@@ -370,3 +370,14 @@ def test_a_focal_length_in_metres_that_may_be_one_in_mm_is_asked_about():
 )
 def test_a_lens_shows_itself_in_units_that_people_read(given, said):
     assert repr(lm.Lens(focal_length=50e-3, f_number=1.8, wavelength=550e-9, **given)) == said
+
+
+def test_a_copy_with_another_wavefront_keeps_stop_and_distances():
+    lens = lm.Lens(focal_length=8.0, f_number=10.0, focus_distance=900.0, wavelength=2e-6, stop=lm.telescopes.vlt())
+    coma = lm.Wavefront.zernike({(3, 1): 0.05}, unit="waves")
+    copy = replace(lens, aberrations=coma)
+    assert (copy.stop, copy.sensor_distance, copy.f_number) == (lens.stop, lens.sensor_distance, lens.f_number)
+    assert copy.aberrations == coma
+    assert lm.rms(copy.pupil(), unit="waves") == pytest.approx(0.05, rel=0.1)
+    assert lm.rms(lens.pupil(), unit="waves") == pytest.approx(0.0, abs=1e-9)
+    assert replace(lens.pupil(), wavefront=coma) == replace(copy.pupil(), wavefront=coma)

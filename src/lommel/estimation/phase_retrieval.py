@@ -252,7 +252,8 @@ def retrieve(
     saturation : float, optional
         Values from here on, in the unit of the images, are left out.
     integrate : bool, optional
-        Pixel-integrated or point-sampled, as of :func:`lommel.psf`.
+        Pixel-integrated or point-sampled: by default, as of :func:`lommel.psf`, pixels in metres integrate and pixels
+        in units of lambda*N sample.
     tol : float, default 1e-6
         Tolerance of the PSFs relative to the peak: less than the noise of 1e10 electrons there.
     starts : int, default 20

@@ -20,7 +20,17 @@ from lommel.io.photos import PhotoError, read_raster
 from lommel.io.registry import Values
 from lommel.lensfiles.toml_files import Angle, Length, MadeSection, Number, Section, Toml, finite, read_beside
 from lommel.optics.aperture.mask import MAX_SIDE, Mask
-from lommel.optics.aperture.shapes import MAX_VANES, CatEye, Disc, Ellipse, Polygon, Segments, Shape, Spider
+from lommel.optics.aperture.shapes import (
+    MAX_VANES,
+    CatEye,
+    Disc,
+    Ellipse,
+    Polygon,
+    Segments,
+    Shape,
+    Spider,
+    require_reach,
+)
 
 _FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
@@ -55,8 +65,8 @@ class _Spider(Section):
 
 
 class _Ellipse(MadeSection):
-    a: Annotated[Number, Field(gt=0, le=1)]
-    b: Annotated[Number, Field(gt=0, le=1)]
+    a: Annotated[Number, Field(gt=0, le=1000)]
+    b: Annotated[Number, Field(gt=0, le=1000)]
     angle: Angle = 0.0
 
     def made(self) -> Ellipse:
@@ -317,6 +327,7 @@ def _union(name: str, parts: list[_Part], radius: float) -> Shape:
     for number, part in enumerate(parts, 1):
         try:
             made.append(part.made(radius))
+            require_reach("it", made[-1])
         except ValueError as error:
             raise ValueError(f"aperture.{name}, entry {number} ({part.type}): {error}") from None
     return reduce(or_, made)

@@ -109,6 +109,12 @@ class Lens(display.Shown):
     TypeError, ValueError
         If an argument is missing, contradictory, not finite or out of range.
 
+    Notes
+    -----
+    ``dataclasses.replace(lens, aberrations=wavefront)`` is the same lens with another wavefront; so with any other
+    argument, but ``aperture_diameter`` and ``sensor_distance`` in place of `f_number` and `focus_distance`, for which
+    there are :meth:`stopped` and :meth:`focused`.
+
     Warns
     -----
     UserWarning

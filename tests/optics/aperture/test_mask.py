@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy import integrate, special
 
 import lommel as lm
 from lommel import Mask, Pupil
@@ -83,3 +84,36 @@ def test_partly_clear_cells_bring_a_hexagon_of_pixels_closer(angle, most):
 def test_a_number_of_points_out_of_range_is_refused(times):
     with pytest.raises(ValueError, match=f"oversample must be from 1 to 64, got {times}"):
         lm.Mask.sample(lambda x, y: x > y, side=4, oversample=times)
+
+
+def test_a_double_helix_turns_with_defocus():
+    def zones(x, y):
+        zone = np.floor(5.0 * np.minimum(x**2 + y**2, 0.999))
+        return np.exp(1j * (2.0 * zone + 1.0) * np.arctan2(y, x))
+
+    helix = Mask.sample(zones, 128)
+    y, x = np.mgrid[-24:25, -24:25]
+    angles = []
+    for defocus in (-4.0, 0.0, 4.0):
+        values = lm.psf(lm.Pupil(lm.Wavefront(defocus), mask=helix), 49, 0.33).values
+        assert values == pytest.approx(values[::-1, ::-1], abs=1e-6 * float(values.max()))
+        lobes = values * (values > 0.5 * values.max())
+        angles.append(0.5 * math.atan2(2.0 * (lobes * x * y).sum(), (lobes * (x * x - y * y)).sum()))
+    # Along y in focus, and a turn the other way on its other side.
+    assert abs(angles[1]) == pytest.approx(0.5 * math.pi, abs=1e-3)
+    assert angles[0] == pytest.approx(-angles[2], abs=1e-3)
+    assert 0.5 < abs(angles[2]) < 1.0
+
+
+def test_a_cubic_phase_plate_and_a_vortex_have_the_psfs_of_their_wavefronts():
+    # x^3 = (rho^3 cos 3 theta + 3 rho^3 cos theta) / 4, and R_3^1 = 3 rho^3 - 2 rho.
+    terms = {(3, 1): 5.0, (3, -1): 5.0, (3, 3): 5.0, (3, -3): -5.0, (1, 1): 10.0, (1, -1): 10.0}
+    exact = lm.psf(lm.Pupil(lm.Wavefront.zernike(terms, normalization="edge")), 49, 0.5, normalize="strehl")
+    plate = Mask.sample(lambda x, y: np.exp(20j * (x**3 + y**3)), 256)
+    assert lm.peak_error(lm.psf(lm.Pupil(mask=plate), 49, 0.5, normalize="strehl"), exact) < 1e-3
+    vortex = Mask.sample(lambda x, y: np.exp(1j * np.arctan2(y, x)), 256)
+    found = lm.psf(lm.Pupil(mask=vortex), 49, 0.25, normalize="strehl")
+    # |U| = 2 int J_1(v rho) rho d rho.
+    v = math.pi * 0.25 * np.arange(25)
+    known = [(2.0 * integrate.quad(lambda t, k=k: special.j1(k * t) * t, 0.0, 1.0)[0]) ** 2 for k in v]
+    assert found.values[24, 24:] == pytest.approx(known, abs=1e-3)

@@ -7,6 +7,7 @@ import json
 import math
 import pickle
 
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
@@ -14,6 +15,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel import CatEye, Disc, Ellipse, Mask, Polygon, Pupil, Segments, Spider, Wavefront
+from lommel.optics.aperture.opening import Opening
 from lommel.optics.aperture.shapes import Combined, shape_from_dict
 
 GRID = np.meshgrid(np.linspace(-1.1, 1.1, 45), np.linspace(-1.1, 1.1, 47))
@@ -154,8 +156,8 @@ def test_a_spider_that_leaves_light_makes_a_pupil_and_any_other_is_refused(width
         (lambda: Spider(0.1, "up"), TypeError, "angles must hold real numbers, got 'up'"),
         (lambda: Spider.equal(0, 0.1), ValueError, "count must be from 1 to 64, got 0"),
         (lambda: Spider.equal(3, 0.1, math.inf), ValueError, "first must be finite, got inf"),
-        (lambda: Ellipse(1.1, 0.5), ValueError, "a must be > 0 and <= 1 radii of the aperture, got 1.1"),
-        (lambda: Ellipse(1.0, 0.0), ValueError, "b must be > 0 and <= 1 radii of the aperture, got 0"),
+        (lambda: Ellipse(1001.0, 0.5), ValueError, "a must be > 0 and <= 1000 radii of the aperture, got 1001"),
+        (lambda: Ellipse(1.0, 0.0), ValueError, "b must be > 0 and <= 1000 radii of the aperture, got 0"),
         (lambda: Ellipse(1.0, 0.5, None), TypeError, "angle must be a real number, got None"),
         (lambda: CatEye((1.5, 1.5)), ValueError, r"shift must be shorter than 1 \+ radius = 2, .* got \(1.5, 1.5\)"),
         (lambda: CatEye(0.5), TypeError, r"shift must be a pair \(x, y\), got 0.5"),
@@ -177,7 +179,7 @@ def test_what_is_no_aperture_is_refused_with_the_argument_and_what_is_allowed(ma
         make()
 
 
-@pytest.mark.parametrize("change", [{"name": "Square"}, {"name": None}, {"b": 2.0}, {"c": 1.0}])
+@pytest.mark.parametrize("change", [{"name": "Square"}, {"name": None}, {"b": 2e3}, {"c": 1.0}])
 def test_a_damaged_description_is_refused(change):
     description = Pupil(vignetting=Ellipse(0.5, 0.5)).to_dict()
     description["vignetting"] |= change
@@ -189,7 +191,7 @@ numbers = st.floats(-1.2, 1.2)
 points = st.tuples(numbers, numbers)
 convex = (
     st.builds(Disc, st.floats(1e-3, 2.0), points)
-    | st.builds(Ellipse, st.floats(1e-3, 1.0), st.floats(1e-3, 1.0), st.floats(-4, 4), points)
+    | st.builds(Ellipse, st.floats(1e-3, 3.0), st.floats(1e-3, 3.0), st.floats(-4, 4), points)
     | st.builds(Polygon.regular, st.integers(3, 9), st.floats(1e-3, 1.5), points, st.floats(-4, 4))
     | st.builds(Polygon.half_plane, st.floats(-4, 4), st.floats(-1, 1))
     | st.builds(Spider.equal, st.integers(1, 5), st.floats(1e-3, 0.5), st.floats(-3, 3))
@@ -340,10 +342,121 @@ def test_segments_have_phases_about_their_centres():
          r"segments must have points within the unit disc; leave out shapes\[1\] = Disc.*, which has none"),
         (lambda: Pupil(stop=Disc(0.3) - Disc(0.5)), ValueError, "stop must leave part of the aperture clear"),
         (lambda: Pupil(stop=Disc(0.3), obscuration=0.4), ValueError, "stop must leave part of the aperture clear"),
-        (lambda: Pupil(stop=Disc(0.1, (3.0, 0.0))), ValueError, "stop must leave part of the aperture clear"),
+        (lambda: Pupil(stop=Disc(0.1, (3.0, 0.0))), ValueError, "stop must be made of parts that reach the aperture"),
         (lambda: Pupil(stop="round"), TypeError, "stop must be of the type Shape or Segments"),
     ],
 )  # fmt: skip
 def test_what_is_no_shape_is_refused_with_what_was_given(make, error, message):
     with pytest.raises(error, match=message):
         make()
+
+
+def test_parts_wholly_beyond_the_rim_are_refused():
+    metres = Disc(0.3, (1.8, 0.0))
+    words = (
+        r"must be made of parts that reach the aperture, got Disc\(radius=0.3, center=\(1.8, 0.0\)\) wholly beyond"
+    )
+    for stop in (Disc() - metres, Disc(0.5) | metres, Disc() - (Disc(0.2) | metres)):
+        with pytest.raises(ValueError, match=f"stop {words} its rim; lengths are over the radius of the aperture"):
+            Pupil(stop=stop)
+    with pytest.raises(ValueError, match=f"other {words}"):
+        Segments.hexagonal(2) - metres
+    # Parts that hold all of the aperture, or touch it between the points of their outline, are taken.
+    corner = Polygon(((0.9999, -3.0), (30.0, -3.0), (30.0, 40.0), (0.9999, 40.0)))
+    for part in (Disc(5.0), Disc(0.3, (1.2999, 0.0)), Polygon.strip((-9.0, 0.0), (9.0, 0.0), 8.0), corner):
+        assert Pupil(stop=Disc(0.5) | part).area > 0.25
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.4])
+def test_hexagonal_segments_are_in_columns_of_rising_x_and_rising_y(angle):
+    centers = Segments.hexagonal(3, 0.01, angle=angle).centers
+    turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    x, y = np.round(centers @ turn, 9).T
+    assert np.lexsort((y, x)).tolist() == list(range(36))
+    assert len(set(x)) == 7
+
+
+def large(a, b, angle, x, y):
+    """Area of an ellipse within the unit disc, by Green's theorem along the arcs between the crossings."""
+    with mpmath.workdps(40):
+        turn = mpmath.expj(angle)
+        middle, a, b = mpmath.mpc(x, y) / turn, mpmath.mpf(a), mpmath.mpf(b)
+
+        def square(z):
+            return ((z.real - middle.real) / a) ** 2 + ((z.imag - middle.imag) / b) ** 2
+
+        # On z = e^(i t) the square less 1 times z^2 is a polynomial of z.
+        p, q = 1 / a**2, 1 / b**2
+        one = -(p * middle.real - 1j * q * middle.imag)
+        two = (p - q) / 4
+        powers = [two, mpmath.conj(one), (p + q) / 2 + p * middle.real**2 + q * middle.imag**2 - 1, one, two]
+        while powers and abs(powers[-1]) < 1e-30:
+            powers = powers[1:-1]
+        # Its roots are the eigenvalues of its companion matrix.
+        size = max(len(powers) - 1, 0)
+        companion = mpmath.zeros(size)
+        for k in range(size):
+            companion[k, size - 1] = -powers[k] / powers[-1]
+            if k:
+                companion[k, k - 1] = 1
+        roots = mpmath.eig(companion, left=False, right=False) if size else []
+        crossings = [z / abs(z) for z in roots if abs(abs(z) - 1) < 1e-12]
+        on = [mpmath.arg(mpmath.mpc((z - middle).real / a, (z - middle).imag / b)) for z in crossings]
+
+        def arcs(angles, at, clear, area):
+            ends = sorted(angles) or [mpmath.mpf(0)]
+            pairs = zip(ends, [*ends[1:], ends[0] + 2 * mpmath.pi], strict=True)
+            return sum(area(s, t) for s, t in pairs if clear(at((s + t) / 2)))
+
+        def ellipse(t):
+            return middle + mpmath.mpc(a * mpmath.cos(t), b * mpmath.sin(t))
+
+        def swept(s, t):
+            step = ellipse(t) - ellipse(s)
+            return (a * b * (t - s) + middle.real * step.imag - middle.imag * step.real) / 2
+
+        total = arcs(
+            [mpmath.arg(z) for z in crossings], mpmath.expj, lambda z: square(z) < 1, lambda s, t: (t - s) / 2
+        )
+        return float(total + arcs(on, ellipse, lambda z: abs(z) < 1, swept))
+
+
+@given(
+    st.floats(-3, 3),
+    st.floats(-3, 3),
+    st.floats(-4, 4),
+    st.floats(-0.98, 0.98),
+    st.floats(-4, 4),
+    st.integers(0, 2**32 - 1),
+)
+def test_large_ellipses_have_the_rules_and_the_margins_of_others(wide, high, angle, depth, way, seed):
+    # The edge passes the axis at a distance `depth`, wherever the centre is.
+    a, b = 10.0**wide, 10.0**high
+    t = np.random.default_rng(seed).uniform(0, 7)
+    c, s = math.cos(angle), math.sin(angle)
+    normal = np.array([math.cos(t) / a, math.sin(t) / b]) / math.hypot(math.cos(t) / a, math.sin(t) / b)
+    at = depth * normal - np.array([a * math.cos(t), b * math.sin(t)])
+    x, y = c * at[0] - s * at[1], s * at[0] + c * at[1]
+    ellipse = Ellipse(a, b, angle, (x, y))
+    (rule,) = Opening(stop=ellipse).rows(0, 1e-13)
+    assert rule.lost < 1e-11
+    assert math.pi * rule.weight == pytest.approx(large(a, b, angle, x, y), abs=1e-11)
+    assert Pupil(stop=ellipse).area == pytest.approx(rule.weight, abs=2e-10)
+    points = np.random.default_rng(seed).uniform(-1.0, 1.0, (2, 40))
+    margin, clear = ellipse.margin(*points), inside(ellipse, *points)
+    there = inside(ellipse, *(points + 0.999 * margin * np.array([[math.cos(way)], [math.sin(way)]])))
+    assert np.array_equal(there[np.abs(margin) > 1e-9], clear[np.abs(margin) > 1e-9])
+
+
+def test_an_ellipse_may_be_wider_than_the_aperture():
+    # Of an ellipse about the axis the part within the disc, by arcs that meet at x.
+    for a, b in ((1.3, 0.6), (40.0, 0.25), (1000.0, 1e-3)):
+        x = math.sqrt((1.0 - b * b) / (1.0 - (b / a) ** 2))
+        arcs = 2.0 * a * b * (math.asin(x / a) + x / a * math.sqrt(1.0 - (x / a) ** 2))
+        area = arcs + 2.0 * (0.5 * math.pi - math.asin(x) - x * math.sqrt(1.0 - x * x))
+        for angle in (0.0, 0.7, 0.5 * math.pi):
+            assert Pupil(stop=Ellipse(a, b, angle)).area == pytest.approx(area / math.pi, rel=1e-12)
+            assert Pupil(vignetting=Ellipse(a, b, angle)).area == pytest.approx(area / math.pi, rel=1e-12)
+    # A half plane nearly.
+    edge = Pupil(stop=Ellipse(1000.0, 1000.0, 0.3, (-999.7, 0.0))).area
+    assert edge == pytest.approx(Pupil(stop=Disc(1000.0, (-999.7, 0.0))).area, rel=1e-12)

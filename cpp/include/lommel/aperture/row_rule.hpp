@@ -235,14 +235,17 @@ LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int de
 LOMMEL_ONCE double RowRule::misplaced(const Side& side, double y) {
     const double below = std::max(0.0, y - side.low), above = std::max(0.0, side.high - y);
     const double root = side.k == 0.0 ? 0.0 : std::abs(side.k) * std::sqrt(below * above);
-    const double off = unit_roundoff * (4.0 + std::abs(side.low) + std::abs(side.high));
+    // Of a turned arc sine, cosine and products with axes count, four roundings each.
+    const double turned = side.terms > 0.0 ? 5.0 : 1.0;
+    const double off = unit_roundoff * (4.0 + turned * (std::abs(side.low) + std::abs(side.high)));
     // sqrt(d + off) - sqrt(d) is at most off / sqrt(d), and sqrt(off).
     const auto moved = [&](double d, double other) {
         return std::abs(side.k) * std::sqrt(other) * std::min(std::sqrt(off), off / std::sqrt(d + 1e-300));
     };
     const double arcs = side.k == 0.0 ? 0.0 : moved(below, above + off) + moved(above, below + off);
-    return arcs + unit_roundoff * (2.0 * std::abs(side.p) + 4.0 * std::abs(side.q * (y - side.origin)) +
-                                   4.0 * std::abs(side.q) + 6.0 * root);
+    return arcs +
+           unit_roundoff * (2.0 * std::abs(side.p) + 4.0 * std::abs(side.q * (y - side.origin)) + 4.0 * std::abs(side.q) +
+                            20.0 * side.terms * std::abs(y - side.origin) + (turned > 1.0 ? 14.0 : 6.0) * root);
 }
 
 LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {

@@ -21,6 +21,7 @@ struct Point {
 // x of one side of a part over y: p + q (y - origin), and, of an arc, k sqrt((y - low) (high - y)) more.
 struct Side {
     double p = 0.0, q = 0.0, origin = 0.0, k = 0.0, low = 0.0, high = 0.0;
+    double terms = 0.0;  // of an arc the moduli that cancel in q
 
     double at(double y) const {
         const double line = p + q * (y - origin);
@@ -161,8 +162,9 @@ LOMMEL_ONCE std::array<Side, 2> Part::sides(double y) const {
     if (round()) {
         // y = ay cos t + by sin t; middles of chords lie on a line from the bottom to the top.
         const double square = ay_ * ay_ + by_ * by_, lean = (ax_ * ay_ + bx_ * by_) / square, rise = a_ * b_ / square;
+        const double terms = (std::abs(ax_ * ay_) + std::abs(bx_ * by_)) / square;
         for (std::size_t i = 0; i < 2; ++i) {
-            both[i] = {centre_.x, lean, centre_.y, i == 0 ? -rise : rise, low_, high_};
+            both[i] = {centre_.x, lean, centre_.y, i == 0 ? -rise : rise, low_, high_, terms};
         }
         return both;
     }

@@ -20,7 +20,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.optics.aperture.apodization import Apodization
-from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Segments, Shape, Spider, listed
+from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Segments, Shape, Spider, listed, require_reach
 from lommel.special.disk import disk_overlap
 
 _SUB = 16  # points along each side of a cell at an edge
@@ -150,6 +150,8 @@ class Opening:
         validation.optional("stop", self.stop, Shape, Segments)
         if isinstance(self.stop, Segments):
             _require_apart(self.stop.shapes)
+        elif self.stop is not None:
+            _require_reach(self.stop)
 
     @property
     def circular(self) -> bool:
@@ -285,6 +287,11 @@ def _exact_rows(opening: Opening, degree: int) -> tuple[engine.RowRule, ...]:
     rules = opening.rows(degree, _EXACT)
     area = sum(rule.weight for rule in rules)
     return opening.rows(degree, _EXACT * area) if 0.0 < area < 0.1 else rules
+
+
+@lru_cache(maxsize=32)
+def _require_reach(stop: Shape) -> None:
+    require_reach("stop", stop)
 
 
 @lru_cache(maxsize=8)

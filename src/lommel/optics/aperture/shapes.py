@@ -193,7 +193,7 @@ class Ellipse(Shape):
     Parameters
     ----------
     a, b : float
-        Semi-axes over the radius of the aperture, above 0, at most 1.
+        Semi-axes over the radius of the aperture, above 0, at most 1000.
     angle : float, default 0
         Direction of the semi-axis a, radians from x to y.
     center : (float, float), default (0, 0)
@@ -212,7 +212,7 @@ class Ellipse(Shape):
 
     def __post_init__(self) -> None:
         for name in ("a", "b"):
-            size = validation.real(name, getattr(self, name), above=0.0, most=1.0, unit="radii of the aperture")
+            size = validation.real(name, getattr(self, name), above=0.0, most=_FAR, unit="radii of the aperture")
             object.__setattr__(self, name, size)
         angle, center = validation.real("angle", self.angle), _point("center", self.center)
         vars(self).update(angle=angle, center=center)
@@ -363,7 +363,8 @@ class Polygon(Shape):
     def half_plane(cls, angle: float, offset: float = 0.0) -> Polygon:
         """Return, of the aperture, the points whose distance from the axis towards `angle` is at most `offset`.
 
-        TypeError or ValueError if `offset` is not from -2 to 2.
+        ``half_plane(0.0, 0.2)`` is the side of x <= 0.2, and passes its light as a `stop`: the knife comes from large
+        x. TypeError or ValueError if `offset` is not from -2 to 2.
         """
         turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
         corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
@@ -556,7 +557,8 @@ class Segments:
     Parameters
     ----------
     shapes : sequence of Shape
-        The segments, 1 to 4096 of them. A :class:`Pupil` refuses segments that overlap, or lie beyond its rim.
+        The segments, 1 to 4096 of them. A :class:`Pupil` refuses segments that overlap, or lie wholly beyond its rim;
+        what of a segment is beyond the rim passes no light.
     piston, tip, tilt : sequence of float, optional
         Phase of each segment, radians: constant, and its change along x and along y, a radius of the aperture further
         (2 pi are a wavelength of path); the slopes about the segment's centre. 0 by default.
@@ -591,6 +593,9 @@ class Segments:
     @classmethod
     def hexagonal(cls, rings: int, gap: float = 0.0, *, middle: bool = False, angle: float = 0.0) -> Segments:
         """Return equal hexagons in `rings` around the axis, the farthest corners on the rim of the aperture.
+
+        Their order is by columns of rising x, and by rising y within a column, all before they are turned; it is that
+        of `shapes`, :attr:`centers` and the phases.
 
         Parameters
         ----------
@@ -650,7 +655,7 @@ class Segments:
 
     @cached_property
     def centers(self) -> Array:
-        """The centre of each segment, which slopes are about, shape (n, 2): the mean of the points of its edge.
+        """Centre (x, y) of each segment, in their order, which slopes are about, shape (n, 2): the mean of its edge.
 
         What is taken from a segment, such as a vane, does not move its centre.
         """
@@ -694,6 +699,7 @@ class Segments:
 
     def _cut(self, other: Shape, by: Callable[[Shape, Shape], Shape | None]) -> Segments:
         """Return what is left of the segments, those that vanish left out."""
+        require_reach("other", other)
         left = [by(part, other) for part in self.shapes]
         # Bounds of the margin tell some of those that vanish, their area the others.
         whole = zip(left, self.shapes, strict=True)
@@ -720,6 +726,17 @@ class Segments:
 def _clear(part: Shape) -> bool:
     """Return whether a part has points within the rim."""
     return listed(Disc() & part).rule(0, _LEAST).weight > 0.0
+
+
+def require_reach(name: str, region: Shape) -> None:
+    """Raise ValueError if a part of a region lies wholly beyond the rim of the aperture."""
+    for part in region.parts:
+        edge = np.concatenate(part.outline(48))
+        if not (edge**2).sum(axis=1).min() < 1.0 and not _clear(part):
+            raise ValueError(
+                f"{name} must be made of parts that reach the aperture, got {validation.shown(part)} wholly beyond "
+                "its rim; lengths are over the radius of the aperture"
+            )
 
 
 def _whole(part: Shape) -> Shape:

@@ -5,6 +5,7 @@
 #include "lommel/special/bessel_table.hpp"
 #include "lommel/special/gridding.hpp"
 #include "lommel/zernike/disk_stack.hpp"
+#include "lommel/zernike/polar_image.hpp"
 
 #define LOMMEL_DEFINES
 

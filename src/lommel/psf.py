@@ -65,8 +65,8 @@ def psf(
         in units of lambda*N.
     method : Method, optional
         How to evaluate the diffraction integral; by default chosen by pupil and window: NijboerZernike for
-        circular apertures, ChordalGauss instead for small windows of wavefronts that depend on the direction,
-        NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the method used.
+        circular apertures, ChordalGauss instead where it is likely to take less time for wavefronts that depend on
+        the direction, NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is what was used.
     tol : float, optional
         Tolerance relative to the peak; by default that of the method, or 1e-6 if no method is given.
     normalize : {"energy", "emitted", "strehl", "peak"}, default "energy"
@@ -235,7 +235,7 @@ class Plan:
                     raise
                 asked = asked._replace(ways=ways[1:])  # which the next method answers
         if found is not None:
-            (scale, error), method = found, ways[0]
+            (scale, error), method = found, ways[0].reported
         else:
             place = None if out is None else question.place(out, shape, self.dtype)
             method, made, found_slopes = asked.images(pupil, names, place)

@@ -291,7 +291,11 @@ def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array,
 
     way, made = first_proven(ways, ask)
     assert made.peak is not None
-    return way, made.values, np.full(len(made.values), np.nan) if made.error is None else made.error * made.peak
+    return (
+        way.reported,
+        made.values,
+        np.full(len(made.values), np.nan) if made.error is None else made.error * made.peak,
+    )
 
 
 _TRIES = 7
@@ -472,7 +476,7 @@ def recorded(
             "blur, fill and pixels that are not square are for lenses, got the pupil of an Objective: ask for finer "
             "square pixels, and sum blocks of them"
         )
-    way = method or candidates(pupil, Grid(grid.shape, min(grid.pitch)), tol)[0]
+    way = method or candidates(pupil, Grid(grid.shape, min(grid.pitch)), tol)[-1]
     wanted = wanted_on(grid, pupil, way, normalize, dtype, threads)
     shape = pupil.shape + grid.shape
     values = np.empty(shape, dtype) if out is None else place(out, shape, dtype)

@@ -161,14 +161,18 @@ def far_averages(stack: DiskStack, window: Window, most: float, tol: float, thre
     return FarPixels(values, numbers[:, 0], numbers[:, 1], numbers[:, 3:])
 
 
-def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
+def chordal_images(
+    stack: DiskStack, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
+) -> Images:
     """Return the same by the chordal rule, with errors over the largest value in the window.
 
     Derivatives by the terms that `wanted` names are over the same value; their errors are bounded, not held to `tol`.
+    With `if_cheaper`, images that :func:`series_images` is likely to take less time for raise Declined.
     """
     over = "the largest value in the window"
     if not wanted.terms:
-        return _disk_images(_core.chordal_images, over, stack, window, tol, wanted)
+        compute = _core.cheaper_chordal_images if if_cheaper else _core.chordal_images
+        return _disk_images(compute, over, stack, window, tol, wanted)
     terms, count = np.array(wanted.terms, dtype=np.int32), len(stack.edge)
     slopes = Slopes(np.empty((len(terms), count, *window.shape), wanted.dtype), np.empty((len(terms), count)))
     more = {"factors": terms, "slopes": slopes.values, "bounds": slopes.error}
@@ -176,21 +180,31 @@ def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted)
     return made._replace(slopes=slopes)
 
 
+def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, float]:
+    """Return nanoseconds that images are likely to take by :func:`chordal_images` and by :func:`series_images`.
+
+    ValueError where the former cannot be computed.
+    """
+    (row, column), (height, width) = window.center, window.shape
+    return _core.disk_costs(*stack, row, column, height, width, window.step, tol, tol >= 1e-6)
+
+
 def chordal_plan(
-    obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted
+    obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
 ) -> Callable[[NDArray[np.int32], Array, Pixels], tuple[Array, float]]:
     """Return what writes images of a stack as :func:`chordal_images`, and returns their scales and largest bound.
 
     Called with the terms, their coefficients and the array for the values, of any axes before those of the window.
     """
     (row, column), scale, threads, step = window.center, _one_scale(wanted), wanted.threads, window.step
+    compute = _core.cheaper_chordal_images if if_cheaper else _core.chordal_images
 
     def ask(terms: NDArray[np.int32], edge: Array, values: Pixels) -> tuple[Array, float]:
         stack, count = values.shape[:-2], edge.size // len(terms)
         numbers = np.empty((3, count))
         flat, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
         place = row, column, step, tol, threads, scale
-        if unmet := _core.chordal_images(terms, flat, obscuration, amplitude, *place, images, numbers):
+        if unmet := compute(terms, flat, obscuration, amplitude, *place, images, numbers):
             raise not_met(tol, unmet, "the largest value in the window")
         return numbers[0].reshape(stack), float(numbers[1].max())
 

@@ -377,7 +377,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
 
 def optics(pupil: Pupil, method: Method | None = None) -> ImageModel:
     """Return the model of the image of a pupil alone, by a method or by what serves it."""
-    return ImageModel(pupil, method or candidates(pupil, Grid(3, 0.25 * pupil.scale))[0])
+    return ImageModel(pupil, method or candidates(pupil, Grid(3, 0.25 * pupil.scale))[-1])
 
 
 __all__ = ["MAX_RADIUS", "Encircled", "encircled", "optics"]

@@ -4,9 +4,10 @@
 
 import math
 from collections.abc import Callable
-from contextlib import suppress
 from functools import lru_cache
 from typing import NamedTuple, TypeVar
+
+import numpy as np
 
 from lommel.core.answers import Declined, ToleranceError
 from lommel.methods.method import Method
@@ -14,7 +15,7 @@ from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 
-_SMALL, _SMALL_OF_STACK, _STACK = 64, 128, 8  # samples a side, and from how many pupils on
+_LOOKS = 8  # pupils that stand for a stack
 _Answer = TypeVar("_Answer")
 
 
@@ -35,10 +36,10 @@ class Rule(NamedTuple):
 # Imported where they are needed, for radial pupils are most and take none of these.
 
 
-def _chords_first() -> tuple[Callable[[float], Method], ...]:
-    from lommel.methods.chordal_gauss import ChordalGauss
+def _whichever_is_cheaper() -> tuple[Callable[[float], Method], ...]:
+    from lommel.methods.chordal_gauss import ChordalGauss, ChordalIfCheaper
 
-    return ChordalGauss, NijboerZernike
+    return ChordalIfCheaper, NijboerZernike, ChordalGauss
 
 
 def _nonuniform() -> tuple[Callable[[float], Method], ...]:
@@ -57,17 +58,6 @@ def _rings() -> tuple[Callable[[float], Method], ...]:
     from lommel.methods.layers.debye_rings import DebyeRings
 
     return (DebyeRings,)
-
-
-def _small(pupil: BasePupil, grid: Grid) -> bool:
-    if not pupil.circular:
-        return False
-    side = max(grid.shape)
-    if grid.integrate:  # averages are made of finer samples
-        from lommel.methods.pixels.averaging import samples_across
-
-        side *= samples_across(grid.step(pupil))
-    return side <= _SMALL or (side <= _SMALL_OF_STACK and math.prod(pupil.shape) >= _STACK)
 
 
 RULES = (
@@ -90,16 +80,10 @@ RULES = (
         "little more than writing the image",
     ),
     Rule(
-        f"circular or annular, windows up to {_SMALL} samples a side ({_SMALL_OF_STACK} for {_STACK} pupils or more)",
-        _small,
-        _chords_first,
-        "two matrix products; grows with the square of the number of chords",
-    ),
-    Rule(
-        "circular or annular, larger windows",
+        "circular or annular, by whichever is likely to take less time",
         lambda pupil, _: pupil.circular,
-        lambda: (NijboerZernike,),
-        "a sum over azimuthal orders for an eighth of the pixels",
+        _whichever_is_cheaper,
+        "two matrix products; or a sum over azimuthal orders for an eighth of the pixels",
     ),
     Rule(
         "any other aperture",
@@ -114,7 +98,9 @@ RULES = (
 def table() -> str:
     """Return the rules as a table in Markdown; the page on how to choose a method has it."""
     rows = [("pupil", "method", "cost"), ("---",) * 3]
-    rows += [(r.pupils, ", else ".join(f"`{m.__name__}`" for m in r.methods), r.costs) for r in RULES]
+    for rule in RULES:
+        names = dict.fromkeys(type(method(Method.tol).reported).__name__ for method in rule.methods)
+        rows.append((rule.pupils, ", ".join(f"`{name}`" for name in names), rule.costs))
     return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
 
@@ -134,10 +120,38 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
     """Return the first of some methods that neither declines nor misses its tolerance, and its answer."""
     # The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light
     # misses is for the series. Other errors are faults, and are not hidden.
-    for way in ways[:-1]:
-        with suppress(ToleranceError, Declined):
+    refused: ToleranceError | Declined | None = None
+    for way in ways:
+        try:
             return way, ask(way)
-    return ways[-1], ask(ways[-1])
+        except (ToleranceError, Declined) as error:
+            # Of what can be had at another tolerance that is said.
+            if refused is None or isinstance(error, ToleranceError) or isinstance(refused, Declined):
+                refused = error
+    assert refused is not None
+    raise refused
+
+
+def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
+    """Return the methods for a stack that is computed in parts, so that one of them answers all that it can."""
+    if len(ways) == 1:
+        return ways
+    from lommel.core.engine import disk_costs
+    from lommel.methods.nijboer_zernike import disk_stack, window_of
+    from lommel.methods.pixels.averaging import samples_across
+    from lommel.optics.pupil import checked
+
+    lens, count = checked(pupil), math.prod(pupil.shape)
+    few = lens[np.unravel_index(np.arange(0, count, -(-count // _LOOKS)), pupil.shape)] if pupil.shape else lens
+    across = samples_across(grid.step(pupil)) if grid.integrate else 1
+    height, width = (across * side for side in grid.shape)
+    samples = Grid((height, width), grid.side / across)
+    _, series, chords = ways
+    try:
+        costs = disk_costs(disk_stack(few), window_of(few, samples), series.tol)
+    except Declined:
+        return series, chords
+    return (chords, series) if costs[0] <= costs[1] else (series, chords)
 
 
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:

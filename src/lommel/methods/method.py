@@ -101,6 +101,11 @@ class Method(ABC, Generic[P]):
         """Return the period of the image of `pupil`, lambda*N along x and y; infinite unless a sum of samples."""
         return pupil.period
 
+    @property
+    def reported(self) -> Method[P]:
+        """The method that images are said to be by: this one, but of conditions on when it is taken."""
+        return self
+
     def with_tol(self, tol: float) -> Self:
         """Return the same method with another `tol`; TypeError or ValueError if it cannot have that."""
         if not self._has_tol:

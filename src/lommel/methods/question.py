@@ -60,7 +60,8 @@ class Asked(NamedTuple):
             made = way.images(pupil, self.grid, question)
             return widened(made, pupil, way, normalized=question.scale is None)
 
-        return *first_proven(self.ways, ask), []
+        way, made = first_proven(self.ways, ask)
+        return way.reported, made, []
 
 
 def asked_about(

@@ -27,7 +27,7 @@ from lommel.base.options import near
 from lommel.channel_psf import PSFKeywords
 from lommel.io.psf_files import FileError
 from lommel.io.zarr_folders import Layout
-from lommel.methods.choice import candidates, first_proven
+from lommel.methods.choice import candidates, first_proven, settled
 from lommel.methods.method import Method
 from lommel.methods.question import for_axes
 from lommel.optics.base_pupil import BasePupil, imaged
@@ -105,7 +105,10 @@ def requested(
     stack = (len(stacks), *stacks[0].shape) if listed else stacks[0].shape
     if not 1 <= len(stack) <= _MOST_AXES:
         raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}; psf computes one")
-    ways = tuple(candidates(one, grid, plan.tol) if plan.method is None else (plan.method,) for one in stacks)
+    ways = tuple(
+        settled(candidates(one, grid, plan.tol), one, grid) if plan.method is None else (plan.method,)
+        for one in stacks
+    )
     flat = [way for each in ways for way in each]
     methods = [way for k, way in enumerate(flat) if way not in flat[:k]]
     dtype = np.dtype(plan.dtype)

@@ -92,8 +92,8 @@ class Shared : protected ForkAware {
     }
 };
 
-// Tables of one kind: the most recent ones, up to Table::most_bytes, and the one just made whatever its size. A table is
-// made from its key, and says whether it serves another by is().
+// Tables of one kind: the most recent ones, up to Table::most_bytes, and the last two whatever their size, for images may take
+// two in turn, of the aperture and of its obscuration. A table is made from its key, and says whether it serves another by is().
 template <class Table>
 class Cache final : Shared {
    public:
@@ -112,7 +112,8 @@ class Cache final : Shared {
         std::size_t bytes = 0;
         for (auto at = recent_.begin(); at != recent_.end();) {
             bytes += (*at)->bytes();
-            at = bytes > Table::most_bytes && at != recent_.begin() ? recent_.erase(at) : std::next(at);
+            const bool last_two = at == recent_.begin() || at == std::next(recent_.begin());
+            at = bytes > Table::most_bytes && !last_two ? recent_.erase(at) : std::next(at);
         }
         return made;
     }

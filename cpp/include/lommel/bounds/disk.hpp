@@ -185,6 +185,7 @@ class DiskBounds {
     }
     // Where it has been found that on a curve chords have so much less of the logarithm.
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
+    double size(std::size_t curve) const { return chords_.size[curve]; }
 
     // Fewest degrees and orders for which their tails are at most `error`, and least degree for which distance() is.
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
@@ -23,6 +24,7 @@
 #include "lommel/chordal/transform.hpp"
 #include "lommel/pixels/render.hpp"
 #include "lommel/zernike/disk_stack.hpp"
+#include "lommel/zernike/series_cost.hpp"
 
 namespace lommel {
 
@@ -57,6 +59,18 @@ class ChordalRenderer {
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
     void run();
+
+    // The same where that is likely to take less time than the series; otherwise throws LimitExceeded before images are begun.
+    void run_if_cheaper() {
+        weighed_ = true;
+        run();
+    }
+    // What both are likely to take, in nanoseconds, without images.
+    std::pair<double, double> costs() {
+        only_costs_ = true;
+        run();
+        return costs_;
+    }
 
    private:
     struct State {
@@ -111,6 +125,59 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
+    // Pupils that are computed side by side, or one alone.
+    struct Group {
+        std::size_t first, here;
+        bool lone;
+        ChordCount far, near;
+    };
+    template <class Real>
+    std::vector<Group> grouped(const std::size_t* pending, std::size_t pupils) const {
+        const Level level = processor_level();
+        std::vector<Group> groups;
+        for (std::size_t first = 0; first < pupils; first += groups.back().here) {
+            const bool lone = !More::wanted && ChordKernels<Real>::lone(level, pupils - first);
+            Group next{first, lone ? 1 : std::min(ChordKernels<Real>::lanes(level), pupils - first), lone, {}, {}};
+            for (std::size_t i = first; i < first + next.here; ++i) {
+                next.far.include(states_[pending[i]].far.count);
+                next.near.include(states_[pending[i]].near.count);
+            }
+            groups.push_back(next);
+        }
+        // Of several tables that are more than what is kept, none is found again: one for all.
+        if (!kept<Real>(groups)) {
+            Group all = groups.front();
+            for (const Group& group : groups) {
+                all.far.include(group.far);
+                all.near.include(group.near);
+            }
+            for (Group& group : groups) {
+                group.far = all.far;
+                group.near = all.near;
+            }
+        }
+        return groups;
+    }
+
+    // Whether tables of these stay in their caches all at once, with those of another attempt.
+    template <class Real>
+    bool kept(const std::vector<Group>& groups) const {
+        double terms = 0.0, kernels = 0.0;
+        ChordCount last[2];
+        for (const Group& group : groups) {
+            const ChordCount counts[2] = {group.far, group.near};
+            for (std::size_t disk = 0; disk < 2; ++disk) {
+                if (!(counts[disk] == last[disk])) {
+                    terms += 2.0 * counts[disk].size() * static_cast<double>(stack_.terms.size());
+                    kernels += KernelTable<Real>::bytes(counts[disk], rows_.at.size());
+                    last[disk] = counts[disk];
+                }
+            }
+        }
+        return 2.5 * terms < static_cast<double>(TermTable::most_bytes) &&
+               2.5 * kernels < static_cast<double>(KernelTable<Real>::most_bytes);
+    }
+
     template <class Real>
     struct Batch {
         std::size_t first, here;
@@ -120,32 +187,23 @@ class ChordalRenderer {
     template <class Real>
     void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
         const Level level = processor_level();
-        const std::size_t lanes = ChordKernels<Real>::lanes(level);
         // Tables before threads, so that no thread waits for another to make them.
         std::vector<Batch<Real>> batches;
         double work = 0.0;
-        for (std::size_t first = 0; first < pupils;) {
-            const bool lone = !More::wanted && ChordKernels<Real>::lone(level, pupils - first);
-            const std::size_t here = lone ? 1 : std::min(lanes, pupils - first);
-            ChordCount far, near;
-            for (std::size_t i = first; i < first + here; ++i) {
-                far.include(states_[pending[i]].far.count);
-                near.include(states_[pending[i]].near.count);
-            }
+        for (const Group& group : grouped<Real>(pending, pupils)) {
             const Batch<Real>* last = batches.empty() ? nullptr : &batches.back();
-            const ChordLanes in = ChordKernels<Real>::chord_lanes(level, lone);
+            const ChordLanes in = ChordKernels<Real>::chord_lanes(level, group.lone);
             const auto made = [&](std::size_t disk, const ChordCount& count, double radius) {
                 const bool same = last != nullptr && last->disks[disk].terms->is(count, in);
                 return same ? last->disks[disk] : tables<Real>(count, radius, in);
             };
-            Batch<Real> next{first, here, {made(0, far, 1.0), {}}};
+            Batch<Real> next{group.first, group.here, {made(0, group.far, 1.0), {}}};
             if (area_ > 0.0) {
-                next.disks[1] = made(1, near, stack_.obscuration);
+                next.disks[1] = made(1, group.near, stack_.obscuration);
             }
             batches.push_back(std::move(next));
-            work += lines_.work(static_cast<double>(far.chords), static_cast<double>(far.nodes)) *
-                    (lone ? 2.0 / static_cast<double>(lanes) : 1.0);
-            first += here;
+            work += lines_.work(static_cast<double>(group.far.chords), static_cast<double>(group.far.nodes)) *
+                    (group.lone ? 2.0 / static_cast<double>(ChordKernels<Real>::lanes(level)) : 1.0);
         }
         parallel_for(batches.size(), worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
@@ -201,6 +259,58 @@ class ChordalRenderer {
         }
     }
 
+    // Nanoseconds of one processor that images of these are likely to take, all tables at hand; benchmarks/choice.py fits them.
+    template <class Real>
+    double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
+        constexpr bool single = sizeof(Real) < 8;
+        const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
+        const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
+        const double pixels = static_cast<double>(rows_.count * columns_.at.size());
+        double sum = 0.0;
+        for (const Group& group : grouped<Real>(pending, pupils)) {
+            for (const ChordCount& count : {group.far, group.near}) {
+                const double chords = static_cast<double>(count.chords), nodes = count.size();
+                if (chords > 0.0 && group.lone) {
+                    sum +=
+                        (single ? 2500.0 : 1900.0) + ((single ? 4.8 * terms + 0.9 * rows : 1.6 * terms + 1.9 * rows) * nodes +
+                                                      (single ? 1.8 : 1.5) * chords * pixels) /
+                                                         lanes;
+                } else if (chords > 0.0) {
+                    sum += (single ? 11400.0 : 2600.0) +
+                           (single ? 5.0 + 0.54 * terms + 0.29 * rows : 8.5 + 0.36 * terms + 0.8 * rows) * nodes +
+                           (single ? 1.3 : 1.0) * chords * pixels;
+                }
+            }
+        }
+        return sum;
+    }
+
+    // Once it is known how many chords and nodes they take.
+    void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
+        const double count = static_cast<double>(stack_.count);
+        costs_.first = 12900.0 + 330.0 * count + nanoseconds<double>(pending.data() + singles, pending.size() - singles);
+        if constexpr (sizeof(T) == sizeof(float)) {
+            costs_.first += nanoseconds<float>(pending.data(), singles);
+        }
+        const bool weighed = weighed_;
+        weighed_ = false;
+        costs_.second = SeriesCost::least * count;
+        if (weighed && costs_.first <= costs_.second) {
+            return;
+        }
+        const DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
+        // Of many, some stand for all.
+        const std::size_t looks = std::min<std::size_t>(stack_.count, 8);
+        costs_.second = 0.0;
+        for (std::size_t i = 0; i < looks; ++i) {
+            costs_.second +=
+                SeriesCost::nanoseconds(stack_, window, i * stack_.count / looks, tol_) * count / static_cast<double>(looks);
+        }
+        if (weighed && costs_.first > costs_.second) {
+            throw LimitExceeded("a series is likely to take less time than chords");
+        }
+    }
+
     // Of U, or of the field of P times a term of some degree.
     template <class Real>
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
@@ -240,6 +350,8 @@ class ChordalRenderer {
     double area_;
     ChordLines lines_;
     std::vector<State> states_;
+    bool weighed_ = false, only_costs_ = false;  // whether to weigh, and no more than that
+    std::pair<double, double> costs_;
 };
 
 template <class T, class More>
@@ -283,6 +395,12 @@ void ChordalRenderer<T, More>::run() {
         std::transform(order.begin(), order.end(), pending.begin(), [](const auto& each) { return std::get<3>(each); });
         const auto end = std::partition_point(pending.begin(), pending.end(), [&](std::size_t p) { return states_[p].single; });
         const std::size_t singles = static_cast<std::size_t>(end - pending.begin());
+        if (only_costs_ || weighed_) {
+            weigh(pending, singles);
+        }
+        if (only_costs_) {
+            return 0.0;
+        }
         if constexpr (sizeof(T) == sizeof(float)) {
             dispatch_batches<float>(pending.data(), singles);
         }

@@ -34,6 +34,7 @@ struct ChordCount {
     std::size_t chords = 0, nodes = 0;
     std::size_t half_chords() const { return chords / 2; }
     std::size_t half_nodes() const { return nodes / 2; }
+    double size() const { return static_cast<double>(chords) * static_cast<double>(nodes); }
     bool operator==(const ChordCount& other) const { return chords == other.chords && nodes == other.nodes; }
     void include(const ChordCount& other) {
         chords = std::max(chords, other.chords);

@@ -56,6 +56,22 @@ struct DiskExpansion {
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
+    // About how large it will be, without its samples and tables.
+    struct Size {
+        std::size_t degrees, orders, exact;
+    };
+    static Size likely(const ZernikePhase& phase, double reach, double error) {
+        DiskExpansion plan;
+        DiskBounds bounds = phase.bounds();
+        std::size_t exact = plan.count(bounds, reach, error);
+        const std::size_t at = bounds.likely(error, usual_share);
+        if (plan.work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, at)) {
+            bounds.lower(at, (1.0 - usual_share) * bounds.size(at));
+            exact = plan.count(bounds, reach, error);
+        }
+        return {plan.degrees, plan.orders, exact};
+    }
+
     // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
     // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
     double error(const ZernikePhase& phase) const {
@@ -65,6 +81,8 @@ struct DiskExpansion {
     }
 
    private:
+    DiskExpansion() = default;
+
     // What the mean of a pupil function on a curve usually is of the most that its terms may be, as logarithms.
     static constexpr double usual_share = 0.6;
 

@@ -111,7 +111,9 @@ class ZernikeRenderer {
             return 1e300;
         }
         thread_local PolarImage image;
-        image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * PolarImage::work(field, tiles)));
+        const double work = PolarImage::work(field.reach(), static_cast<double>(field.outer().orders),
+                                             static_cast<double>(tiles.height * tiles.width));
+        image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * work));
         const PolarPupil pupil(field);
         for (const double share : {1.0, PolarBudget::again}) {
             if (!image.prepare(pupil, share * tol)) {

@@ -28,14 +28,13 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     // an order of a pixel takes: a pixel takes as much as so many orders, wherever it is, and a circle a transform; both prepare
     // sums over degrees for steps of v.
     static bool pays(const ZernikeField& field, const Tiles& tiles) {
-        const double orders = static_cast<double>(field.outer().orders), degrees = static_cast<double>(field.outer().degrees);
-        const double pixels = static_cast<double>(tiles.height * tiles.width);
-        return field.reach() * degrees < 1e6 && work(field, tiles) < interpolation_worth() * orders * pixels;
+        return pays(field.reach(), static_cast<double>(field.outer().orders), static_cast<double>(field.outer().degrees),
+                    static_cast<double>(tiles.height * tiles.width));
     }
-    static double work(const ZernikeField& field, const Tiles& tiles) {
-        return 32.0 * static_cast<double>(tiles.height * tiles.width) +
-               6.0 * static_cast<double>(field.outer().orders) * field.reach();
+    static bool pays(double reach, double orders, double degrees, double pixels) {
+        return reach * degrees < 1e6 && work(reach, orders, pixels) < interpolation_worth() * orders * pixels;
     }
+    static double work(double reach, double orders, double pixels) { return 32.0 * pixels + 6.0 * orders * reach; }
 
     // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
     void begin(const Tiles& tiles, double step, int threads) {

@@ -1,0 +1,59 @@
+"""Random questions about circular and annular pupils whose wavefronts depend on the direction."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+import lommel as lm
+
+TERMS = [(n, m) for n in range(2, 15) for m in range(-n, n + 1, 2)]
+
+
+class DiskQuestion(NamedTuple):
+    """A stack of pupils, a window and a tolerance."""
+
+    pupil: lm.Pupil
+    grid: lm.Grid
+    tol: float
+
+    def __str__(self) -> str:
+        """Return it in a line."""
+        averaged = ", averaged" if self.grid.integrate else ""
+        return (
+            f"{self.grid.height}² of {self.grid.side:.2g}{averaged}, {math.prod(self.pupil.shape)} pupils of "
+            f"{len(self.pupil.wavefront.terms)} terms, obscuration {self.pupil.obscuration:.2g}, tol {self.tol:.1g}"
+        )
+
+
+def disk_question(index: int, *, averages: bool = False) -> DiskQuestion:
+    """Return a question, the same for the same index: windows to 400², up to 110 terms and 50 rad, up to 40 pupils.
+
+    With `averages`, a third of them are averaged over pixels.
+    """
+    rng = np.random.default_rng(index)
+
+    def between(low: float, high: float) -> float:
+        return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+    side, count, pupils = round(between(8, 400)), round(between(1, 110)), 1
+    if rng.random() > 0.55:
+        pupils = round(between(2, 40 if side <= 128 else 4))
+    among = TERMS[: max(3, int(count * rng.uniform(1.0, 2.0)))]
+    terms = sorted(among[k] for k in rng.permutation(len(among))[:count])
+    if all(m == 0 for _, m in terms):
+        terms.append((3, 1))
+    c = rng.standard_normal((len(terms), pupils))
+    c *= between(0.1, 50.0) / np.sqrt((c**2).sum(axis=0))
+    obscuration = 0.0 if rng.random() < 0.7 else float(rng.uniform(0.1, 0.7))
+    place = rng.random()
+    middle = side // 2 if place < 0.6 else side / 2 - 0.5
+    center = (middle, middle) if place < 0.75 else tuple(map(float, rng.uniform(0.0, side - 1.0, 2)))
+    pixel, tol = between(0.08, 1.5), 10.0 ** rng.uniform(-9.0, -2.0)
+    wavefront = lm.Wavefront.zernike({term: of if pupils > 1 else of[0] for term, of in zip(terms, c, strict=True)})
+    integrate = averages and rng.random() < 0.33
+    return DiskQuestion(
+        lm.Pupil(wavefront, obscuration=obscuration), lm.Grid(side, pixel, center=center, integrate=integrate), tol
+    )

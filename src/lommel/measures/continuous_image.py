@@ -9,18 +9,19 @@ in fractions of all light per area. So are integrals of it: the light within the
 
     E(R) = int OTF(f) B(f) S(f) exp(2 pi i f.c) R J1(2 pi R |f|) / |f| d^2 f .
 
-Two ways to the transfer function. :class:`PolarImage`, of radially symmetric lenses, takes it from the wavefront, at
-Gauss nodes along the radius. :class:`CartesianImage`, of anything, takes the discrete transform of samples, and
-cuts it off smoothly between the cutoff of the optics (where it ends) and twice that: this replaces the indicator of a
-circle by a function with the same transform below the cutoff, which differs from it within 12 lambda*N of the rim.
-Samples beyond that do not count, so a window that ends there loses nothing.
+Two ways to the transfer function. :class:`PolarImage`, of radially symmetric lenses and of all that are seen through
+turbulence, takes it from the pupil, at Gauss nodes along the radius. :class:`CartesianImage`, of anything, takes the
+discrete transform of samples, and cuts it off smoothly between the cutoff of the optics (where it ends) and twice
+that: this replaces the indicator of a circle by a function with the same transform below the cutoff, which differs
+from it within 12 lambda*N of the rim. Samples beyond that do not count, so a window that ends there loses nothing.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -37,15 +38,17 @@ from lommel.blur.convolution import Short
 from lommel.core.answers import Images, ToleranceError, Wanted
 from lommel.measures.overlap import autocorrelation
 from lommel.measures.psf_like import PSFLike, checked
+from lommel.measures.small_shifts import transfer
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.method import Method, RadialMethod, beyond_period, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import FieldPupil, Pupil
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 
@@ -62,6 +65,8 @@ MOST_SIDE = 6144
 """Samples a side, at most."""
 _AT_ONCE = 2**24
 _FAR = 64.0
+_SMOOTH, _ROUGH = 48, 160
+"""Directions over half a turn, at least: of responses of pixels, and of apertures with vanes."""
 _CELLS = 512
 
 
@@ -318,41 +323,86 @@ def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Im
     return first_proven(ways, ask)[1]
 
 
-class PolarImage(NamedTuple):
-    """An image of a radially symmetric lens as a sum of waves by length and direction; lengths in lambda*N."""
+@dataclass(frozen=True)
+class PolarImage:
+    """An image as a sum of waves by length and direction; lengths in lambda*N."""
 
     model: ImageModel
-    parts: list[tuple[Array, Array, float | None]]
+    parts: list[PolarPart]
+    band: float
+    reach: float  # of points and corners, from the axis
 
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
-        """Return the light within each radius of the axis, on which the centroid is."""
-        assert tuple(center) == (0.0, 0.0)
+        """Return the light within each radius of a point."""
         found = np.zeros(radius.size)
-        for f, weight, wavelength in self.parts:
-            fx, fy = self._directions(f, self.model.spread[0])
-            light = 2.0 * math.pi * weight * self.model.response(fx, fy, wavelength).mean(axis=1)
-            found += [r * (j1(2.0 * math.pi * r * f) @ (light / f)) for r in radius]
+        for f, fx, fy, light in self._waves(math.hypot(*center)):
+            turned = light * np.exp(2j * math.pi * (center[0] * fx + center[1] * fy)) if any(center) else light
+            each = turned.real.sum(axis=1) / f
+            found += [r * (j1(2.0 * math.pi * r * f) @ each) for r in radius]
         return found
 
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
         """Return the light in a rectangle between two corners (x, y)."""
         (x, y), (right, bottom) = low, high
-        reach = self.model.spread[0] + max(math.hypot(a, b) for a in (x, right) for b in (y, bottom))
         found = 0.0
-        for f, weight, wavelength in self.parts:
-            fx, fy = self._directions(f, reach)
+        far = max(math.hypot(a, b) for a in (x, right) for b in (y, bottom))
+        for _, fx, fy, light in self._waves(far):
             part = (right - x) * np.sinc(fx * (right - x)) * (bottom - y) * np.sinc(fy * (bottom - y))
-            part *= np.cos(math.pi * ((x + right) * fx + (y + bottom) * fy))
-            part *= self.model.response(fx, fy, wavelength)
-            found += float(2.0 * math.pi * weight @ part.mean(axis=1))
+            turned = light * np.exp(1j * math.pi * ((x + right) * fx + (y + bottom) * fy))
+            found += float((part * turned.real).sum())
         return found
 
-    @staticmethod
-    def _directions(f: Array, reach: float) -> tuple[Array, Array]:
-        """Return frequencies in as many directions, over half a turn, as what varies within `reach` needs."""
-        angles = 48 + math.ceil(2.0 * math.pi * float(f.max()) * reach)
-        theta = math.pi / angles * np.arange(angles)
-        return f[:, None] * np.cos(theta), f[:, None] * np.sin(theta)
+    def on(self, x: Array, y: Array) -> Array:
+        """Return light per area on a lattice of points, shape ``(len(y), len(x))``."""
+        found = np.zeros((y.size, x.size))
+        for _, fx, fy, light in self._everywhere:
+            columns = np.exp(2j * math.pi * np.outer(fx.ravel(), x))
+            rows = np.exp(2j * math.pi * np.outer(y, fy.ravel())) * light.ravel()
+            found += rows.real @ columns.real - rows.imag @ columns.imag
+        return found
+
+    def derivatives(self, x: float, y: float) -> Array:
+        """Return light per area at a point, and its derivatives: ``[i, j]`` is of order i along y and j along x."""
+        orders, found = np.arange(3), np.zeros((3, 3))
+        for _, fx, fy, light in self._everywhere:
+            turned = (light * np.exp(2j * math.pi * (x * fx + y * fy))).ravel()
+            rows, columns = ((2j * math.pi * f.ravel()[:, None]) ** orders for f in (fy, fx))
+            found += ((rows * turned[:, None]).T @ columns).real
+        return found
+
+    @cached_property
+    def _everywhere(self) -> list[Waves]:
+        return list(self._waves(self.reach))
+
+    def _waves(self, reach: float) -> Iterator[Waves]:
+        """Yield lengths of frequencies, these in as many directions as `reach` needs, and the light of each wave."""
+        seen = self.model._replace(active=(0.0, 0.0), blur=tuple(b for b in self.model.blur if isinstance(b, Seeing)))
+        other = self.model._replace(blur=tuple(b for b in self.model.blur if not isinstance(b, Seeing)))
+        reach = reach + self.model.spread[0]
+        for f, weight, otf, wavelength in self.parts:
+            least = _SMOOTH if otf is None else _ROUGH
+            angles = least + math.ceil(2.0 * math.pi * float(f.max()) * reach)
+            # Over half a turn: the rest is conjugate.
+            theta = math.pi / angles * np.arange(angles)
+            light = 2.0 * math.pi / angles * weight * seen.response(f, np.zeros(f.shape), wavelength)
+            many = max(1, _AT_ONCE // (16 * angles))
+            for start in range(0, f.size, many):
+                some = slice(start, start + many)
+                fx, fy = f[some, None] * np.cos(theta), f[some, None] * np.sin(theta)
+                waves = light[some, None] * other.response(fx, fy, wavelength)
+                yield f[some], fx, fy, waves.astype(np.complex128) if otf is None else waves * otf(fx, fy)
+
+
+Waves = tuple[Array, Array, Array, NDArray[np.complex128]]
+
+
+class PolarPart(NamedTuple):
+    """The light of one wavelength."""
+
+    f: Array  # cycles per lambda*N
+    weight: Array  # of ``f df``, times the OTF where that depends on f only
+    otf: Callable[[Array, Array], NDArray[np.complex128]] | None  # where it depends on the direction
+    wavelength: float | None
 
 
 class RayImage(NamedTuple):
@@ -401,7 +451,7 @@ def images(model: ImageModel, reach: float) -> Iterator[Any]:
     """Return the images of a flattened stack, good up to `reach` lambda*N from the axis."""
     if model.method.sampling == "pixel":
         return ray_images(model, reach)
-    return polar_images(model, reach) if polar(model) else cartesian_images(model, reach)
+    return (polar_images if polar(model) or in_seeing(model) else cartesian_images)(model, reach)
 
 
 def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Any]:
@@ -425,26 +475,70 @@ def polar(model: ImageModel) -> bool:
     return all(part.pupil.radial for part in model.method.components(model.pupil))
 
 
+def in_seeing(model: ImageModel) -> bool:
+    """Return whether an image is that of a lens through seeing, which leaves of the transfer function what is near 0.
+
+    Samples would take a lattice as wide as the halo.
+    """
+    one = model.method.method if isinstance(model.method, Polychromatic) else model.method
+    if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
+        return False
+    lens = isinstance(model.pupil, Pupil | FieldPupil) and math.isinf(model.pupil.period)
+    return lens and any(isinstance(blur, Seeing) for blur in model.blur)
+
+
+def point_images(model: ImageModel, reach: float) -> Iterator[CartesianImage | PolarImage]:
+    """Return the images of a flattened stack, good at points up to `reach` lambda*N from the axis along x and y."""
+    return (polar_images if in_seeing(model) else cartesian_images)(model, reach)
+
+
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
-    """Yield the images of a flattened stack of radial lenses, valid up to `reach` lambda*N from the axis."""
-    # The error is about 1e-9 of all light.
+    """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
+    # The error is about 1e-9 of all light for radial lenses, and that of `small_shifts.transfer` for others.
+    reach = math.sqrt(2.0) * reach
+    if not polar(model):
+        for one in model.singles:
+            yield PolarImage(one, list(_directed_parts(one, reach)), one.band, reach)
+        return
     band, (short, _) = model.band, model.spread
     pupil: Any = model.pupil
     blur = float(np.max(pupil.geometric_radius(), initial=0.0)) / pupil.scale
     parts = []
     for share, stretch, part in model.method.components(pupil):
-        end, eps = min(stretch, band), part.obscuration
+        eps = part.obscuration
         # Where the overlap of the aperture with itself, shifted, changes its shape.
         kinks = (0.0, 0.5 * (1.0 - eps), eps, 0.5 * (1.0 + eps), 1.0)
-        f, w = [], []
-        for low, high in pairwise(sorted({min(kink * stretch, end) for kink in kinks})):
-            # f = low + (high - low) sin^2(u) makes of the powers 3/2 with which overlaps begin and end whole ones.
-            waves = (high - low) * (reach + short + 2.0 * blur + 2.0)
-            u, rule = gauss_legendre(32 + math.ceil(2.6 * waves), 0.0, 0.5 * math.pi)
-            f.append(low + (high - low) * np.sin(u) ** 2)
-            w.append(rule * (high - low) * np.sin(2.0 * u))
-        at = np.concatenate(f)
+        ends = sorted({min(kink * stretch, stretch, band) for kink in kinks})
+        at, weight = _radial_rule(ends, reach + short + 2.0 * blur, 32)
         overlap = autocorrelation(part, np.stack([at / stretch, np.zeros(at.size)], axis=-1), 1e-11).real
-        parts.append((at, share * overlap * np.concatenate(w) * at, part.wavelength))
+        parts.append((at, share * overlap * weight * at, part.wavelength))
     for k in range(math.prod(pupil.shape)):
-        yield PolarImage(model, [(f, weights[k], wavelength) for f, weights, wavelength in parts])
+        each = [PolarPart(f, weights[k], None, wavelength) for f, weights, wavelength in parts]
+        yield PolarImage(model, each, band, reach)
+
+
+def _directed_parts(model: ImageModel, reach: float) -> Iterator[PolarPart]:
+    """Yield the parts of a single image whose transfer function depends on the direction."""
+    band, (short, _) = model.band, model.spread
+    blur = float(np.max(model.pupil.geometric_radius(), initial=0.0)) / model.pupil.scale
+    for share, stretch, part in model.method.components(model.pupil):
+        end = min(stretch, band)
+        at, weight = _radial_rule([0.0, end], reach + short + 2.0 * blur, 64)
+        otf = partial(_scaled_transfer, part, stretch, end / stretch)
+        yield PolarPart(at, share * weight * at, otf, part.wavelength)
+
+
+def _scaled_transfer(pupil: Pupil, stretch: float, end: float, fx: Array, fy: Array) -> NDArray[np.complex128]:
+    return transfer(pupil, end, fx / stretch, fy / stretch)
+
+
+def _radial_rule(ends: list[float], reach: float, least: int) -> tuple[Array, Array]:
+    """Return nodes and weights between the ends of pieces, for waves within `reach` lambda*N."""
+    f, w = [], []
+    for low, high in pairwise(ends):
+        # f = low + (high - low) sin^2(u) makes of the powers 3/2 with which overlaps begin and end whole ones.
+        waves = (high - low) * (reach + 2.0)
+        u, rule = gauss_legendre(least + math.ceil(2.6 * waves), 0.0, 0.5 * math.pi)
+        f.append(low + (high - low) * np.sin(u) ** 2)
+        w.append(rule * (high - low) * np.sin(2.0 * u))
+    return np.concatenate(f), np.concatenate(w)

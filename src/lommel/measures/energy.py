@@ -42,14 +42,15 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
         Computed from the transfer function, independent of pixel pitch and window. The error for radially symmetric
         lenses is at most 1e-9, or the tolerance of the method without pixels and blur. For others it is at most 2e-8
         plus ``4 A e``, A being the area of the circle and e the error bound of the light per area (`error_bound`
-        times the peak); plus 1e-5 with :class:`lommel.Seeing`. The actual error is far smaller, since the bound
-        assumes errors of one sign everywhere.
+        times the peak). The actual error is far smaller, since the bound assumes errors of one sign everywhere. With
+        :class:`lommel.Seeing` it is at most about 1e-5, for every aperture and radius: from the autocorrelation of
+        the pupil on 1024 to 4096 cells across.
 
     Raises
     ------
     TypeError, ValueError
         If a radius is not a finite number of at least 0, or too large for a pupil that is not radially symmetric
-        (about 700 lambda*N, less the reach of the blur; about 500 with vanes and seeing); if the circle reaches
+        (about 700 lambda*N, less the reach of the blur; no limit with seeing); if the circle reaches
         farther than half of the period of an image of samples (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`);
         or `about` or `of` is unknown.
     """

@@ -12,7 +12,15 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import CartesianImage, ImageModel, cartesian_images, energy_images, polar
+from lommel.measures.continuous_image import (
+    CartesianImage,
+    ImageModel,
+    PolarImage,
+    energy_images,
+    in_seeing,
+    point_images,
+    polar,
+)
 from lommel.measures.energy import energy_centers, radial_energy, require_radial
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.layers.disc_means import HALF, between
@@ -20,6 +28,8 @@ from lommel.methods.method import Method, RadialMethod
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
+
+PointImage = CartesianImage | PolarImage
 
 _STEP = 0.15
 """Spacing of tables in v, over the stretch of the method."""
@@ -192,15 +202,15 @@ def brightest_place(model: ImageModel) -> tuple[float, float]:
     return _maximum(*_scanned(model, model.extent))[1]
 
 
-def _scanned(model: ImageModel, reach: float) -> tuple[CartesianImage, Array, Array, float]:
+def _scanned(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array, float]:
     """Return a single image, samples eight to a period up to `reach`, their places along each axis, and the step."""
-    (image,) = cartesian_images(model, reach)
+    (image,) = point_images(model, reach)
     step = 0.125 / image.band
     places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
     return image, image.on(places, places), places, step
 
 
-def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
+def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
     """Return the largest light per area, and where: by Newton's method from the brightest of samples."""
     inner = values[1:-1, 1:-1]
     tops = np.ones(inner.shape, dtype=bool)
@@ -225,7 +235,7 @@ def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -
     return best, place
 
 
-def _end(image: CartesianImage, values: Array, places: Array, half: float, sign: float, *, turned: bool) -> float:
+def _end(image: PointImage, values: Array, places: Array, half: float, sign: float, *, turned: bool) -> float:
     """Return how far along x, or y if `turned`, light of at least `half` reaches in the direction of `sign`."""
     lines = (values.T if turned else values)[:, :: int(sign)]
     at = places[:: int(sign)]
@@ -316,7 +326,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
 
             if lacks(reach) >= 0.0:
                 break
-            if reach >= within or 4.0 * reach > (_MAX_DIAMETER if polar(one) else _MAX_SAMPLED):
+            if reach >= within or 4.0 * reach > (_MAX_DIAMETER if polar(one) or in_seeing(one) else _MAX_SAMPLED):
                 raise ValueError(
                     f"fraction must be held by a circle of at most {2.0 * reach:.4g} lambda*N, got {wanted:g}"
                 )

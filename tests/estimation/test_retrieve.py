@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 from scipy.stats import poisson
 
 import lommel as lm
-from lommel.estimation.star_images import StarImages, Unknowns, changes, covariance, uncertainty
+from lommel.estimation.star_images import StarImages, Unknowns, _point_symmetric, changes, covariance, uncertainty
 
 NOISE = lm.Noise(read=2.0)
 DEFOCUS = np.array([-4.0, 0.0, 4.0])
@@ -477,6 +477,7 @@ def test_the_picture_shows_images_model_residual_and_terms():
         ({"defocus": [1.0, 2.0]}, r"defocus must be a number, or one for each of 3 images, got shape \(2,\)"),
         ({"defocus": np.nan}, "defocus must be finite"),
         ({"terms": ("noll 4", (2, 0))}, "terms must not name one thing twice"),
+        ({"terms": ("coma",)}, r"terms must be one of 'defocus', 'spherical', 'rho\^6', 'rho\^8', or a Zernike term"),
         ({"terms": ("defocus", "defocus")}, "terms must not name one thing twice"),
         ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) where the column"),
         ({"terms": ("row",)}, "terms must be those of a wavefront, got 'row'"),
@@ -533,3 +534,37 @@ def test_vanes_and_segments_reach_the_bound(segmented):
         ]
     # 36 standard normal numbers: their rms is within 0.35 of 1 in all but 0.3 % of cases.
     assert abs(np.sqrt(np.mean(np.square(scores))) - 1.0) < 0.35
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_an_aperture_without_point_symmetry_determines_the_sign_of_even_terms(sign):
+    stop = lm.Disc() - (lm.Disc(0.3, (0.5, 0.2)) | lm.Polygon.strip((0.0, 0.0), (-2.0, 0.5), 0.2))
+    truth = {(2, 2): 0.8 * sign, (2, 0): 0.5 * sign, (3, 1): 0.4}
+    pupil = lm.Pupil(lm.Wavefront.zernike(truth), stop=stop)
+    noise = lm.Noise(read=2.0)
+    image = noise.record(1e5 * lm.psf(pupil, 33, 0.4).values, seed=1)
+    found = lm.retrieve(image, lm.Pupil(stop=stop), pixel=0.4, noise=noise, terms=[(2, 2), (2, 0), (3, 1)], seed=3)
+    assert found.converged
+    assert "sign" not in found.message
+    for term, value in truth.items():
+        assert abs(found.coefficients[term] - value) < 5.0 * found.deviation[term]
+
+
+@pytest.mark.parametrize(
+    ("aperture", "alike"),
+    [
+        ({}, True),
+        ({"stop": lm.telescopes.vlt()}, True),
+        ({"stop": lm.telescopes.jwst()}, False),  # three struts
+        ({"stop": lm.telescopes.keck()}, True),
+        ({"stop": lm.telescopes.hst(pads=False)}, True),
+        ({"stop": lm.telescopes.hst()}, False),
+        ({"spider": lm.Spider.equal(3, 0.02)}, False),
+        ({"vignetting": lm.CatEye((0.2, 0.0))}, False),
+        ({"mask": lm.Mask.sample(lambda x, y: np.exp(-(x**2)) + 0.0 * y, 16)}, True),
+        ({"mask": lm.Mask.sample(lambda x, y: 0.5 + 0.2 * x + 0.0 * y, 16)}, False),
+        ({"mask": lm.Mask.sample(lambda x, y: np.exp(1j * (x**2 + y)), 16)}, False),
+    ],
+)
+def test_which_apertures_look_the_same_after_half_a_turn(aperture, alike):
+    assert _point_symmetric(lm.Pupil(**aperture)) is alike

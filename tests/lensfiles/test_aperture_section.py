@@ -87,7 +87,10 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_p
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 0\n', "aperture.spider.vanes (line 11): Input should be"),
         ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nfirst = "1 mm"\n', "aperture.spider.first (line 12)"),
         ('[aperture.spider]\nwidth = "0 mm"\nvanes = 3\n', "aperture.spider.width (line 10): must be positive"),
-        ('[aperture.spider]\nwidth = "2 m"\nvanes = 3\n', "aperture.spider.width: must be below the diameter"),
+        (
+            '[aperture.spider]\nwidth = "2 m"\nvanes = 3\n',
+            "aperture.spider.width (line 10): must be below the diameter",
+        ),
         ('[aperture.spider]\nwidth = "190 mm"\nvanes = 8\n', "must leave part of the aperture clear"),
         ("[aperture.ellipse]\na = 1\nb = 1200\n", "aperture.ellipse.b (line 11): Input should be less than"),
         ("[aperture.cat_eye]\nshift = [2.0, 0.0]\n", "aperture.cat_eye (line 9): shift must be shorter than"),
@@ -182,7 +185,7 @@ def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
 @pytest.mark.parametrize(
     ("section", "what"),
     [
-        ('[[aperture.blocked]]\ntype = "circle"\n', "aperture.blocked.type (line 10): Input should be 'disc'"),
+        ('[[aperture.blocked]]\ntype = "circle"\n', "'hexagon' or 'strip', got 'circle'"),
         ('[[aperture.blocked]]\nradius = 0.1\n', "aperture.blocked.type"),
         ('[[aperture.blocked]]\ntype = "disc"\n', "aperture.blocked (line 9): a disc needs radius"),
         ('[[aperture.clear]]\ntype = "disc"\nradius = 1\nwidth = 1\n', "width has no meaning for a disc"),
@@ -191,7 +194,7 @@ def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
         ('[[aperture.clear]]\ntype = "disc"\nsize = 1\n', "aperture.clear.size (line 11): unknown key"),
         (
             '[[aperture.blocked]]\ntype = "disc"\nradius = 0.1\n[[aperture.blocked]]\ntype = "disc"\nradius = 0\n',
-            "aperture.blocked, entry 2 (disc): radius must be",
+            "aperture.blocked, entry 2, disc (line 12): radius must be",
         ),
         ('[[aperture.blocked]]\ntype = "disc"\nradius = 1.5\n', "must leave part of the aperture clear"),
         ("[aperture.segments]\ngap = 0.1\n", "aperture.segments (line 9): gap has no meaning without rings"),
@@ -199,9 +202,9 @@ def test_a_segmented_telescope_has_phases_and_may_be_blocked_further(load):
         ('[aperture]\ntelescope = "keck"\n[aperture.segments]\nrings = 2\n', "exactly one of them"),
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
         ('[aperture]\ntelescope = "gtc"\n', "aperture.telescope (line 10): Input should be 'elt', 'hst'"),
-        ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston: must have one row for"),
-        ("[aperture.segments]\nrings = 1\ngap = 1.1\n", "aperture.segments: gap must leave something"),
-        ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file: must have one row"),
+        ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston (line 11): must have one"),
+        ("[aperture.segments]\nrings = 1\ngap = 1.1\n", "aperture.segments (line 11): gap must leave something"),
+        ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file (line 11): must have one row"),
         ('[aperture.segments]\nrings = 1\nfile = "words.txt"\n', "line 2: must hold piston, or piston, tip and tilt"),
         ('[aperture.segments]\nrings = 1\nfile = "two.txt"\n', "one number or three in every line, got '0.1 0.2'"),
         ('[aperture.segments]\nrings = 1\nfile = "none.txt"\n', "'none.txt' holds no numbers"),
@@ -223,3 +226,29 @@ def test_complex_numbers_are_no_intensity(load, tmp_path):
     load('[aperture.mask]\nfile = "phase.npy"\n')
     with pytest.raises(ValueError, match=r'must hold real numbers with holds = "intensity", got complex ones'):
         load('[aperture.mask]\nfile = "phase.npy"\nholds = "intensity"\n')
+
+
+def test_all_faults_of_shapes_are_told_with_their_lines(load):
+    text = """[aperture.spider]
+width = "9 m"
+vanes = 3
+[[aperture.blocked]]
+type = "disc"
+radius = 0
+[[aperture.blocked]]
+type = "disc"
+radius = 0.3
+center = [3, 0]
+[[aperture.clear]]
+type = "strip"
+start = [0, 0]
+end = [0, 0]
+width = 0.1
+"""
+    with pytest.raises(LensFileError) as caught:
+        load(text)
+    _, *lines = str(caught.value).splitlines()
+    names = ("spider.width (line 10)", "clear, entry 1, strip (line 19)", "blocked, entry 1, disc (line 12)",
+             "blocked, entry 2, disc (line 15)")  # fmt: skip
+    assert [line.strip().partition(":")[0] for line in lines] == [f"aperture.{name}" for name in names]
+    assert lines[3].endswith("wholly beyond its rim; lengths are over the radius of the aperture")

@@ -292,10 +292,10 @@ def retrieve(
     parameter off by more than four standard errors, of the 185 in doubt 31. From 10^4 electrons on none is in
     doubt. At 3 radians rms a fit may converge to another wavefront altogether.
 
-    Images at one defocus do not change when the even part of the phase changes its sign, ``Phi(x) -> -Phi(-x)``.
-    Phase diversity, several known defoci, removes this ambiguity (Gonsalves 1982, doi:10.1117/12.7972989; Paxman et
-    al. 1992, doi:10.1364/JOSAA.9.001072); without it the answer nearer to `pupil` is given, and where both are as
-    near the one whose first even term is positive.
+    Images at one defocus, through an aperture that looks the same after half a turn, do not change when the even part
+    of the phase changes its sign, ``Phi(x) -> -Phi(-x)``. Phase diversity, several known defoci, removes this
+    ambiguity (Gonsalves 1982, doi:10.1117/12.7972989; Paxman et al. 1992, doi:10.1364/JOSAA.9.001072); without it the
+    answer nearer to `pupil` is given, and where both are as near the one whose first even term is positive.
 
     Examples
     --------

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -25,6 +25,7 @@ from lommel.psf import Plan
 from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
+_NODES = 256  # degree of a rule whose nodes fill the aperture
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
@@ -71,11 +72,11 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=500)
         return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
-    names = checked(cast("Sequence[Name]", terms), "terms")
-    for name in names:
-        if isinstance(name, str) and name not in POWERS and " " not in name:
+    nuisance = ("center", *SHIFTS, *OF_PUPIL)
+    for name in terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ():
+        if isinstance(name, str) and name in nuisance:
             raise ValueError(f"terms must be those of a wavefront, got {name!r}; pass nuisance parameters as also")
-    return names
+    return checked(cast("Sequence[Name]", terms), "terms", tuple(POWERS))
 
 
 @lru_cache(maxsize=1024)
@@ -83,6 +84,17 @@ def _zernike_terms(name: Name) -> dict[Term, float]:
     """Return the Zernike terms, radians at the edge, of a unit of a term: 1 radian rms, or of its power of rho."""
     found = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
     return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
+
+
+def _point_symmetric(pupil: Pupil) -> bool:
+    """Return whether the aperture is the same after half a turn, without phases of its own."""
+    if pupil.circular:
+        return True
+    if pupil.segmented or pupil.phase_mask:
+        return False
+    x, y, _ = pupil.opening.rule(_NODES)
+    alike = bool((pupil.opening.margin(-x, -y) > -1e-9).all())
+    return alike and (pupil.mask is None or np.allclose(pupil.mask.values, pupil.mask.values[::-1, ::-1], atol=1e-6))
 
 
 # Standard deviations of chi2: a fit within the first ends the search, one beyond the second is a misfit.
@@ -165,9 +177,11 @@ class StarImages:
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         self._mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
-    @property
+    @cached_property
     def sign_ambiguous(self) -> bool:
         """Whether the wavefront with the even part of its phase negated has the same images."""
+        if not _point_symmetric(self.pupil):
+            return False
         even = self.even * np.vstack([self.directions, self.base])
         missed = even - even @ self._inverse @ self.directions
         one = np.ptp(self.base * self.even, axis=0).max() == 0.0

@@ -68,10 +68,15 @@ def _lines(text: str) -> dict[tuple[str, ...], int]:
     return found
 
 
+def nearest_line(text: str, keys: Sequence[str]) -> int | None:
+    """Return the number of the line that sets `keys`, or of the surrounding table where these have none."""
+    lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
+    return next((number for number in lines if number), None)
+
+
 def place(text: str, keys: Sequence[str]) -> str:
     """Return ``"lens.wavelength (line 8)"``, with the line of the surrounding table where a key has none."""
-    lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
-    number = next((number for number in lines if number), None)
+    number = nearest_line(text, keys)
     return f"{'.'.join(map(key, keys))}{f' (line {number})' if number else ''}"
 
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from functools import reduce
+from collections.abc import Callable
+from functools import partial, reduce
 from operator import or_
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeVar
 
 import numpy as np
 from pydantic import Field, PlainValidator, ValidationInfo, field_validator, model_validator
@@ -18,7 +19,17 @@ from lommel.base.units import parse_length
 from lommel.io import fits_images
 from lommel.io.photos import PhotoError, read_raster
 from lommel.io.registry import Values
-from lommel.lensfiles.toml_files import Angle, Length, MadeSection, Number, Section, Toml, finite, read_beside
+from lommel.lensfiles.toml_files import (
+    Angle,
+    Length,
+    MadeSection,
+    Number,
+    PartsError,
+    Section,
+    Toml,
+    finite,
+    read_beside,
+)
 from lommel.optics.aperture.mask import MAX_SIDE, Mask
 from lommel.optics.aperture.shapes import (
     MAX_VANES,
@@ -33,6 +44,7 @@ from lommel.optics.aperture.shapes import (
 )
 
 _FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
+_Made = TypeVar("_Made")
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
 
 
@@ -53,10 +65,7 @@ class _Spider(Section):
     def spider(self, radius: float) -> Spider:
         """Return the vanes of an aperture of this radius (metres)."""
         if not self.width < 2.0 * radius:
-            raise ValueError(
-                f"aperture.spider.width: must be below the diameter of the aperture, {2.0 * radius:g} m, "
-                f"got {self.width:g} m"
-            )
+            raise ValueError(f"must be below the diameter of the aperture, {2.0 * radius:g} m, got {self.width:g} m")
         width = self.width / radius
         if self.angles is not None:
             return Spider(width, tuple(self.angles))
@@ -235,10 +244,8 @@ class _Segments(Section):
         for name, part in given.items():
             if len(part) != len(segments.shapes):
                 what = "file" if rows is not None else name
-                raise ValueError(
-                    f"aperture.segments.{what}: must have one row for each of {len(segments.shapes)} segments, "
-                    f"got {len(part)}"
-                )
+                message = f"must have one row for each of {len(segments.shapes)} segments, got {len(part)}"
+                raise PartsError([(("aperture", "segments", what), f"aperture.segments.{what}", message)])
         return segments.phased(*(given.get(name, 0.0) for name in _PHASES), unit="waves")
 
 
@@ -293,41 +300,78 @@ class ApertureSection(Section):
         return self
 
     def shapes(self, radius: float) -> Toml:
-        """Return the aperture of a lens of this radius (metres), by the names in :class:`lommel.Lens`."""
-        spider, edge = self.spider and self.spider.spider(radius), self.ellipse or self.cat_eye
-        found = {"spider": spider, "vignetting": edge and edge.made(), "mask": self.mask and self.mask.file}
-        found["stop"] = self._stop(radius)
+        """Return the aperture of a lens of this radius (metres), by the names in :class:`lommel.Lens`.
+
+        PartsError, with all errors of its parts.
+        """
+        faults = _Collected()
+        spider, edge = self.spider, self.ellipse or self.cat_eye
+        found = {"vignetting": edge and edge.made(), "mask": self.mask and self.mask.file}
+        if spider is not None:
+            found["spider"] = faults.tried(("spider", "width"), "spider.width", lambda: spider.spider(radius))
+        stop = self._mirror(radius, faults)
+        clear, blocked = (_union(name, getattr(self, name), radius, faults) for name in ("clear", "blocked"))
+        faults.refuse()
+        if clear is not None:
+            stop = clear if stop is None else stop & clear
+        if blocked is not None:
+            stop = (Disc() if stop is None else stop) - blocked
+        found["stop"] = stop
         return {name: shape for name, shape in found.items() if shape is not None}
 
-    def _stop(self, radius: float) -> Shape | Segments | None:
+    def _mirror(self, radius: float, faults: _Collected) -> Shape | Segments | None:
+        """Return the telescope or the segments, if there are any."""
         stop: Shape | Segments | None = None
         if self.telescope is not None:
             stop = getattr(telescopes, self.telescope)()
-        if self.segments is not None:
-            one = self.segments
-            if one.rings is not None:
-                try:
-                    gap = _over(one.gap, radius)
-                    stop = Segments.hexagonal(one.rings, gap, middle=one.middle, angle=one.angle)
-                except ValueError as error:
-                    raise ValueError(f"aperture.segments: {error}") from None
-            assert isinstance(stop, Segments)
-            stop = one.phased(stop)
-        if self.clear is not None:
-            clear = _union("clear", self.clear, radius)
-            stop = clear if stop is None else stop & clear
-        if self.blocked is not None:
-            blocked = _union("blocked", self.blocked, radius)
-            stop = (Disc() if stop is None else stop) - blocked
-        return stop
+        one = self.segments
+        if one is None:
+            return stop
+        if one.rings is not None:
+            rings, gap = one.rings, _over(one.gap, radius)
+            stop = faults.tried(
+                ("segments", "gap"),
+                "segments",
+                lambda: Segments.hexagonal(rings, gap, middle=one.middle, angle=one.angle),
+            )
+        return (
+            faults.tried(("segments",), "segments", lambda: one.phased(stop)) if isinstance(stop, Segments) else stop
+        )
 
 
-def _union(name: str, parts: list[_Part], radius: float) -> Shape:
-    made = []
-    for number, part in enumerate(parts, 1):
+class _Collected:
+    """Errors of the parts of an aperture."""
+
+    def __init__(self) -> None:
+        self.faults: list[tuple[tuple[str, ...], str, str]] = []
+
+    def tried(self, keys: tuple[str, ...], name: str, make: Callable[[], _Made]) -> _Made | None:
+        """Return what is made, or None and keep its error."""
         try:
-            made.append(part.made(radius))
-            require_reach("it", made[-1])
+            return make()
+        except PartsError as error:
+            self.faults += error.faults
         except ValueError as error:
-            raise ValueError(f"aperture.{name}, entry {number} ({part.type}): {error}") from None
-    return reduce(or_, made)
+            self.faults.append((("aperture", *keys), f"aperture.{name}", str(error)))
+        return None
+
+    def refuse(self) -> None:
+        """Raise PartsError with all errors, if there are any."""
+        if self.faults:
+            raise PartsError(self.faults)
+
+
+def _union(name: str, parts: list[_Part] | None, radius: float, faults: _Collected) -> Shape | None:
+    """Return the union of parts, if there are any."""
+
+    def made(part: _Part) -> Shape:
+        shape = part.made(radius)
+        require_reach("it", shape)
+        return shape
+
+    listed = [
+        faults.tried((name, str(k)), f"{name}, entry {k + 1}, {part.type}", partial(made, part))
+        for k, part in enumerate(parts or [])
+    ]
+    whole = [shape for shape in listed if shape is not None]
+    return reduce(or_, whole) if whole else None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from types import UnionType
@@ -151,6 +151,14 @@ class LensFileError(ValueError):
     """A lens file that cannot be used; the message names every error with its key and line."""
 
 
+class PartsError(ValueError):
+    """Errors of what a file describes: of each its keys, what it is called, and what is wrong."""
+
+    def __init__(self, faults: Sequence[tuple[tuple[str, ...], str, str]]) -> None:
+        super().__init__("; ".join(f"{name}: {message}" for _, name, message in faults))
+        self.faults = faults
+
+
 def _refuse_images(source: Path) -> None:
     """Raise LensFileError for an image, which is easily given in place of a lens file."""
     if reading.start(source, 16).startswith((*photos.PNG, *photos.JPEG, *photos.TIFF, b"\x93NUMPY", b"SIMPLE  =")):
@@ -185,12 +193,16 @@ def built(
             with np.errstate(over="raise", divide="raise", invalid="raise"):
                 return make(file)
     except ValidationError as error:
-        every = error.errors(include_url=False, include_context=False, include_input=False)
+        every = error.errors(include_url=False, include_context=False)
         count = len(every) + len(errors)
         errors = [_described(fault, text, model) for fault in every[: text_files.TOLD]] + errors
         raise LensFileError(text_files.together(source, errors, count)) from None
     except ArithmeticError as error:
         errors.append(f"its numbers lead to an overflow: {error}")
+    except PartsError as error:
+        for keys, name, message in error.faults:
+            number = text_files.nearest_line(text, keys)
+            errors.append(f"{name}{f' (line {number})' if number else ''}: {with_units(message)}")
     except ValueError as error:
         errors.append(with_units(str(error)))
     raise LensFileError(text_files.together(source, errors))
@@ -209,6 +221,8 @@ def _described(fault: ErrorDetails, text: str, model: type[Section]) -> str:
         message = "is missing"
     elif fault["type"] in ("model_type", "dict_type"):
         message = f"must be a section, [{'.'.join(keys)}]"
+    elif message.startswith("Input should be"):
+        message += f", got {shown(fault['input'])}"
     if not keys:  # of the file as a whole
         return str(message)
     # Each table of an array has its own lines.

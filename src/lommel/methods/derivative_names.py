@@ -52,18 +52,20 @@ class Parts(NamedTuple):
     unknown: float = 0.0  # factor of the derivative by the phase that the wavefront's terms leave out, over its bound
 
 
-def checked(names: Sequence[object], argument: str = "derivatives") -> tuple[Name, ...]:
-    """Return the names of derivatives."""
+def checked(
+    names: Sequence[object], argument: str = "derivatives", texts: Sequence[str] | None = None
+) -> tuple[Name, ...]:
+    """Return the names of derivatives; those without indices among `texts`, by default all."""
     if isinstance(names, str) or not isinstance(names, Sequence):
         raise TypeError(
             f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
         )
-    return tuple(_name(argument, name) for name in names)
+    return tuple(_name(argument, name, _TEXTS if texts is None else texts) for name in names)
 
 
-def _name(argument: str, name: object) -> Name:
+def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
     found: Name
-    if isinstance(name, str) and (name in _TEXTS or _INDEXED.fullmatch(name)):
+    if isinstance(name, str) and (name in texts or _INDEXED.fullmatch(name)):
         found, term = name, _term(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
         try:
@@ -71,7 +73,7 @@ def _name(argument: str, name: object) -> Name:
         except (TypeError, ValueError) as error:
             raise type(error)(f"{argument}: {error}") from None
     else:
-        known = ", ".join(map(repr, _TEXTS))
+        known = ", ".join(map(repr, texts))
         raise ValueError(
             f"{argument} must be one of {known}, or a Zernike term such as (3, 1), 'noll 8', 'ansi 8' or 'fringe 7', "
             f"got {validation.shown(name)}"

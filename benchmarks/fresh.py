@@ -118,23 +118,28 @@ from time import perf_counter as now
 import numpy as np
 import lommel as lm
 pupils = [lm.Pupil(lm.Wavefront(10.0 + k, 3.0)) for k in range(41)]
+others, image, frame = np.zeros(2**24), np.ones((512, 512), np.float32), np.ones((512, 512), np.float32)
 
-def times(before=lambda: None):
-    for pupil in pupils:
-        before()
-        start = now()
-        lm.psf(pupil, 512, 0.5, threads=1)
-        yield now() - start
+def taken(call, *before):
+    for one in before:
+        one()
+    start = now()
+    call()
+    return now() - start
 
-first, *warm = times()
-others = np.zeros(2**24)
-between = list(times(lambda: np.add(others, 1.0, out=others)))
-print(json.dumps([first / np.median(warm), np.median(between) / np.median(warm)]))
+def empty():
+    np.add(others, 1.0, out=others)
+
+copied = taken(lambda: np.copyto(np.empty_like(image), image))
+first = taken(lambda: lm.psf(pupils[0], 512, 0.5, threads=1))
+psfs = [taken(lambda: lm.psf(pupil, 512, 0.5, threads=1, out=frame), empty) for pupil in pupils]
+copies = [taken(lambda: np.copyto(frame, image), empty) for _ in pupils]
+print(json.dumps([first / copied, np.median(psfs) / np.median(copies)]))
 """
 
 
 def once(settings: Settings) -> list[float]:
-    """Return the first call, and the median of calls between others, over that of warm ones."""
+    """Return the first call, and the median of calls between others, over copies of such arrays."""
     settings.tick("first call")
     found: list[float] = json.loads(_run(_ONCE))
     return found

@@ -12,7 +12,7 @@ from benchmarks.engine import engine
 from benchmarks.mixed import ALIGNED, RANDOM, Mixed, error
 from benchmarks.peers_image import ducc0_single
 from benchmarks.settings import Settings
-from benchmarks.targets import Measured, over_empty, worst
+from benchmarks.targets import Measured, over_abs, worst
 from benchmarks.targets import by_plan as plan_of
 from benchmarks.timing import Contender, race
 
@@ -41,7 +41,7 @@ def by_plan(settings: Settings) -> Measured:
     """Measure one 33² by a plan."""
     q = Mixed(n=33, reach=1.0)
     note = f"{q}: plan(pupil, out=frame), a new pupil each time"
-    return over_empty(settings, plan_of(q), partial(error, q), note)
+    return over_abs(settings, plan_of(q), partial(error, q), note)
 
 
 def against_ducc0(settings: Settings, *, pixel: float) -> Measured:

@@ -25,11 +25,11 @@ def _once(settings: Settings) -> list[list[float]]:
 
 
 def first(settings: Settings) -> Measured:
-    """Measure the first call of processes that have imported the package, over warm ones."""
-    note = "memory that is new, modules that are loaded late, tables"
+    """Measure the first call of processes that have imported the package, over the first copy."""
+    note = "memory that is new for both; modules that are loaded late, tables"
     return Measured(Spread.of(np.array(_once(settings))[:, 0]), None, note)
 
 
 def between(settings: Settings) -> Measured:
-    """Measure calls between others that empty the caches, over warm ones."""
-    return Measured(Spread.of(np.array(_once(settings))[:, 1]), None, "the others add 1 to 128 MiB")
+    """Measure calls between others that empty the caches, over copies of such arrays there."""
+    return Measured(Spread.of(np.array(_once(settings))[:, 1]), None, "into `out`; the others add 1 to 128 MiB")

@@ -72,10 +72,6 @@ class Race:
         """Summarise the ratio of two contenders, taken in each round."""
         return Spread.of(self.seconds[over] / self.seconds[under])
 
-    def excess(self, over: str, under: str) -> Spread:
-        """Summarise the difference of two contenders in microseconds, taken in each round."""
-        return Spread.of(1e6 * (self.seconds[over] - self.seconds[under]))
-
     def median(self, name: str) -> float:
         """Return the median seconds of a call."""
         return float(np.median(self.seconds[name]))

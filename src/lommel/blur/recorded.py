@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array, Values, largest
-from lommel.blur.blurs import Blur, require_unit
+from lommel.blur.blurs import Blur, Seeing, require_unit
 from lommel.blur.convolution import Short, Spread, spread
 from lommel.blur.fading import FURTHER, Fading
 from lommel.blur.readout import Readout, ends, readout
@@ -365,7 +365,18 @@ def recorded_images(
             return way, transferred(way, pupil, grid, wanted)
     elsewhere = 0.0 if peaked else _on_axis(asked, pupil, grid, several)
     for _ in range(_TRIES):
-        made = summed(asked, pupil, grid, several)
+        try:
+            made = summed(asked, pupil, grid, several)
+        except (ValueError, ToleranceError) as fault:
+            ratio = _seen(pupil, several)
+            if method is not None or not ratio or math.isfinite(pupil.period):
+                raise
+            raise ToleranceError(
+                f"seeing of D / r0 = {ratio:.3g} to tol={tol:g} takes samples of the PSF without seeing to "
+                f"{asked.margin / math.pi:.0f} lambda*N beyond the window, too far for this aperture. Ask for a "
+                "larger tol, up to 0.01, or for a pupil with an obscuration only, which in strong seeing has nearly "
+                "the same image"
+            ) from fault
         tops = np.maximum(made.values.max(axis=(1, 2)), elsewhere)
         if not tops.min() > 0:
             raise ValueError("no light falls into the window that is brighter than the errors there")
@@ -383,6 +394,12 @@ def recorded_images(
             return made.method, Images(values, scales, None if unknown else bounds)
         asked = _again(asked, made, aim * tops)
     raise not_met(tol, float(bounds.max()), "the largest value in the window")
+
+
+def _seen(pupil: BasePupil, several: tuple[Blur, ...]) -> float:
+    """Return the width of the broadest seeing in lambda*N, the diameter over r0; 0 without."""
+    air = (blur for blur in several if isinstance(blur, Seeing))
+    return max((1.0 / (one.coherence(pupil.wavelength) * pupil.scale) for one in air), default=0.0)
 
 
 def _on_axis(asked: Asked, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float | Array:

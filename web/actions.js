@@ -9,6 +9,8 @@ import { sayBeside } from "./words.js";
 
 const PICTURE = /\.(png|jpe?g|webp|gif|bmp|avif|svg)$/i; // of files that say no type
 
+const LONG = 2000; // characters of an address that all programs take
+
 export function actions(view) {
   const done = (button, text) => {
     const { page } = view;
@@ -101,9 +103,12 @@ export function actions(view) {
     link: async () => {
       const { page, state } = view;
       const text = view.linkText();
-      await copy(page.link, location.href.split("#")[0] + (text ? `#${text}` : ""));
+      const address = location.href.split("#")[0] + (text ? `#${text}` : "");
+      await copy(page.link, address);
       const missing = [view.compare.held && "A", state.picture === "own" && "your own picture"].filter(Boolean).join(", ");
-      if (missing) sayBeside(page.node, page.tip, page.link, `Not in the link: ${missing}.`);
+      const said = [missing && `Not in the link: ${missing}.`];
+      if (address.length > LONG) said.push(`The link has ${address.length} characters: some programs cut addresses after ${LONG}. A lens file holds all of it.`);
+      if (said.some(Boolean)) sayBeside(page.node, page.tip, page.link, said.filter(Boolean).join(" "));
     },
     python: () => (view.shown?.psf ? copy(view.page.python, (view.settled ?? view.shown).psf.python) : undefined),
     png: () => save(() => savePng(view.figure())),

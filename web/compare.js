@@ -14,11 +14,17 @@ export class Compare {
     this.still = matchMedia("(prefers-reduced-motion: reduce)");
   }
 
-  // held: {state, psf, measures, rays, sentence}.
+  // held: {state, psf, measures, rays, sentence, quality}.
   hold(held) {
     this.held = held;
     this.page.held.setAttribute("aria-label", `A. ${held.sentence}`);
     this.arrange();
+  }
+
+  // The same lens by another sampling.
+  renew(parts) {
+    Object.assign(this.held, parts);
+    this.page.held.setAttribute("aria-label", `A. ${this.held.sentence}`);
   }
 
   release() {

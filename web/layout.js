@@ -59,7 +59,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
     ),
   );
   page.work = el("div", { class: "work", role: "status" }, (page.working = el("span")), button("stop", "Stop", "Stop computing", actions.stop));
-  page.stage.append(page.work);
+  page.stage.append(page.work, (page.computed = el("p", { class: "computed", hidden: true })));
   const psf = figure(
     "psf",
     "Point spread function",
@@ -131,7 +131,7 @@ export function layout({ state, set, controls, lessons, presets, actions, only, 
   const compare = el(
     "span",
     { class: "group", role: "group", "aria-label": "Compare" },
-    button("hold", "Hold as A", "Keep this setting to compare others with", actions.hold),
+    button("hold", "Hold as A", "Keep this lens to compare others with; sampling, window and pixel are those of B", actions.hold),
     (page.compare = el(
       "span",
       { class: "group", hidden: true },

@@ -79,6 +79,20 @@ export function differenceSaid(now, held) {
   return `${by < 0 ? "−" : "+"}${size}${now.unit ? unitAfter(now.unit) : ""} from A`;
 }
 
+// What of the window is computed, where that is less than is set.
+export function computedSaid(state, { side }) {
+  if (side >= state.side) return "";
+  const size = (count) => `${count} × ${count}`;
+  return state.view === "fine" ? `while it moves ${size(side)} samples` : `computed: ${size(side)} of ${size(state.side)} pixels`;
+}
+
+// Why there is no bound, where there is none.
+export function unprovenSaid({ vanes }, psf) {
+  if (!psf || psf.bound !== null) return "";
+  const what = vanes ? "with vanes" : "with aberrations this large";
+  return `No bound is proven ${what}: the page integrates along rows of the aperture. The call “As Python” states one.`;
+}
+
 export function psfSaid(state, psf, measures) {
   const unit = lengthUnit(state);
   const field = short(psf.side * psf.pixel * unit.factor, 3);
@@ -103,7 +117,8 @@ export function valueSaid(state, psf, measures, column, row) {
   const over = unaberrated ? values[at] / unaberrated : NaN;
   if (psf.peak > 0) said.push(`${stated(Math.max(0, values[at] / psf.peak), unaberrated ? (error * unaberrated) / psf.peak : 0, 3)} of the brightest`);
   if (unaberrated) said.push(`${stated(Math.max(0, over), error, 3)} of the unaberrated peak`);
-  return `x, y = ${place}${unitAfter(name)}: ${said.join(", ")}`;
+  const by = bound && unaberrated ? ` ± ${upwards(bound)}` : "";
+  return `x, y = ${place}${unitAfter(name)}: ${said.join(", ")}${by}`;
 }
 
 export function wavefrontSaid(state, seen) {

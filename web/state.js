@@ -43,10 +43,17 @@ export function changed(state, change) {
   return next;
 }
 
+// Spikes of vanes are as faint as 1e-3 of the brightest point: vanes that come without a scale get a logarithmic one.
+export function withSpikes(change, before = DEFAULTS) {
+  return Number(change?.vanes) > 0 && !before.vanes && !("stretch" in change) ? { ...change, stretch: "log" } : change;
+}
+
+const LONGEST_TEXT = 8000; // that is read
+
 // "defocus=1&coma=.5" -> change. Of repeated keys the last counts.
 export function fromText(text) {
   const change = Object.create(null);
-  for (const part of String(text).slice(0, 8000).replace(/^[#?]/, "").split("&")) {
+  for (const part of String(text).slice(0, LONGEST_TEXT).replace(/^[#?]/, "").split("&")) {
     const [key, value] = part.split("=", 2);
     if (Object.hasOwn(FIELDS, key) && value !== undefined) change[key] = decoded(value);
   }
@@ -54,7 +61,7 @@ export function fromText(text) {
 }
 
 // What of a change from an address is not taken as it is there, in words.
-export function refused(change) {
+export function refused(change, address = "") {
   const said = Object.keys(change).flatMap((key) => {
     const text = String(change[key]);
     const value = accepted(key, text);
@@ -63,6 +70,7 @@ export function refused(change) {
     if (typeof value !== "number" || INFINITE.test(text) || Math.abs(value - text) <= 1e-9 * Math.abs(value)) return [];
     return [`${key} is ${low} to ${high}${row.said ? ` ${row.said}` : row.waves ? " waves" : ""}, so ${value} is shown instead of ${text.slice(0, 40)}`];
   });
+  if (address.length > LONGEST_TEXT) said.push(`of its ${address.length} characters the first ${LONGEST_TEXT} are read`);
   const more = said.length > 3 ? `; and ${said.length - 3} more` : "";
   return said.length ? `Not as in the address: ${said.slice(0, 3).join("; ")}${more}.` : "";
 }
@@ -81,7 +89,7 @@ function decoded(text) {
 // What differs from the defaults, or from the state that the page starts in without a fragment.
 export function toText(state, start = DEFAULTS) {
   return Object.keys(FIELDS)
-    .filter((key) => state[key] !== FIELDS[key].initial || state[key] !== start[key])
+    .filter((key) => state[key] !== FIELDS[key].initial || state[key] !== start[key] || (key === "stretch" && state.vanes))
     .map((key) => `${key}=${encodeURIComponent(state[key]).replace(/%2C|%3A|%3B/g, decodeURIComponent)}`)
     .join("&");
 }

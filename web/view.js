@@ -11,10 +11,10 @@ import { askedLesson, Lessons, lessonState, nameLesson } from "./lessons.js";
 import { STAR, testPicture } from "./pictures.js";
 import { curveSaid, niceTop, read, short, svg } from "./plots.js";
 import { PRESETS } from "./presets.js";
-import { differenceSaid, numbersSaid, plotSaid, psfSaid, wavefrontSaid } from "./sentences.js";
+import { computedSaid, differenceSaid, numbersSaid, plotSaid, psfSaid, unprovenSaid, wavefrontSaid } from "./sentences.js";
 import { FIELDS } from "./fields.js";
 import { Stage } from "./stage.js";
-import { changed, DEFAULTS, fromText, History, refused, toText, wordsIn } from "./state.js";
+import { changed, DEFAULTS, fromText, History, refused, toText, withSpikes, wordsIn } from "./state.js";
 import { styleText } from "./style.js";
 import { followTheme } from "./theme.js";
 import { frequencyUnit, lengthUnit, unitAfter } from "./units.js";
@@ -42,6 +42,10 @@ const BESIDE_PUPIL = new Set([...LOOKS_OF_PUPIL, "focal_length", "f_number", "wa
 // Those by which a lens is not known.
 const BESIDE_LENS = new Set([...LOOKS, "view", "side"]);
 const sameLens = (a, b) => Object.keys(FIELDS).every((key) => BESIDE_LENS.has(key) || key === "pixel" || a[key] === b[key]);
+
+// By which pictures are compared: A takes them from B.
+const SAMPLING = ["view", "side", "pixel"];
+const sampledAs = (state, { view, side, pixel }) => ({ ...state, view, side, pixel });
 
 const FINISHED = ["hold", "python", "png", "csv", "tiff"]; // buttons that act on settled answers
 const CANVASES = { psf: ["psf"], wavefront: ["wavefront", "fringes"], recorded: ["recorded"] };
@@ -74,9 +78,9 @@ export class View {
     this.onchange = onchange;
     this.url = url;
     const asked = (url && askedLesson()) || lesson;
-    this.given = changed(DEFAULTS, state);
+    this.given = changed(DEFAULTS, withSpikes(state));
     this.start = lessonState(asked) ?? this.given;
-    this.state = url ? changed(this.start, fromText(location.hash)) : this.start;
+    this.state = url ? changed(this.start, withSpikes(fromText(location.hash), this.start)) : this.start;
     this.told = this.state;
     const only = typeof controls === "string" ? controls.split(",").filter(Boolean) : controls ?? [];
     this.client = new Client();
@@ -130,8 +134,8 @@ export class View {
     this.fromLink = () => {
       const change = fromText(location.hash);
       if (!Object.keys(change).length) return; // it leads to a heading of the page
-      this.set({ ...this.start, ...change });
-      this.remark(refused(change));
+      this.set({ ...this.start, ...withSpikes(change, this.start) });
+      this.remark(refused(change, location.hash));
       this.nameFromLink();
     };
     if (url) addEventListener("hashchange", this.fromLink);
@@ -141,12 +145,12 @@ export class View {
       if (name === this.lessons.name) return;
       this.lessons.show(name);
       this.start = lessonState(name) ?? this.given;
-      this.set({ ...this.start, ...fromText(location.hash) });
+      this.set({ ...this.start, ...withSpikes(fromText(location.hash), this.start) });
     };
     if (url) addEventListener("popstate", this.fromHistory);
     this.wanted = "settled";
     this.redraw = true;
-    if (url) this.remark(refused(fromText(location.hash)));
+    if (url) this.remark(refused(fromText(location.hash), location.hash));
     this.born = performance.now();
     this.shown = {};
     this.of = {}; // the question that each part shown answers, {state, left: {part: when its setting was left}}
@@ -173,8 +177,7 @@ export class View {
   // Changes of one gesture, such as a drag, are one step back.
   set(change, moving = false, gesture = "") {
     const before = this.state;
-    // Spikes of vanes are as faint as 1e-3 of the brightest point.
-    if (change.vanes > 0 && !before.vanes && !("stretch" in change)) change = { ...change, stretch: "log" };
+    change = withSpikes(change, before);
     // Photons are counted by pixels of the sensor.
     if (change.noise === "on" && before.noise === "off" && before.view === "fine" && !("view" in change)) change = { ...change, view: "averaged" };
     if (this.apply(changed(before, change), moving)) this.history.note(before, gesture);
@@ -229,6 +232,8 @@ export class View {
       for (const node of nodes) late.set(node, late.get(node) || age > GREY);
     }
     for (const [node, old] of late) node.classList.toggle("late", old);
+    const { held } = this.compare;
+    page.held.parentNode.classList.toggle("late", Boolean(held) && SAMPLING.some((key) => held.state[key] !== this.state[key]));
     const busy = "busy" in this.host.dataset;
     page.node.classList.toggle("working", busy && most > GREY);
     const said = this.stopped ? "Stopped: nothing is computed for this setting." : busy && most > WORDS ? `Computing: ${longSaid(this.state)} …` : "";
@@ -403,6 +408,7 @@ export class View {
       const pupil = Object.keys(state).map((key) => matters("wavefront", key, state) && state[key]).join();
       if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront, low, high }) => got({ wavefront: Object.assign(wavefront, { low, high }) })));
       this.pupil = pupil;
+      this.renewHeld(state, quality, jobs);
     }
     if (state.rays !== "on") {
       this.shown = { ...this.shown, rays: null };
@@ -426,6 +432,28 @@ export class View {
     }
     if (this.wanted) this.schedule();
     else this.idle();
+  }
+
+  // A anew where B has another sampling, window or pixel, so that both are of the same ones.
+  renewHeld(state, quality, jobs) {
+    const { client, compare } = this;
+    const { held } = compare;
+    if (!held) return;
+    const same = SAMPLING.every((key) => held.state[key] === state[key]);
+    if (same && (held.quality !== "drag" || quality === "drag")) return;
+    const asked = sampledAs(held.state, state);
+    const made = ["psf", "measures"].map((method) => client.call(method, asked, quality));
+    const renewed = Promise.all(made).then(([psf, measures]) => {
+      if (this.gone || this.stopped || compare.held !== held) return;
+      compare.renew({ state: asked, psf, measures, quality, picture: undefined, sentence: psfSaid(asked, psf, measures) });
+      this.draw({ psf: this.shown.psf, measures: this.shown.measures, recorded: this.shown.recorded });
+    });
+    jobs.push(renewed.catch((error) => {
+      if (error.message === LATE || this.stopped || compare.held !== held) throw error;
+      compare.release();
+      this.remark(`A was let go, for with this sampling it cannot be computed: ${error.message}`);
+      this.draw();
+    }));
   }
 
   async record(state, quality, got) {
@@ -482,6 +510,9 @@ export class View {
     const { shown, compare } = this;
     const state = this.stateOf("psf");
     this.stage.draw({ state, shown, held: compare.held, mode: compare.shown, shared: compare.shared });
+    const said = computedSaid(state, shown.psf);
+    this.page.computed.hidden = !said;
+    if (this.page.computed.textContent !== said) this.page.computed.textContent = said;
   }
 
   // What figureOf draws: settled answers, as they look now.
@@ -571,7 +602,7 @@ export class View {
       x: { ...radius, top: end(energy, unit.factor) },
       y: { top: 1 },
       curves: curves(energy, unit.factor, [["main", "light", "share"], ["limit", "unaberrated", "reference"]], held?.energy),
-      mark: { said: d80_axis === d80 || !(d80_axis > 0) ? "" : `80 % about the axis: ${short(d80_axis * unit.factor)}${unitAfter(unit.name)} wide` },
+      mark: { said: d80_axis === d80 || !(d80_axis > 0) ? "" : `80 % about the axis: ${short(d80_axis * unit.factor)}${unitAfter(unit.name)}` },
     });
     const frequency = frequencyUnit(state);
     // Of the sensor: half a cycle in each pixel.
@@ -601,6 +632,12 @@ export class View {
       const by = now[key] && differenceSaid(now[key], held[key]);
       node.replaceChildren(now[key]?.text ?? "–", ...(by ? [el("small", {}, by)] : []));
     }
+    const why = unprovenSaid(state, shown.psf);
+    if (why === this.unproven) return;
+    this.unproven = why;
+    page.why?.remove();
+    page.why = !why ? null : el("div", { class: "why" }, el("dt", { class: "unseen" }, "Why no error is proven"), el("dd", {}, why));
+    if (why) page.panels.numbers.append(page.why);
   }
 
   // Sentences about the pictures are renewed when nothing moves.

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from live_page import rest
+from live_page import rest, slider
 
 CANVAS = """name => {
     const root = document.querySelector(".lommel-live-host").shadowRoot;
@@ -137,6 +137,42 @@ def test_the_difference_of_one_lens_over_two_grids_is_small(visit: Callable[...,
     assert largest < 0.003
 
 
+def test_a_has_the_sampling_the_window_and_the_pixel_of_b(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&view=sampled&pixel=1&coma=0.5&stretch=linear")
+    hold(page, side=96, view="averaged", pixel=3)
+    page.get_by_label("How to compare").select_option("difference")
+    # One lens by one set of pixels is without difference, in the picture and in all numbers.
+    assert np.ptp(seen(page).reshape(-1, 3), axis=0).max() == 0
+    numbers = page.locator(".numbers small").all_inner_texts()
+    assert numbers == ["as A"] * 5
+    page.get_by_label("How to compare").select_option("beside")
+    page.get_by_label("Scale of A and B").select_option("own")
+    move(page, defocus=2, coma=0)
+    assert page.locator(".frame.held.late").count() == 0
+    text = page.locator(".held canvas").get_attribute("aria-label")
+    alone = visit("/mounted#side=96&view=averaged&pixel=3&coma=0.5&stretch=linear")
+    assert text == "A. " + alone.locator(PSF).get_attribute("aria-label")
+    light = seen(page, HELD).sum(axis=2)
+    assert np.unique(light).size == np.unique(seen(alone).sum(axis=2)).size
+    # It goes back with the lens, and keeps the sampling.
+    page.get_by_role("button", name="Exchange").click()
+    rest(page)
+    now = page.evaluate("live.state")
+    assert [now[key] for key in ("coma", "defocus", "pixel", "view", "side")] == [0.5, 0.6, 3, "averaged", 96]
+
+
+def test_an_a_that_the_sampling_of_b_would_take_long_for_is_let_go_in_words(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&coma=8&defocus=10&light=white")
+    page.get_by_role("button", name="Hold as A").click()
+    move(page, coma=0, light="mono")
+    assert page.locator(HELD).is_visible()
+    move(page, view="averaged", pixel=50, side=512)
+    said = page.locator(".notice").inner_text()
+    assert said.startswith("A was let go, for with this sampling it cannot be computed: it would take too long.")
+    assert page.locator(HELD).is_hidden()
+    assert page.locator('dd[data-number="strehl"]').inner_text() != "–"
+
+
 def test_a_is_shown_by_a_button_while_both_are_in_turn(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", reduced_motion="reduce")
     hold(page, defocus=2)
@@ -181,6 +217,42 @@ def test_differences_of_shares_are_in_points(visit: Callable[..., Any]) -> None:
 # Numbers
 
 
+def test_a_window_that_is_not_computed_whole_is_said(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=512&view=sampled&vanes=4&defocus=0")
+    computed = page.locator(".computed")
+    assert computed.inner_text() == "computed: 64 × 64 of 512 × 512 pixels"
+    assert page.evaluate("live.result().psf.side") == 64
+    move(page, vanes=0)
+    assert computed.is_hidden()
+    move(page, view="fine", coma=0.3)
+    assert computed.is_hidden()
+    track = slider(page, "coma").bounding_box()
+    page.mouse.move(track["x"] + 0.2 * track["width"], track["y"] + 0.5 * track["height"])
+    page.mouse.down()
+    page.mouse.move(track["x"] + 0.3 * track["width"], track["y"] + 0.5 * track["height"], steps=4)
+    computed.wait_for(state="visible")
+    assert computed.inner_text() == "while it moves 256 × 256 samples"
+    page.mouse.up()
+    rest(page)
+    assert computed.is_hidden()
+
+
+def test_why_no_error_is_proven_is_said_and_where_one_is_the_pointer_reads_it(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    for vanes in (0, 3):
+        move(page, vanes=vanes)
+        assert page.locator(".why").count() == (vanes > 0)
+        page.locator(PSF).hover()
+        text = place(page)
+        bound = page.evaluate("live.result().psf.bound")
+        assert (bound is None) == (vanes > 0)
+        found = re.search(r" of the unaberrated peak ± (\de-\d+)$", text)
+        assert bool(found) == (vanes == 0), text
+        if found:
+            assert bound <= float(found[1]) <= 2.1 * bound
+    assert page.locator(".why dd").inner_text().startswith("No bound is proven with vanes: ")
+
+
 def test_all_light_is_never_said_to_be_in_a_window_that_misses_some(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#defocus=0&f_number=5&view=sampled&pixel=10")
     inside = page.locator('dd[data-number="inside"]')
@@ -222,7 +294,7 @@ def test_the_value_under_the_pointer_is_that_of_the_array(visit: Callable[..., A
     column, row = size // 2 + 2, size // 2 - 1
     page.mouse.move(box["x"] + (column + 0.5) * box["width"] / size, box["y"] + (row + 0.5) * box["height"] / size)
     text = place(page)
-    found = re.fullmatch(r"x, y = (\S+), (\S+) µm: (\S+) of the brightest, (\S+) of the unaberrated peak", text)
+    found = re.fullmatch(r"x, y = (\S+), (\S+) µm: (\S+) of the brightest, (\S+) of the unaberrated peak ± \S+", text)
     assert found, text
     assert (float(found[1]), float(found[2])) == (2, -1)
     values = answer(page, "values").reshape(64, 64)
@@ -292,6 +364,10 @@ def test_noise_is_drawn_as_electrons(visit: Callable[..., Any]) -> None:
     first = 32 - crop // 2
     wanted = np.clip(counts[first : first + crop, first : first + crop] / counts.max(), 0, 1) * 255
     assert np.abs(image[..., 0] - wanted).max() < 2
+    # Counted photons have no colour.
+    move(page, light="white", map="auto")
+    assert bar_label(page) == "electrons per pixel"
+    assert np.ptp(seen(page), axis=2).max() == 0
 
 
 # Figures

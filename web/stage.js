@@ -50,7 +50,8 @@ export function compose(canvases, { state, shown, held = null, mode = "one", sha
   const both = old && shared && Boolean(psf.counts) === Boolean(held.psf.counts);
   const top = both ? Math.max(density(image), density(old)) * image.pixel ** 2 : largest(image.values);
   const draw = (canvas, of, answer, shownImage, brightest) => {
-    const own = cropOf(of, answer);
+    // Of the same pixels both show as many.
+    const own = shownImage.pixel === psf.pixel ? Math.min(crop, shownImage.side) : cropOf(of, answer);
     const colours = map === TRUE_COLOUR && !shownImage.colour ? "gray" : map;
     const look = { map: colours, stretch: state.stretch, crop: own, top: brightest };
     if (own === crop && answer === shown) return drawPsf(canvas, shownImage, look);
@@ -66,7 +67,7 @@ export function compose(canvases, { state, shown, held = null, mode = "one", sha
     found.panels.unshift({ name: "A", canvas: canvases.held, state: held.state, shown: held });
   }
   const point = both ? "the brightest point of A and B" : old ? "the brightest point of each" : "the brightest point";
-  const label = `${map === TRUE_COLOUR ? "true colour, " : ""}${psf.counts ? "electrons per pixel" : `of ${point}`}${state.noise === "on" && !psf.counts ? ", without noise: that is of the sensor's pixels" : ""}`;
+  const label = `${map === TRUE_COLOUR && image.colour ? "true colour, " : ""}${psf.counts ? "electrons per pixel" : `of ${point}`}${state.noise === "on" && !psf.counts ? ", without noise: that is of the sensor's pixels" : ""}`;
   return { ...found, ticks: drawBar(canvases.bar, { map, stretch: state.stretch }, psf.counts ? Math.max(1, top) : 1), label };
 }
 

@@ -806,7 +806,7 @@ def test_a_thin_vane_hardly_changes_large_aberrations(engine):
         {"coma": 0.5, "pixel": 5, "side": 400},
         {"coma": 1.0, "coma_angle": 70, "obscuration": 0.4, "pixel": 20},
         {"coma": 3.0, "astigmatism": 2.0, "pixel": 10},
-        {"coma": 0.5, "light": "white", "pixel": 20},
+        {"coma": 0.5, "light": "white", "pixel": 50},
     ],
     ids=lambda s: f"{s['pixel']}-{s.get('light', 'mono')}",
 )

@@ -170,3 +170,13 @@ def test_where_too_few_samples_are_spared_there_are_samples():
     found = far_averages(disk_stack(pupil), window_of(pupil, grid), 50.0, 1e-6, 1)
     assert not found.values.any()
     assert found.nearest[0] > 64.0 * math.sqrt(2.0)
+
+
+def test_windows_of_more_samples_than_an_image_may_have_are_averaged():
+    pupil = lm.Pupil(
+        lm.Wavefront.zernike({(3, 1): 0.5}, unit="waves", normalization="edge"), wavelength=550e-9, f_number=4.0
+    )
+    made = lm.psf(pupil, 512, 50e-6)  # 29000 samples across
+    assert made.error_bound <= 1e-6
+    few = lm.psf(pupil, 5, 50e-6, tol=1e-8, dtype=np.float64)
+    assert np.abs(made.values[254:259, 254:259] - few.values).max() <= made.error_bound * few.values.max() + 1e-8

@@ -219,8 +219,11 @@ def _near_and_far(
                 return None
             center = [middle - part.start for middle, part in zip(grid.center, inside, strict=True)]
             box = Grid((shape[0], shape[1]), grid.side, center=(center[0], center[1]), integrate=True)
-            near = averaged(sample, pupil, box, tol, wanted)
         except (Declined, ToleranceError):
+            return None
+        try:
+            near = averaged(sample, pupil, box, tol, wanted)  # what declines these declines the whole window, too
+        except ToleranceError:
             return None  # of the whole window there may be a bound
         off = away.error / near.peak
         bounds = stored(normalized_error(off) if normalize else off, dtype)

@@ -185,7 +185,10 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
         "give the scale, e.g. --depth-scale 0.001 for millimetres",
     )
     stars = ("retrieve", "photo.png", lenses["phone"], "--read", "2", "--terms", "size")
-    refused(call_lommel(*stars, folder=folder), "'wavelength', 'f_number', 'obscuration', 'object_distance'")
+    refused(
+        call_lommel(*stars, folder=folder),
+        "must be one of 'defocus', 'spherical', 'rho^6', 'rho^8', or a Zernike term",
+    )
     photo = (*photo[:2], "near.npy", *photo[3:])
     refused(call_lommel(*photo, folder=folder), "allow larger windows (--largest")
     refused(call_lommel(*photo, "--focus", "10 mm", folder=folder), "--focus must exceed the focal length")

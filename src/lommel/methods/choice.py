@@ -125,8 +125,12 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
         try:
             return way, ask(way)
         except (ToleranceError, Declined) as error:
-            # Of what can be had at another tolerance that is said.
-            if refused is None or isinstance(error, ToleranceError) or isinstance(refused, Declined):
+            # Of what can be had at another tolerance that is said; else what the series takes, not chords after it.
+            if (
+                refused is None
+                or isinstance(error, ToleranceError)
+                or (isinstance(refused, Declined) and way != ways[-1])
+            ):
                 refused = error
     assert refused is not None
     raise refused

@@ -228,7 +228,9 @@ def test_off_the_centre_every_pixel_has_the_intensity_at_its_own_distance(row, c
     answer = lm.psf(pupil, (24, 27), 0.4, center=(row, column), normalize="strehl", dtype=np.float64)
     radii = np.hypot((np.arange(24) - row)[:, None], np.arange(27) - column)
     exact = np.abs(lm.Hankel().field(pupil, np.pi * 0.4 * radii)) ** 2
-    assert np.abs(answer.values - exact).max() <= answer.error_bound * exact.max() + 1e-13
+    # Errors are over the peak, which the window may miss.
+    peak = max(exact.max(), np.max(np.abs(lm.Hankel().field(pupil, np.linspace(0.0, 100.0, 801))) ** 2))
+    assert np.abs(answer.values - exact).max() <= answer.error_bound * peak + 1e-13
 
 
 @pytest.mark.parametrize("method", [lm.NijboerZernike(1e-8), lm.Hankel(), lm.LommelSeries(), lm.Fraunhofer()])

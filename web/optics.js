@@ -240,6 +240,8 @@ export function pythonOf(state, side, pixel) {
     else lines.pop();
     lines.push(`lens = lm.Lens(${lens.join(", ")})`, `pupil = lens.pupil(object_distance=${state.object_distance})`);
   } else lines.push(`pupil = lm.Pupil(${["wavefront", ...light, `f_number=${state.f_number}`].join(", ")})`);
+  if (state.view !== "fine" && side < state.side) lines.push(`# The middle of the window of ${state.side} x ${state.side} pixels, whose light the page states.`);
+  if (state.view === "averaged") lines.push("# FWHM, diameters and MTF of this are those with the pixel; without it: integrate=False.");
   const asked = ["pupil", String(side), `pixel=${metres(pixel, -6)}`];
   if (state.light === "white") {
     const list = WHITE.map((w) => metres(w, -9)).join(", ");

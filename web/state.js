@@ -60,9 +60,13 @@ export function fromText(text) {
   return change;
 }
 
+const OTHER_KEYS = ["name", "without"]; // of links, beside those of states
+
 // What of a change from an address is not taken as it is there, in words.
 export function refused(change, address = "") {
-  const said = Object.keys(change).flatMap((key) => {
+  const keys = address.slice(1, LONGEST_TEXT).split("&").filter((part) => part.includes("=")).map((part) => part.split("=", 1)[0]);
+  const unknown = keys.filter((key) => !Object.hasOwn(FIELDS, key) && !OTHER_KEYS.includes(key));
+  const values = Object.keys(change).flatMap((key) => {
     const text = String(change[key]);
     const value = accepted(key, text);
     const { low, high, row } = FIELDS[key];
@@ -70,6 +74,7 @@ export function refused(change, address = "") {
     if (typeof value !== "number" || INFINITE.test(text) || Math.abs(value - text) <= 1e-9 * Math.abs(value)) return [];
     return [`${key} is ${low} to ${high}${row.said ? ` ${row.said}` : row.waves ? " waves" : ""}, so ${value} is shown instead of ${text.slice(0, 40)}`];
   });
+  const said = [...unknown.map((key) => `${key.slice(0, 40)} is unknown`), ...values];
   if (address.length > LONGEST_TEXT) said.push(`of its ${address.length} characters the first ${LONGEST_TEXT} are read`);
   const more = said.length > 3 ? `; and ${said.length - 3} more` : "";
   return said.length ? `Not as in the address: ${said.slice(0, 3).join("; ")}${more}.` : "";

@@ -132,10 +132,10 @@ export class View {
     element.append(this.host);
     this.unfollow = followTheme(this.page.node, theme);
     this.fromLink = () => {
-      const change = fromText(location.hash);
-      if (!Object.keys(change).length) return; // it leads to a heading of the page
+      const change = fromText(location.hash), said = refused(change, location.hash);
+      if (!Object.keys(change).length && !said) return; // it leads to a heading of the page
       this.set({ ...this.start, ...withSpikes(change, this.start) });
-      this.remark(refused(change, location.hash));
+      this.remark(said);
       this.nameFromLink();
     };
     if (url) addEventListener("hashchange", this.fromLink);

@@ -13,6 +13,8 @@ const NODES = 400; // of the clear area
 // s and of the clear area over pi. Edges interfere, and the sums of their waves alternate so quickly along the sides of a window that
 // about 0.2 / s^2 is left; of the two edges of a vane, a slit of width w, the light is (2 - 2 cos w s) times as large.
 export function lightOutside(state, low, high) {
+  const beyond = Math.min(-low, high) - rayReach(state);
+  if (!(beyond > 0)) return { share: NaN, error: Infinity };
   const slope = slopes(state);
   const [eps, half] = [state.obscuration, 0.5 * state.vane_width];
   const angles = vanesOf(state);
@@ -51,9 +53,8 @@ export function lightOutside(state, low, high) {
   // One alone has an end on the axis, too.
   if (count === 1 && eps < half) both(1e-9, angles[0], [Math.cos(angles[0]), Math.sin(angles[0])], 2 * (half - eps), (s) => 1 / s);
   const lines = linesOf(state).reduce((all, [stretch, part]) => all + part / stretch, 0);
-  const beyond = Math.min(-low, high) - rayReach(state);
   const rings = (1 + (2 * Math.sqrt(eps)) / (1 - eps) + 2 * count) / clear;
-  return { share: (lines * sum) / (2 * Math.PI ** 2 * clear), error: beyond > 0 ? (0.2 * rings) / beyond ** 2 : Infinity };
+  return { share: (lines * sum) / (2 * Math.PI ** 2 * clear), error: (0.2 * rings) / beyond ** 2 };
 }
 
 // The integral of (2 - 2 cos(w t)) / t^2 from s on.

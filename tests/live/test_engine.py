@@ -259,6 +259,21 @@ def test_the_light_in_the_window_is_that_of_the_square(engine, state):
         assert abs(quick["inside"] - whole) <= quick["inside_error"] <= 0.01
 
 
+def test_a_window_that_rays_leave_far_behind_is_answered(engine):
+    # Vanes' edges send light of rays that arrive far beyond the window's end.
+    strong = {
+        "spherical": 20.0,
+        "astigmatism": 9.0,
+        "defocus": 40.0,
+        "obscuration": 0.5,
+        "vanes": 2,
+        "vane_width": 0.5,
+    }
+    small = {"wavelength": 5500.0, "f_number": 7.0, "pixel": 0.07, "side": 64, "view": "sampled", "vane_angle": 1.0}
+    found = engine.measures({**strong, **small})
+    assert math.isnan(found["inside"]) or 0.0 <= found["inside"] <= 0.01
+
+
 def test_the_light_in_large_windows_is_that_of_closed_forms_and_of_exact_averages(engine):
     state = {"defocus": 0, "f_number": 5, "view": "sampled", "pixel": 10}
     for side in (64, 512):

@@ -50,13 +50,13 @@ export function withSpikes(change, before = DEFAULTS) {
 
 const LONGEST_TEXT = 8000; // that is read
 
+// "#defocus=1&coma=.5" -> [["defocus", "1"], ["coma", ".5"]].
+const pairsIn = (text) => String(text).slice(0, LONGEST_TEXT).replace(/^[#?]/, "").split("&").map((part) => part.split("=", 2)).filter((pair) => pair.length === 2);
+
 // "defocus=1&coma=.5" -> change. Of repeated keys the last counts.
 export function fromText(text) {
   const change = Object.create(null);
-  for (const part of String(text).slice(0, LONGEST_TEXT).replace(/^[#?]/, "").split("&")) {
-    const [key, value] = part.split("=", 2);
-    if (Object.hasOwn(FIELDS, key) && value !== undefined) change[key] = decoded(value);
-  }
+  for (const [key, value] of pairsIn(text)) if (Object.hasOwn(FIELDS, key)) change[key] = decoded(value);
   return change;
 }
 
@@ -64,8 +64,7 @@ const OTHER_KEYS = ["name", "without"]; // of links, beside those of states
 
 // What of a change from an address is not taken as it is there, in words.
 export function refused(change, address = "") {
-  const keys = address.slice(1, LONGEST_TEXT).split("&").filter((part) => part.includes("=")).map((part) => part.split("=", 1)[0]);
-  const unknown = keys.filter((key) => !Object.hasOwn(FIELDS, key) && !OTHER_KEYS.includes(key));
+  const unknown = pairsIn(address).map(([key]) => key).filter((key) => !Object.hasOwn(FIELDS, key) && !OTHER_KEYS.includes(key));
   const values = Object.keys(change).flatMap((key) => {
     const text = String(change[key]);
     const value = accepted(key, text);

@@ -18,7 +18,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import ToleranceError
-from lommel.measures.mask_overlap import cells
+from lommel.measures.mask_overlap import cells_of_stack
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.pupil import Pupil, checked, ray_height
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -140,8 +140,7 @@ def centroid(pupil: Pupil) -> Array:
     """
     if checked(pupil).phase_mask:
         assert pupil.mask is not None
-        each = [pupil[index] for index in np.ndindex(pupil.shape)] if pupil.shape else [pupil]
-        found = np.array([cells(one).centroid(squares=pupil.mask.squares) for one in each])
+        found = np.array([one.centroid(squares=pupil.mask.squares) for one in cells_of_stack(pupil)])
         return found.reshape(*pupil.shape, 2) * pupil.scale
     at = _polynomial_rule(pupil, 2.0)
     mean = (at.rays(pupil) * at.weight).sum(axis=-1)

@@ -84,8 +84,12 @@ def cells(pupil: Pupil) -> Cells:
     return Cells(field)
 
 
+def cells_of_stack(pupil: Pupil) -> list[Cells]:
+    """Return the cells of each pupil of the flattened stack."""
+    return [cells(pupil[index]) for index in np.ndindex(pupil.shape)] if pupil.shape else [cells(pupil)]
+
+
 def of_mask(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
     """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
     assert pupil.mask is not None
-    each = [pupil[index] for index in np.ndindex(pupil.shape)] if pupil.shape else [pupil]
-    return np.stack([cells(one).between(pupil.mask.side * f) for one in each])
+    return np.stack([one.between(pupil.mask.side * f) for one in cells_of_stack(pupil)])

@@ -41,7 +41,8 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     low, high = np.array([_crossed(region, k, y) for k in range(len(region.polygons))]).transpose(1, 0, 2)
     ends = np.sort(np.concatenate([low, high]), axis=0)
     middle = 0.5 * (ends[1:] + ends[:-1])
-    clear = _combined(region.steps, [(a < middle) & (middle < b) for a, b in zip(low, high, strict=True)])
+    inside = [(a < middle) & (middle < b) for a, b in zip(low, high, strict=True)]
+    clear = region.combined(inside, np.logical_and, np.logical_or, lambda a, b: a & ~b)
     clear &= ends[1:] > ends[:-1]
     piece, line = np.nonzero(clear)
     if not line.size:
@@ -79,7 +80,13 @@ def _lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.int64]]:
             height = tall * np.sqrt(1.0 - np.linspace(0.0, 0.8, 2 + int(across / cell)) ** 2)
             events += [y + height, y - height]
             spans.append((y - tall, y + tall))
-    low, high = _span(region.steps, spans)
+    # Between which y the region lies.
+    low, high = region.combined(
+        spans,
+        lambda a, b: (max(a[0], b[0]), min(a[1], b[1])),
+        lambda a, b: (min(a[0], b[0]), max(a[1], b[1])),
+        lambda a, _: a,
+    )
     edges = np.unique(
         np.clip(np.concatenate([cell * np.arange(side + 1.0) - 1.0, *events]), max(low, -1.0), min(high, 1.0))
     )
@@ -87,20 +94,6 @@ def _lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.int64]]:
     row = np.minimum((0.5 * side * (middle + 1.0)).astype(np.int64), side - 1)
     lines = np.concatenate([middle - _GAUSS * wide, middle + _GAUSS * wide])
     return lines, np.tile(0.25 * side * wide, 2), np.tile(row, 2)
-
-
-def _span(steps: tuple[int, ...], spans: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return between which y a region lies."""
-    stack: list[tuple[float, float]] = []
-    for step in steps:
-        if step >= 0:
-            stack.append(spans[step])
-            continue
-        second, first = stack.pop(), stack.pop()
-        both = max(first[0], second[0]), min(first[1], second[1])
-        either = min(first[0], second[0]), max(first[1], second[1])
-        stack.append({-1: both, -2: either, -3: first}[step])
-    return stack.pop()
 
 
 def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
@@ -119,15 +112,3 @@ def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
     half = a * b * np.sqrt(np.maximum(tall**2 - up**2, 0.0)) / tall**2
     center = x + up * (a * a - b * b) * sin * cos / tall**2
     return np.where(half > 0.0, center - half, 2.0), np.where(half > 0.0, center + half, 2.0)
-
-
-def _combined(steps: tuple[int, ...], parts: list[NDArray[np.bool_]]) -> NDArray[np.bool_]:
-    """Return what of several parts a region in postfix order holds."""
-    stack: list[NDArray[np.bool_]] = []
-    for step in steps:
-        if step >= 0:
-            stack.append(parts[step])
-            continue
-        second, first = stack.pop(), stack.pop()
-        stack.append({-1: first & second, -2: first | second, -3: first & ~second}[step])
-    return stack.pop()

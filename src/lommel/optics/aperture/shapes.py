@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,6 +28,7 @@ _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
 _LEAST = 1e-10  # error of areas over pi
 _BOTH, _EITHER, _WITHOUT = -1, -2, -3  # as the compiled core has them
+_Part = TypeVar("_Part")
 _STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
 
 
@@ -113,6 +114,23 @@ class Listed(NamedTuple):
             ellipses=ellipses,
             polygons=tuple(at @ matrix.T + shift if len(at) else at for at in self.polygons),
         )
+
+    def combined(
+        self,
+        parts: Sequence[_Part],
+        both: Callable[[_Part, _Part], _Part],
+        either: Callable[[_Part, _Part], _Part],
+        without: Callable[[_Part, _Part], _Part],
+    ) -> _Part:
+        """Return what is known of each part, put together as the region is made of them."""
+        by, stack = {_BOTH: both, _EITHER: either, _WITHOUT: without}, []
+        for step in self.steps:
+            if step >= 0:
+                stack.append(parts[step])
+            else:
+                second = stack.pop()
+                stack.append(by[step](stack.pop(), second))
+        return stack.pop()
 
     def __and__(self, other: Listed) -> Listed:
         """Return what two regions share."""

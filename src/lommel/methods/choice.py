@@ -131,7 +131,8 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
                 or isinstance(error, ToleranceError)
                 or (isinstance(refused, Declined) and way != ways[-1])
             ):
-                refused = error
+                # Without its traceback, which holds the arrays of what was refused.
+                refused = error.with_traceback(None)
     assert refused is not None
     raise refused
 

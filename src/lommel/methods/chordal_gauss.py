@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Pixels, Wanted
+from lommel.core.answers import Declined, Images, Intensities, Pixels, Wanted
 from lommel.core.engine import chordal_gradient, chordal_images, chordal_plan
 from lommel.methods.method import Method, Shortcut
 from lommel.methods.nijboer_zernike import disk_images, disk_stack, window_of
@@ -133,10 +133,22 @@ class ChordalGauss(Method[Pupil]):
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)
 
 
+_CHORDS = 90.0  # v around the axis, of averages, beyond which the series takes less time
+
+
 class ChordalIfCheaper(ChordalGauss):
     """The same where it is likely to take less time than :class:`NijboerZernike`; Declined elsewhere, at once."""
 
     _if_cheaper = True
+
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        if grid.integrate and not wanted.terms:
+            from lommel.methods.pixels.averaging import nearest
+
+            if nearest(pupil, grid, self.tol) > _CHORDS:
+                raise Declined("so many samples near the axis take less time by the series")
+        return super().images(pupil, grid, wanted)
 
     @property
     def reported(self) -> ChordalGauss:

@@ -10,6 +10,7 @@ import pytest
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel.core.engine import FarPixels, far_averages
+from lommel.methods import nijboer_zernike
 from lommel.methods.nijboer_zernike import disk_stack, window_of
 from lommel.methods.pixels import averaging
 
@@ -107,7 +108,7 @@ def without_far(monkeypatch):
 
     def psf(*args, **options):
         with monkeypatch.context() as patch:
-            patch.setattr(averaging, "_farthest", lambda *_: 0.0)
+            patch.setattr(averaging, "farthest", lambda *_: 0.0)
             return lm.psf(*args, **options)
 
     return psf
@@ -157,19 +158,40 @@ def test_windows_beside_the_light_take_samples(without_far):
 
 
 def test_where_too_few_samples_are_spared_there_are_samples():
-    assert averaging._farthest(math.pi, (129, 129)) == 0.0
-    assert averaging._farthest(4.0 * math.pi, (33, 33)) == 0.0
-    most = averaging._farthest(4.0 * math.pi, (129, 129))
+    assert averaging.farthest(math.pi, (129, 129)) == 0.0
+    assert averaging.farthest(4.0 * math.pi, (33, 33)) == 0.0
+    most = averaging.farthest(4.0 * math.pi, (129, 129))
     inside = (2.0 * most / (4.0 * math.pi)) ** 2
     assert (129**2 - inside) * (4.0 * math.pi / 1.27) ** 2 == pytest.approx(250000)
     # A narrow window's box is as long as that leaves room for.
-    most = averaging._farthest(4.0 * math.pi, (9, 2000))
+    most = averaging.farthest(4.0 * math.pi, (9, 2000))
     assert (9 * 2000 - 9 * 2.0 * most / (4.0 * math.pi)) * (4.0 * math.pi / 1.27) ** 2 == pytest.approx(250000)
     pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.1}))
     grid = lm.Grid(129, 4.0, integrate=True)
     found = far_averages(disk_stack(pupil), window_of(pupil, grid), 50.0, 1e-6, 1)
     assert not found.values.any()
     assert found.nearest[0] > 64.0 * math.sqrt(2.0)
+
+
+def test_where_many_samples_are_near_the_axis_the_chordal_rule_is_not_asked_first(monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        nijboer_zernike,
+        "far_averages",
+        lambda stack, *args: asked.append(len(stack.edge)) or far_averages(stack, *args),
+    )
+    pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.1}))
+    assert lm.psf(pupil, 129, 4.0, integrate=True, tol=1e-6).method == lm.NijboerZernike(1e-6)
+    assert asked == [1]
+    assert lm.psf(pupil, 129, 4.0, integrate=True, tol=1e-3).method == lm.ChordalGauss(1e-3)
+    # Nowhere nearer than it is likely.
+    grid = lm.Grid(129, 4.0, integrate=True)
+    for tol in (1e-4, 1e-6):
+        assert averaging.nearest(pupil, grid, tol) < 4.0 * math.pi * far(pupil, grid, tol).nearest[0]
+    assert averaging.nearest(pupil, grid, 1e-6) == pytest.approx(
+        10.0 ** (1 / 3) * averaging.nearest(pupil, grid, 1e-5)
+    )
+    assert averaging.nearest(pupil, lm.Grid(33, 4.0, integrate=True), 1e-6) == 0.0
 
 
 def test_windows_of_more_samples_than_an_image_may_have_are_averaged():

@@ -14,16 +14,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import FarPixels, average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
+
+if TYPE_CHECKING:
+    from lommel.optics.pupil import Pupil
 
 # A filter for pixels side by side need not have whole samples a pixel: two pixels of pitch a may share s samples, an
 # odd number, ``h = 2 a / s`` apart. The middle of the one is a sample then, that of the other half way between two.
@@ -155,17 +158,19 @@ def _averaged(
             pixels = f"by averages over pixels of {step / math.pi:.3g} lambda*N in double precision"
             raise not_met(tol, bound, "the largest value in the window", pixels) from None
         tops = total[0].max(axis=(1, 2))
-        err_round = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * peaks
+        rounding = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2
         err_filter = (2.0 + taps.error) * taps.error * ceiling
-        err_own = err_filter + err_round[0] + 1.01 * err_single * peaks[0]
+        err_own = err_filter + (rounding + 1.01 * err_single) * peaks[0]
         peak = tops if normalize else np.maximum(tops, lowest * peaks[0])
         if not peak.min() > 0:
             break
         relative = (err_given[0] + err_own) / peak
         bounds = stored(normalized_error(relative) if normalize else relative, dtype)
-        if bounds.max() <= tol:
-            slopes = (err_given[1:] + 2.0 * err_filter + err_round[1:]) / peak
-            return Averages(total, np.concatenate([bounds[None], slopes]), peak)
+        if largest(bounds) <= tol:
+            errors = np.empty(err_given.shape)
+            errors[0] = bounds
+            errors[1:] = (err_given[1:] + 2.0 * err_filter + rounding * peaks[1:]) / peak
+            return Averages(total, errors, peak)
         too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
         # Where the filter alone is to blame, samples stay: doubles may not reach what they need not.
         if too_large > 1.0 and err_samples >= _SINGLE * taps.gain**2:
@@ -188,10 +193,21 @@ _SHARE = 0.7  # of the tolerance, what pixels without samples are to be off by i
 _SPARED = 250000  # samples that pay for them
 
 
-def _farthest(step: float, shape: tuple[int, int]) -> float:
+@lru_cache(maxsize=64)
+def farthest(step: float, shape: tuple[int, int]) -> float:
     """Return how far from the axis, in v, pixels without samples may begin to spare enough, 0 for nowhere."""
     inside = math.prod(shape) - _SPARED * (_FARTHEST / step) ** 2
     return 0.5 * step * max(0.0, min(math.sqrt(max(0.0, inside)), *shape), inside / min(shape))
+
+
+def nearest(pupil: Pupil, grid: Grid, tol: float) -> float:
+    """Return how far from the axis, in v, pixels without samples begin at the least, likely; 0 if all have some."""
+    # What edges of pixels leave of the rings of an aperture without aberration, over what the largest of them holds.
+    step = grid.step(pupil)
+    if farthest(step, grid.shape) == 0.0:
+        return 0.0
+    rings = 4.0 / math.pi * float(pupil.illumination.at(np.ones(()))) ** 2 * min(1.0, math.sqrt(2.0) / step)
+    return math.cbrt(rings / (_SHARE * tol * min(1.0, 4.0 * math.pi * pupil.transmission / step**2)))
 
 
 def _near_and_far(
@@ -199,9 +215,11 @@ def _near_and_far(
 ) -> Averages | None:
     """Return averages, of samples near the axis alone; None where that is not likely to take less time."""
     step, dtype, normalize = grid.step(pupil), wanted.dtype, wanted.scale is None
+    most = farthest(step, grid.shape)
+    if wanted.terms or wanted.powers or most == 0.0:
+        return None
     room = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
-    most = _farthest(step, grid.shape)
-    if wanted.terms or wanted.powers or room <= 0.0 or most == 0.0:
+    if room <= 0.0:
         return None
     asked = _SHARE * room
     for _ in range(3):
@@ -248,19 +266,21 @@ def averaged_images(
         return sample(pupil, grid, tol, wanted)
     made = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
     made = averaged(sample, pupil, grid, tol, wanted, band) if made is None else made
-    tops = made.values[0].max(axis=(1, 2))
-    scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(wanted.scale, tops.shape)
-    values = np.empty(made.values[0].shape, wanted.dtype) if wanted.out is None else wanted.out
-    np.multiply(made.values[0], scales[:, None, None], out=values, casting="same_kind")
+    averages = made.values[0]
+    scales = np.empty(len(averages))
+    scales[:] = 1.0 / averages.max(axis=(1, 2)) if wanted.scale is None else wanted.scale
+    values = np.empty(averages.shape, wanted.dtype) if wanted.out is None else wanted.out
+    np.multiply(averages, scales[:, None, None], out=values, casting="same_kind")
     slopes = None
     if wanted.terms or wanted.powers:
         off = made.error[1:]
-        largest = np.abs(made.values[1:]).max(axis=(2, 3)) / made.peak
+        size = np.abs(made.values[1:]).max(axis=(2, 3)) / made.peak
         stored_as = (made.values[1:] * scales[:, None, None]).astype(wanted.dtype)
-        slopes = Slopes(stored_as, off + (largest + off) * storing(wanted.dtype))
+        slopes = Slopes(stored_as, off + (size + off) * storing(wanted.dtype))
     return Images(values, scales, made.error[0], slopes, made.peak)
 
 
+@lru_cache(maxsize=64)
 def least_average(step: float) -> float:
     """Return what the best placed pixel of pitch `step` in v averages at least, over the peak of I.
 
@@ -367,14 +387,15 @@ def _filtered(
     for part, one, pixels in blocks(pupil, grid, taps, images):
         for fine, rows in _strips_of(total[:, part], pixels, taps):
             made = sample(one, fine, tol, question)
-            error[0, part] = np.maximum(error[0, part], taps.gain**2 * made.bound * made.brightest)
-            peaks[0, part] = np.maximum(peaks[0, part], made.brightest * (1.0 - made.bound))
+            off = made.bound * made.brightest
+            error[0, part] = np.maximum(error[0, part], taps.gain**2 * off)
+            peaks[0, part] = np.maximum(peaks[0, part], made.brightest - off)
             limit = dark * float(made.brightest.min())
             average_samples(made.values, _sets(taps), taps.stride, wanted.threads, rows[0], dark=limit)
             if made.slopes is None:
                 continue
-            largest = np.abs(made.slopes.values).max(axis=(2, 3))
-            peaks[1:, part] = np.maximum(peaks[1:, part], largest)
+            size = np.abs(made.slopes.values).max(axis=(2, 3))
+            peaks[1:, part] = np.maximum(peaks[1:, part], size)
             error[1:, part] = np.maximum(error[1:, part], taps.gain**2 * made.slopes.error * made.brightest)
             for slopes, out in zip(made.slopes.values, rows[1:], strict=True):
                 average_samples(slopes, _sets(taps), taps.stride, wanted.threads, out, -math.inf)
@@ -395,7 +416,7 @@ def filtered(
 
 def _sets(taps: Taps) -> Array:
     """Return the weights as the core takes them, those of each pixel that has its own."""
-    return np.atleast_2d(taps.weights)
+    return taps.weights.reshape(-1, taps.weights.shape[-1])
 
 
 def _strips_of(out: Array, grid: Grid, taps: Taps) -> Iterator[tuple[Grid, Array]]:
@@ -435,6 +456,9 @@ def _strips(values: Pixels, taps: Taps) -> Iterator[tuple[int, Pixels]]:
     """Return the first of some rows of (..., n, height, width) that are filtered at once, and these."""
     each = math.prod(values.shape[:-3]) * _samples(values.shape[-1], taps) * taps.stride / taps.pixels
     most = max(1, int(_VALUES / each))
+    if most >= values.shape[-2]:
+        yield 0, values
+        return
     for y in range(0, values.shape[-2], most):
         yield y, values[..., y : y + most, :]
 
@@ -466,9 +490,16 @@ def _samples(pixels: int, taps: Taps) -> int:
 
 def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
     """Return the samples that the averages over some rows of pixels take."""
-    across, (y, x) = taps.stride / taps.pixels, grid.center
-    at = (y - row) * across + taps.margin, x * across + taps.margin
-    return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.side / across, center=at)
+    return _spaced(
+        grid, row, (_samples(height, taps), _samples(grid.width, taps)), taps.stride / taps.pixels, taps.margin
+    )
+
+
+@lru_cache(maxsize=64)
+def _spaced(grid: Grid, row: int, shape: tuple[int, int], across: float, margin: int) -> Grid:
+    """Return so many samples, `across` a pixel along either axis, from `margin` before the middle of a pixel."""
+    y, x = grid.center
+    return Grid(shape, grid.side / across, center=((y - row) * across + margin, x * across + margin))
 
 
 def finer(grid: Grid, taps: Taps) -> Grid:

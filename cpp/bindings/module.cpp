@@ -90,6 +90,7 @@ NB_MODULE(_core, m) {
     define_chordal(m);
     define_paper(m);
     define_imaging(m);
+    define_estimation(m);
     define_stratified(m);
     define_radial_bounds(m);
     define_disk_bounds(m);

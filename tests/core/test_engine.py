@@ -82,3 +82,40 @@ def test_nothing_else_imports_the_compiled_core():
             if "_core" in names or any(part.endswith("._core") for part in (*names, module)):
                 importers.add(name)
     assert importers == {"core/engine"}
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize(("height", "width"), [(1, 1), (3, 5), (32, 32), (25, 41), (47, 46)])
+def test_the_likelihood_of_stars_is_that_of_its_definition(height, width, kind):
+    draw, sets, count, k = np.random.default_rng(height), 2, 3, 5
+    images = [draw.normal(size=(sets * count, height, width)).astype(kind) for _ in range(1 + k)]
+    light = np.stack([draw.uniform(50.0, 90.0, (sets, count)), draw.uniform(0.0, 9.0, (sets, count))], axis=1)
+    shape = count, height * width
+    counted, recorded = draw.poisson(20.0, shape).astype(float), draw.uniform(0.0, 4.0, shape)
+    read, valid = np.maximum(recorded, 0.05), (draw.random(shape) < 0.8).astype(float)
+    star = np.stack([counted, recorded, read, valid])
+    numbers, products = engine.star_likelihood(images, light, star, 1)
+    psf, *slopes = (image.reshape(sets, *shape).astype(float) for image in images)
+    mean = light[:, 0, :, None] * psf + light[:, 1, :, None]
+    assert (mean < 0.0).any() or height == 1
+    variance = np.maximum(mean + read, 0.25 * read)
+    root, exact = np.sqrt(valid / variance), np.maximum(mean, 0.0) + recorded
+    rows = np.stack([*slopes, psf, np.ones_like(psf), counted - mean], axis=2) * root[:, :, None]
+    np.testing.assert_allclose(products, rows @ rows.swapaxes(-1, -2), rtol=1e-12, atol=1e-9)
+    expected = [
+        valid * (variance - (counted + read) * np.log(variance)),
+        root**2 * exact,
+        root**4 * (np.maximum(mean, 0.0) + 2.0 * exact**2),
+    ]
+    np.testing.assert_allclose(numbers, [part.sum(axis=-1) for part in expected], rtol=1e-11, atol=1e-9)
+    for made, threaded in zip((numbers, products), engine.star_likelihood(images, light, star, 0), strict=True):
+        np.testing.assert_array_equal(made, threaded)
+
+
+def test_the_likelihood_of_stars_asks_for_arrays_that_match():
+    star, light = np.ones((4, 3, 9)), np.ones((1, 2, 3))
+    image = np.ones((3, 3, 3))
+    cases = ([image, image[:2]], light, star), ([image], light, star[:3]), ([image], light[:, :1], star)
+    for images, *rest in cases:
+        with pytest.raises(ValueError, match="must be"):
+            engine.star_likelihood(images, *rest, 1)

@@ -447,3 +447,29 @@ def row_images(
     place = stack.terms, stack.edge, stack.amplitude, row, column, *options
     _core.row_images(list(rules), phases, *place, values, factors, slopes, lost)
     return values, slopes, lost
+
+
+def star_likelihood(images: Sequence[Pixels], light: Array, star: Array, threads: int) -> tuple[Array, Array]:
+    """Return what Fisher scoring needs of the counts of stars, given images of sets of parameters.
+
+    Parameters
+    ----------
+    images : sequence of ndarray, each of shape (sets * n, height, width)
+        The images of a point, and their derivatives.
+    light : ndarray, shape (sets, 2, n)
+        Flux and background of each image, electrons.
+    star : ndarray, shape (4, n, height * width)
+        Electrons counted; variance of reading; the same as weights are made with; 1 where a pixel is valid, else 0.
+    threads : int
+        At most; 0 for all.
+
+    Returns
+    -------
+    numbers : ndarray, shape (3, sets, n)
+        Minus the log-likelihood up to a constant, expectation and variance of Pearson's chi2.
+    products : ndarray, shape (sets, n, k + 2, k + 2)
+        Sums over pixels of the products of the derivatives, the image, 1, and the residual, over standard deviations.
+    """
+    kind = images[0].dtype
+    compute = _core.star_likelihood_single if kind == np.float32 else _core.star_likelihood_double
+    return compute([np.ascontiguousarray(image, kind) for image in images], light, star, threads)

@@ -341,7 +341,7 @@ def retrieve(
             if progress is not None:
                 progress((before + at_once * step / (most + 1)) / count, chi2)
 
-        x, scores, settled, steps_taken = climb(model, model.with_light(x), most, report)
+        x, scores, settled, steps_taken = climb(model, x, most, report, fast=True)
         k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
@@ -354,7 +354,8 @@ def retrieve(
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
         if fits and best.chi2[0] < model.limit(best)[0] and agreeing.sum() >= _AGREEING:
             break
-    return _retrieval(model, lowest, fits, values, noise, (taken, tries))
+    lowest, best, settled, more = climb(model, lowest, most if fits else 0, lambda *_: None, fast=False)
+    return _retrieval(model, lowest, best, fits and bool(settled[0]), values, noise, (taken + more, tries))
 
 
 def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
@@ -455,11 +456,16 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
 
 
 def _retrieval(
-    model: StarImages, x: Array, settled: bool, values: Array, noise: Noise, tried: tuple[int, int]
+    model: StarImages,
+    x: Array,
+    scores: Scores,
+    settled: bool,
+    values: Array,
+    noise: Noise,
+    tried: tuple[int, int],
 ) -> Retrieval:
     """Return the result for parameters `x`, (1, p), of images `values`, after so many steps and starts."""
     steps, starts = tried
-    scores = model.scores(x, np.float64)
     psf = model.plan(model.pupils(x))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
     valid = model.valid > 0.0

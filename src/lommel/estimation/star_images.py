@@ -12,13 +12,15 @@ from functools import cached_property, lru_cache
 from typing import Any, NamedTuple, cast
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.core.answers import Pixels
+from lommel.core.engine import star_likelihood
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
-from lommel.methods.question import Asked, asked_about
+from lommel.methods.question import Asked, asked_about, output_type
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
@@ -100,6 +102,7 @@ def _point_symmetric(pupil: Pupil) -> bool:
 # Standard deviations of chi2: a fit within the first ends the search, one beyond the second is a misfit.
 SURE, MOST = 3.0, 6.0
 
+_PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images far from the answer
 _LEAST = 0.05  # electrons squared: the smallest variance of reading
 
 
@@ -135,15 +138,19 @@ class StarImages:
         pixel: float,
     ) -> None:
         self.count = count = len(electrons)
-        self.valid = valid.reshape(count, -1).astype(np.float64)
-        self.recorded = variance.reshape(count, -1)
-        self.read = np.maximum(self.recorded, _LEAST)
-        self.counted = np.where(valid, electrons, 0.0).reshape(count, -1)
+        counted = np.where(valid, electrons, 0.0)
+        star = counted, variance, np.maximum(variance, _LEAST), valid
+        self.star = np.stack([part.reshape(count, -1).astype(np.float64) for part in star])
+        self.counted, _, self.read, self.valid = self.star
         self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
         tilts = [SHIFTS[place] for place in unknowns.places]
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # of what all images share
-        self._question: Asked | None = None
+        self._questions: dict[float, Asked] = {}
+        # Far from the answer images may be off by a part of the noise.
+        noise = math.sqrt(self.read.min())
+        brightest = max(float(self.counted.max()), 1.0)
+        self.loosest = min(max(plan.tol, _PART * noise / brightest), max(plan.tol, _LOOSEST))
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
         every = {*start, *unknowns.edge, *SHIFTS.values()}
@@ -166,12 +173,13 @@ class StarImages:
         self.size = self.shared + (len(unknowns.places) + 2) * count
         self.waves, self.optics = slice(0, k), slice(k, self.shared)
         self.own = slice(self.shared, self.size)
-        self._chain = np.zeros((count, self.size, len(self.derivatives) + 2))
+        self._chain = np.zeros((count, self.size + 1, len(self.derivatives) + 3))
         terms = len(unknowns.edge)
         self._phases = terms + len(self.tilts)
         self._chain[:, self.waves, :terms] = unknowns.directions
-        self._chain[:, self.optics, self._phases : -2] = np.eye(len(unknowns.pupil))
-        for j, row in enumerate([*range(terms, self._phases), -2, -1]):
+        self._chain[:, self.optics, self._phases : -3] = np.eye(len(unknowns.pupil))
+        self._chain[:, -1, -1] = 1.0
+        for j, row in enumerate([*range(terms, self._phases), -3, -2]):
             self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
@@ -238,16 +246,19 @@ class StarImages:
         """Return a view of the parameters of single images: tilts, flux, background; shape (s, these, n)."""
         return x[:, self.own].reshape(len(x), -1, self.count)
 
-    def images(self, x: Array) -> tuple[Array, list[Slope]]:
-        """Return the PSFs of images, shape (s * n, height, width), and their derivatives."""
+    def images(self, x: Array, *, fast: bool = False) -> tuple[Pixels, list[Slope]]:
+        """Return the PSFs of images, shape (s * n, height, width), and their derivatives; `fast` within `loosest`."""
         pupil, plan = self.pupils(x), self.plan
+        tol = self.loosest if fast else plan.tol
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         # Steps of a search differ in their phases only: window and method are checked and chosen once.
-        if self._question is None or self._question.light != light:
-            self._question = asked_about(
-                pupil, light, plan.grid(pupil), plan.method, plan.tol, plan.normalize, plan.dtype, plan.threads
+        question = self._questions.get(tol)
+        if question is None or question.light != light:
+            dtype = output_type(None, tol)
+            question = self._questions[tol] = asked_about(
+                pupil, light, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
             )
-        _, made, slopes = self._question.images(pupil, self.derivatives)
+        _, made, slopes = question.images(pupil, self.derivatives)
         return made.values, slopes
 
     def mean(self, x: Array, psf: Array) -> Array:
@@ -259,56 +270,35 @@ class StarImages:
         """Return the variance of pixels, at least a part of that of reading where a background is below 0."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
-    def scores(self, x: Array, dtype: DTypeLike = np.float32) -> Scores:
-        """Return the quality of the fit for parameters (s, p); products of derivatives are summed in `dtype`."""
-        values, slopes = self.images(x)
-        each = (len(x), self.count, -1)
-        psf = values.reshape(each)
-        mean = self.mean(x, psf)
-        variance = self.variance(mean)
-        residual = self.counted - mean
-        weight = self.valid / variance
-        expected, scatter = self.expected(mean, weight)
-        deviance = np.einsum("ip,sip->s", self.valid, variance)
-        deviance -= np.einsum("ip,sip->s", (self.counted + self.read) * self.valid, np.log(variance))
-        root = np.sqrt(weight)
-        residual *= root  # 0 where not valid
-        chi2 = np.einsum("sip,sip->s", residual, residual) / expected
-        small = root.astype(dtype)
-        rows = np.empty((len(x), self.count, len(slopes) + 2, mean.shape[-1]), dtype)
-        for k, slope in enumerate(slopes):
-            np.multiply(slope.values.reshape(each), small, out=rows[:, :, k])
-        np.multiply(psf, small, out=rows[:, :, -2])
-        rows[:, :, -1] = small
-        local = rows @ residual.astype(dtype)[..., None]
-        squares = rows @ rows.swapaxes(-1, -2)
-        # Derivatives of images by parameters, over those of PSFs, flux and background.
+    def scores(self, x: Array, *, fast: bool = False) -> Scores:
+        """Return the quality of the fit for parameters (s, p)."""
+        return self.scores_of(x, *self.images(x, fast=fast))
+
+    def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
+        """Return the same from the PSFs of images and their derivatives, for any flux and background in `x`."""
+        light = np.ascontiguousarray(self.per_image(x)[:, -2:])
+        images = [values, *(slope.values for slope in slopes)]
+        numbers, products = star_likelihood(images, light, self.star, self.plan.threads)
+        deviance, total, spread = numbers.sum(axis=-1)
+        # Where nothing is expected (images below 0, read without noise) any square is a misfit. Each fitted parameter
+        # takes the share of a mean pixel.
+        expected = np.maximum(total * (self.tested / (self.tested + self.size)), 1.0)
+        # Derivatives of images by parameters, over those of PSFs, flux and background; the residual stays.
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
-        factors[..., :-2] = self.per_image(x)[:, -2, :, None, None]
+        factors[..., :-3] = light[:, 0, :, None, None]
         factors[..., : self._phases] *= self.ratio(self.optics_of(x))
         chain = self._chain * factors
-        slope = (chain @ local)[..., 0].sum(axis=1)
-        information = (chain @ squares @ chain.swapaxes(-1, -2)).sum(axis=1)
-        return Scores(deviance, slope, information, chi2, scatter / expected)
-
-    def expected(self, mean: Array, weight: Array) -> tuple[Array, Array]:
-        """Return mean and standard deviation (s,) of Pearson's chi2 where the model is right, for 1 / variance."""
-        # The square of Poisson(mu) + N(0, read^2) - mu has the mean v = mu + read^2 and the variance mu + 2 v^2,
-        # exactly. Each fitted parameter takes the share of a mean pixel.
-        light = np.maximum(mean, 0.0)
-        exact = light + self.recorded
-        total = np.einsum("sip,sip->s", weight, exact)
-        variance = np.einsum("sip,sip->s", weight * weight, light + 2.0 * exact * exact)
-        # Where nothing is expected (images below 0, read without noise) any square is a misfit.
-        return np.maximum(total * (self.tested / (self.tested + self.size)), 1.0), np.sqrt(variance)
+        found = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
+        chi2 = found[:, -1, -1] / expected
+        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], chi2, np.sqrt(spread) / expected)
 
     def limit(self, scores: Scores, deviations: float = MOST) -> Array:
         """Return the largest chi2 within so many standard deviations of its expectation."""
         return 1.0 + deviations * scores.spread
 
-    def with_light(self, x: Array) -> Array:
-        """Return the parameters with flux and background from linear least squares."""
-        psf = self.plan(self.pupils(x)).values.reshape(len(x), self.count, -1).astype(np.float64)
+    def with_light(self, x: Array, values: Pixels) -> Array:
+        """Return the parameters with flux and background from linear least squares, given the PSFs of images."""
+        psf = values.reshape(len(x), self.count, -1).astype(np.float64)
         weight = self.valid / (np.maximum(self.counted, 0.0) + self.read + 1.0)
         total, data = weight.sum(axis=-1), weight * self.counted
         mean, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
@@ -340,6 +330,7 @@ class StarImages:
 
 
 _SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
+_NEARLY = 1.0  # the same of a fast search, whose last step is taken
 _FAR = 2.0  # radians rms: no step changes the wavefront by more
 _DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and where a search gives up
 _STRETCH = 16.0  # times the length of a step, at most
@@ -348,16 +339,20 @@ _PATIENCE = 3  # such steps one after the other
 
 
 def climb(
-    model: StarImages, x: Array, most: int, report: Callable[[int, float], object]
+    model: StarImages, x: Array, most: int, report: Callable[[int, float], object], *, fast: bool
 ) -> tuple[Array, Scores, NDArray[np.bool_], int]:
     """Take damped steps from starts `x` until they settle or one fits; `report` gets number and best chi2.
 
-    Return the ends, their scores, whether they settled, and the number of all steps.
+    Return the ends, their scores, whether they settled, and the number of all steps. A `fast` search begins with the
+    flux and background of least squares.
     """
     # Steps grow where the last one gained nearly all that its slope promised: far from the answer the information
     # overstates the curvature of the likelihood.
     count = len(x)
-    now = model.scores(x)
+    values, slopes = model.images(x, fast=fast)
+    if fast:
+        x = model.with_light(x, values)
+    now = model.scores_of(x, values, slopes)
     damping, stretch = np.full(count, _DAMPING[0]), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
     taken, idle, diagonal = 0, np.zeros(count, dtype=int), np.arange(model.size)
@@ -370,16 +365,19 @@ def climb(
         matrix[:, diagonal, diagonal] += damping[at][:, None]
         step = np.linalg.solve(matrix, (there.slope / scale)[..., None])[..., 0] / scale
         promised = np.einsum("si,si->s", step, there.slope)
-        done = (promised < _SETTLED) & (damping[at] <= 1.0)
+        done = (promised < (_NEARLY if fast else _SETTLED)) & (damping[at] <= 1.0)
         settled[at] = done
         moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)
         if turn == most or not moving.any() or (done & (there.chi2 < model.limit(there, SURE))).any():
+            if fast and done.any():  # the last step is worth taking, but not its scores
+                last = at[done]
+                x[last] = model.within(x[last] + step[done], x[last])
             break
         go = moving[at]
         at, step, promised = at[go], step[go], promised[go]
         reach = np.minimum(stretch[at], _FAR / np.maximum(model.rms(step), 1e-300))
         tried = model.within(x[at] + reach[:, None] * step, x[at])
-        new = model.scores(tried)
+        new = model.scores(tried, fast=fast)
         taken += at.size
         gain = now.deviance[at] - new.deviance
         promised *= reach
@@ -392,6 +390,9 @@ def climb(
         np.maximum(damping, _DAMPING[1], out=damping)
         slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - model.limit(now)[at]))
         idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))
+        if at.size == count and better.all():
+            x, now = tried, new
+            continue
         x[at[better]] = tried[better]
         for mine, theirs in zip(now, new, strict=True):
             mine[at[better]] = theirs[better]
@@ -444,7 +445,7 @@ def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
         points = [model.within(x + step, x) for step in (axes.sum(axis=0), -axes.sum(axis=0))]
         # A stack of pupils has one f-number, wavelength and obscuration.
         stacks = points if model.unknowns.pupil else [np.concatenate(points)]
-        squares = [one for stack in stacks for one in model.scores(stack, np.float64).information]
+        squares = [one for stack in stacks for one in model.scores(stack, fast=True).information]
         there = np.array([np.diag(covariance(one))[: model.shared][known] for one in squares])
         ratios = 0.5 * np.log(there / np.diag(inverse)[: model.shared][known])
         found[known] = np.exp(np.sqrt((ratios**2).mean(axis=0)))

@@ -176,7 +176,7 @@ std::vector<double> turned_waves(In<std::uint32_t, 1> turns) {
     return found;
 }
 
-Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool nodes, Doubles1 window) {
+Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool nodes, Doubles1 window, bool lone) {
     require(curve < lommel::ChordCurves::count && window.size() == 4, "no such curve, or window of other than four ends");
     const lommel::VBox box{window.data()[0], window.data()[1], window.data()[2], window.data()[3]};
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, coefficients.size());
@@ -188,11 +188,16 @@ Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool n
     float top[2 * lommel::row_lanes], mean[2 * lommel::row_lanes];
     lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t lanes = 2 * decltype(isa)::lanes;
-        lommel::Floats given(list.size() * lanes), room(table.samples * lommel::SharpTable::images * lanes);
+        const std::size_t apart = lone ? 1 : lanes;
+        lommel::Floats given(list.size() * apart), room(table.room() * lanes);
         for (std::size_t j = 0; j < list.size(); ++j) {
-            given[j * lanes] = static_cast<float>(coefficients.data()[table.classes.order[j]]);
+            given[j * apart] = static_cast<float>(coefficients.data()[table.classes.order[j]]);
         }
-        lommel::sharp_means(isa, table, given.data(), room.data(), top, mean);
+        if (lone) {
+            lommel::sharp_means<true>(isa, table, given.data(), room.data(), top, mean);
+        } else {
+            lommel::sharp_means<false>(isa, table, given.data(), room.data(), top, mean);
+        }
     });
     return named("mean"_a = table.logarithm(top[0], mean[0]),
                  "margin"_a = table.margin(bound.bend(sum, curve), coefficients.data()));
@@ -242,10 +247,9 @@ void bindings::define_disk_bounds(nb::module_& m) {
           "What the sums of the chordal rule round, and what single precision adds; and what a factor of some degree adds to "
           "either.");
     m.def("turned_waves", &turned_waves, "turns"_a, "Cosine and sine, in floats, of each multiple of 2^-32 turns.");
-    m.def("chordal_mean", &chordal_mean, "terms"_a, "coefficients"_a, "curve"_a, "nodes"_a, "window"_a,
+    m.def("chordal_mean", &chordal_mean, "terms"_a, "coefficients"_a, "curve"_a, "nodes"_a, "window"_a, "lone"_a,
           "Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and "
-          "what "
-          "it may be beyond that; the window is left, right, top and bottom in v.");
+          "what it may be beyond that; the window is left, right, top and bottom in v; vectors are of samples for a lone pupil.");
     m.def("tilted_stack", &tilted_stack, "terms"_a, "edge"_a, "center"_a, "row"_a, "column"_a, "step"_a,
           "A wavefront whose axis is moved by a tilt, and what that loses.");
 }

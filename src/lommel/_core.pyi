@@ -445,9 +445,9 @@ def chordal_rounding(chords: int, nodes: int, terms: int, degree: int = 0) -> di
 def turned_waves(turns: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[float]:
     """Cosine and sine, in floats, of each multiple of 2^-32 turns."""
 
-def chordal_mean(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], curve: int, nodes: bool, window: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> dict[str, object]:
+def chordal_mean(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], curve: int, nodes: bool, window: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], lone: bool) -> dict[str, object]:
     """
-    Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and what it may be beyond that; the window is left, right, top and bottom in v.
+    Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and what it may be beyond that; the window is left, right, top and bottom in v; vectors are of samples for a lone pupil.
     """
 
 def tilted_stack(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], row: float, column: float, step: float) -> dict[str, object]:

@@ -211,7 +211,7 @@ class Disk:
         for kind in ("chords", "nodes") if worth else ():
             curve = likely[kind][0]
             window = np.array([self.low, self.high, 0.0, 0.0])
-            given = np.array(self.terms, np.int64), np.array(self.phase), curve, kind == "nodes", window
+            given = np.array(self.terms, np.int64), np.array(self.phase), curve, kind == "nodes", window, True
             found = _core.chordal_mean(*given)
             exponent = self.still[kind][curve] + found["mean"] + found["margin"]
             if 0.5 * (exponent - math.log(error)) / b[curve] < plain[kind][1]:
@@ -399,10 +399,11 @@ def shares(nodes: bool, steps: int, b: float) -> tuple[np.ndarray, np.ndarray]:
 SAMPLED = [(1, 1), (2, -2), (3, 1), (3, -3), (4, 0), (4, 2), (5, 5)]
 
 
+@pytest.mark.parametrize("lone", [False, True], ids=["batch", "lone"])
 @pytest.mark.parametrize("nodes", [False, True], ids=["chords", "nodes"])
 @pytest.mark.parametrize("curve", [30, 44, 52])
 @pytest.mark.parametrize("box", [(-9.0, 9.0, -9.0, 9.0), (-3.0, 11.0, -5.0, 2.0)])
-def test_the_sampled_mean_is_that_of_the_whole_curve_at_the_worst_corner(nodes, curve, box):
+def test_the_sampled_mean_is_that_of_the_whole_curve_at_the_worst_corner(lone, nodes, curve, box):
     rng, b = np.random.default_rng(5), float(CURVES[curve])
     edge, steps = rng.normal(size=len(SAMPLED)), 2 * math.ceil(2.5 * 5)
     first, second = shares(nodes, steps, b)
@@ -411,7 +412,7 @@ def test_the_sampled_mean_is_that_of_the_whole_curve_at_the_worst_corner(nodes, 
     phase, weight = imaginary(SAMPLED, edge, x, y), first[:, None] * second
     corners = [(v, w) for v in box[:2] for w in box[2:]]
     expected = max(math.log((weight * np.exp(-phase + v * x.imag + w * y.imag)).sum()) for v, w in corners)
-    given = np.array(SAMPLED), edge, curve, nodes, np.array(box)
+    given = np.array(SAMPLED), edge, curve, nodes, np.array(box), lone
     for level in ("avx512", "avx2", "portable"):
         try:
             _core.limit_instructions(level)
@@ -450,7 +451,7 @@ def test_the_sampled_mean_and_its_margin_are_above_the_mean_anywhere_in_the_wind
         means = [
             math.log((weight * np.exp(-phase + v * x.imag + w * y.imag)).sum() / weight.sum()) for v, w in inside
         ]
-        found = _core.chordal_mean(np.array(SAMPLED), edge, curve, nodes, np.array(box))
+        found = _core.chordal_mean(np.array(SAMPLED), edge, curve, nodes, np.array(box), True)
         assert max(means) <= found["mean"] + found["margin"]
         # What sums over few chords have more than integrals included.
         assert found["mean"] <= max(means) + 0.6

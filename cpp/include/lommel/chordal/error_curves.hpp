@@ -98,15 +98,32 @@ class ChordLines {
             const std::size_t* pupils = worth.data() + b * lanes;
             const std::size_t here = std::min(lanes, worth.size() - b * lanes);
             const SharpTable& table = *tables[b];
-            given.assign(terms * lanes, 0.0f);
-            room.resize(table.samples * SharpTable::images * lanes);
-            for (std::size_t j = 0; j < terms; ++j) {
-                for (std::size_t lane = 0; lane < here; ++lane) {
-                    given[j * lanes + lane] = static_cast<float>(coefficients[pupils[lane] * terms + table.classes.order[j]]);
+            const auto laid = [&](std::size_t from, std::size_t count, std::size_t apart) {
+                given.assign(terms * apart, 0.0f);
+                for (std::size_t lane = 0; lane < count; ++lane) {
+                    const double* const own = coefficients + pupils[from + lane] * terms;
+                    for (std::size_t j = 0; j < terms; ++j) {
+                        given[j * apart + lane] = static_cast<float>(own[table.classes.order[j]]);
+                    }
                 }
-            }
+            };
+            room.resize(table.room() * lanes);
             float tops[2 * row_lanes], means[2 * row_lanes];
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { sharp_means(isa, table, given.data(), room.data(), tops, means); });
+            // Few pupils would leave most of a vector empty.
+            const bool lone = 2 * here <= lanes;
+            for (std::size_t from = 0; from < here; from += lone ? 1 : here) {
+                laid(from, lone ? 1 : here, lone ? 1 : lanes);
+                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                    float top[2 * row_lanes], mean[2 * row_lanes];
+                    if (lone) {
+                        sharp_means<true>(isa, table, given.data(), room.data(), top, mean);
+                    } else {
+                        sharp_means<false>(isa, table, given.data(), room.data(), top, mean);
+                    }
+                    std::copy_n(top, lone ? 1 : lanes, tops + from);
+                    std::copy_n(mean, lone ? 1 : lanes, means + from);
+                });
+            }
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "lommel/base/cache.hpp"
@@ -22,7 +23,8 @@ namespace lommel {
 // For one curve of one sum: terms at samples of a quarter of it, sorted as at the nodes, and shares of the mean at the corners
 // of the window. A sample at (x, y) stands for (+-x, +-y) and their conjugates.
 struct SharpTable {
-    static constexpr std::size_t images = 4, corners = 4;
+    static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
+    static constexpr std::size_t tile = 16;  // samples side by side, so that a vector may hold them
     static constexpr double single = 5.9604644775390625e-08;  // the unit roundoff of floats
 
     std::vector<ZernikeTerm> terms;
@@ -34,8 +36,8 @@ struct SharpTable {
     std::size_t samples;
     double step;         // between samples
     double scale = 0.0;  // the logarithm of what shares are divided by
-    Floats values;       // [sample][term]
-    Floats shares;       // [sample][image][+, - its phase][corner]
+    Floats values;       // [tile][term][sample]
+    Floats shares;       // [tile][image][+, - its phase][corner][sample]; 0 where there is no sample
     std::vector<double> most;  // of each term in size
 
     SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);
@@ -70,6 +72,12 @@ struct SharpTable {
     }
     bool is(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window) const {
         return sum == which && curve == at && box == window && terms == list;
+    }
+    std::size_t tiles() const { return (samples + tile - 1) / tile; }
+    std::size_t room() const { return tiles() * tile * images; }  // vectors for images of all samples
+    // Where the numbers of a sample are, so many of which there are, each `tile` after the other.
+    static std::size_t place(std::size_t sample, std::size_t numbers) {
+        return sample / tile * tile * numbers + sample % tile;
     }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
@@ -129,8 +137,8 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
     for (const ZernikeTerm& term : list) {
         most.push_back(std::sinh(static_cast<double>(term.n) * b));
     }
-    values.resize(samples * list.size());
-    std::vector<double> exponents(samples * images * 2 * corners);
+    values.resize(tiles() * tile * list.size());
+    std::vector<double> exponents(samples * places);
     const double tips[corners][2] = {
         {box.left, box.top}, {box.right, box.top}, {box.left, box.bottom}, {box.right, box.bottom}};
     for (std::size_t p = 0; p < side; ++p) {
@@ -142,47 +150,64 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
             const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
             const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
             for (std::size_t j = 0; j < list.size(); ++j) {
-                values[s * list.size() + j] = static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
+                values[place(s, list.size()) + j * tile] = static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
             }
-            for (std::size_t place = 0; place < images * 2 * corners; ++place) {
-                const std::size_t corner = place % corners, sign = place / corners % 2, image = place / corners / 2;
+            for (std::size_t k = 0; k < places; ++k) {
+                const std::size_t corner = k % corners, sign = k / corners % 2, image = k / corners / 2;
                 const double here = (image < 2 ? 1.0 : -1.0) * tips[corner][0] * rise_x +
                                     (image % 2 == 0 ? 1.0 : -1.0) * tips[corner][1] * rise_y;
-                exponents[s * images * 2 * corners + place] = sign == 0 ? -here : here;
+                exponents[s * places + k] = sign == 0 ? -here : here;
                 scale = std::max(scale, std::abs(here));
             }
         }
     }
     const std::vector<double> first = firsts(last), second = seconds(last);
-    shares.resize(exponents.size());
-    for (std::size_t j = 0; j < shares.size(); ++j) {
-        const std::size_t s = j / (images * 2 * corners);
+    shares.resize(tiles() * tile * places);
+    for (std::size_t j = 0; j < exponents.size(); ++j) {
+        const std::size_t s = j / places;
         const double share = first[s / side] * second[s % side] * std::exp(exponents[j] - scale);
-        shares[j] = static_cast<float>(std::max(share, 1e-35));
+        shares[place(s, places) + j % places * tile] = static_cast<float>(std::max(share, 1e-35));
     }
 }
 #endif
 
-// The largest |Im Phi| of all samples, and for each corner the mean of e^{-Im (Phi - v r)} over e^{top + scale}:
-// coefficients[term], in the order of the table, and `room` for images of all samples.
-template <class I>
+// The largest |Im Phi| of all samples, and for each corner the mean of e^{-Im (Phi - v r)} over e^{top + scale}: of a vector of
+// pupils, coefficients[term], in the order of the table, and tops[pupil], means[pupil]; or of one, by a vector of samples. With
+// `room` of table.room() vectors.
+template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;
-    constexpr std::size_t lanes = 2 * I::lanes;
+    constexpr std::size_t lanes = 2 * I::lanes, together = Lone ? lanes : 1;
+    static_assert(SharpTable::tile % lanes == 0, "a tile is some vectors");
     const auto size = [](V x) LOMMEL_INLINE_LAMBDA { return larger(x, splat<V>(0.0f) - x); };
-    const std::size_t terms = table.terms.size();
+    const auto of_table = [](const float* at) LOMMEL_INLINE_LAMBDA {
+        if constexpr (Lone) {
+            return load<V>(at);
+        } else {
+            return splat<V>(*at);
+        }
+    };
+    const std::size_t terms = table.terms.size(), vectors = Lone ? table.tiles() * SharpTable::tile / lanes : table.samples;
     V top = splat<V>(0.0f);
     // As many chains of multiply-adds as hide their latency.
-    for_fixed_tiles<6>(table.samples, [&](std::size_t first, auto size_of) LOMMEL_INLINE_LAMBDA {
+    for_fixed_tiles<6>(vectors, [&](std::size_t first, auto size_of) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size_of)::value;
-        const float* value = table.values.data() + first * terms;
+        const float* value[R];
+        for (std::size_t r = 0; r < R; ++r) {
+            value[r] = table.values.data() + SharpTable::place((first + r) * together, terms);
+        }
         V part[4][R] = {};
         for (std::size_t parity = 0, j = 0; parity < 4; ++parity) {
             V total[R] = {};
             for (; j < table.classes.ends[parity]; ++j) {
-                const V c = load<V>(coefficients + j * lanes);
+                V c;
+                if constexpr (Lone) {
+                    c = splat<V>(coefficients[j]);
+                } else {
+                    c = load<V>(coefficients + j * lanes);
+                }
                 for (std::size_t r = 0; r < R; ++r) {
-                    total[r] = total[r] + splat<V>(value[r * terms + j]) * c;
+                    total[r] = total[r] + of_table(value[r] + j * SharpTable::tile) * c;
                 }
             }
             std::copy_n(total, R, part[parity]);
@@ -197,20 +222,41 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
             }
         }
     });
-    V sums[2][SharpTable::corners] = {};
-    const float* share = table.shares.data();
-    for (std::size_t s = 0; s < table.samples * SharpTable::images; ++s, share += 2 * SharpTable::corners) {
-        const V h = load<V>(room + s * lanes), up = chord_of_exp(h - top), down = chord_of_exp(splat<V>(0.0f) - h - top);
+    store(tops, top);
+    if constexpr (Lone) {
+        top = splat<V>(*std::max_element(tops, tops + lanes));
+        store(tops, top);
+    }
+    // The sum of each lane of samples, then of lanes, for a vector of pupils as for one: bounds do not depend on company.
+    V all[SharpTable::corners] = {};
+    const std::size_t apart = Lone ? 1 : lanes;
+    for (std::size_t lane = 0; lane < apart; ++lane) {
+        V sums[2][SharpTable::corners] = {};
+        for (std::size_t v = lane; v < vectors; v += apart) {
+            const float* share = table.shares.data() + SharpTable::place(v * together, SharpTable::places);
+            for (std::size_t image = 0; image < SharpTable::images; ++image) {
+                const V h = load<V>(room + (v * SharpTable::images + image) * lanes);
+                const V exponentials[2] = {chord_of_exp(h - top), chord_of_exp(splat<V>(0.0f) - h - top)};
+                for (std::size_t sign = 0; sign < 2; ++sign) {
+                    for (std::size_t k = 0; k < SharpTable::corners; ++k, share += SharpTable::tile) {
+                        sums[sign][k] = sums[sign][k] + of_table(share) * exponentials[sign];
+                    }
+                }
+            }
+        }
         for (std::size_t k = 0; k < SharpTable::corners; ++k) {
-            sums[0][k] = sums[0][k] + splat<V>(share[k]) * up;
-            sums[1][k] = sums[1][k] + splat<V>(share[SharpTable::corners + k]) * down;
+            all[k] = all[k] + (sums[0][k] + sums[1][k]);
         }
     }
-    V most = sums[0][0] + sums[1][0];
-    for (std::size_t k = 1; k < SharpTable::corners; ++k) {
-        most = larger(most, sums[0][k] + sums[1][k]);
+    V most = splat<V>(0.0f);
+    for (std::size_t k = 0; k < SharpTable::corners; ++k) {
+        if constexpr (Lone) {
+            float each[lanes];
+            store(each, all[k]);
+            all[k] = splat<V>(std::accumulate(each, each + lanes, 0.0f));
+        }
+        most = larger(most, all[k]);
     }
-    store(tops, top);
     store(means, most);
 }
 

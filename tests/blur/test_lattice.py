@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.blur import recorded
 from lommel.blur.blurs import KOLMOGOROV
 from lommel.blur.readout import ends
-from lommel.blur.recorded import Asked, Band, Gather, summed
+from lommel.blur.recorded import Asked, Band, Gather, Made, summed
 from lommel.blur.turbulence import Gate
 from lommel.optics.grid import Grid
 
@@ -96,3 +97,95 @@ def test_bounds_on_spectra_are_above_their_integrals(blur, error):
     assert integral(band.share, 3.0, True) <= band.tail
     assert integral(0.0, 1.0, True) <= band.blurred
     assert integral(0.0, band.share, False) <= band.clear
+
+
+@pytest.fixture
+def sampled(monkeypatch):
+    """Return a list of the lattices that were sampled, and nothing kept of others."""
+    lattices, sample = [], recorded._sampled
+    monkeypatch.setattr(recorded, "_sampled", lambda *args: lattices.append(args[2]) or sample(*args))
+    lm.clear_caches()
+    return lattices
+
+
+VANES = lm.Spider.equal(3, 0.04)
+
+
+@pytest.mark.parametrize("wavefront", [lm.Wavefront(), lm.Wavefront(nonradial={(3, 1): 3.0})])
+def test_samples_of_an_aperture_serve_other_seeing(sampled, wavefront):
+    pupil, tol = lm.Pupil(wavefront, obscuration=0.2, spider=VANES), 1e-6
+    for ratio, shape, center in [(20.0, 33, None), (19.2, 31, None), (20.3, 21, None), (18.8, (9, 7), (3.5, 5.2))]:
+        made = lm.psf(pupil, shape, 4.0, center=center, blur=lm.Seeing(1.0 / ratio), tol=tol, dtype=np.float64)
+        count = len(sampled)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(recorded, "_known", lambda *_: {})
+            plain = lm.psf(pupil, shape, 4.0, center=center, blur=lm.Seeing(1.0 / ratio), tol=3e-8, dtype=np.float64)
+        del sampled[count:]
+        assert np.abs(made.values - plain.values).max() <= (made.error_bound + 3e-8) * plain.values.max()
+        assert made.error_bound <= tol
+        assert made.method == plain.method.with_tol(tol)
+    assert len(sampled) == 1
+
+
+def test_samples_that_are_kept_are_of_the_same_pupil_and_good_enough(sampled):
+    def seen(pupil, shape=15, tol=1e-4, ratio=20.0):
+        lm.psf(pupil, shape, 4.0, blur=lm.Seeing(1.0 / ratio), tol=tol)
+        return len(sampled)
+
+    pupil = lm.Pupil(spider=VANES)
+    assert seen(pupil) == 1
+    assert seen(pupil) == 1
+    assert seen(lm.Pupil(spider=lm.Spider.equal(3, 0.05))) == 2
+    assert seen(lm.Pupil(lm.Wavefront(1.0), spider=VANES)) == 3
+    assert seen(lm.Pupil(spider=VANES), shape=9, tol=1e-3, ratio=19.9) == 4  # the first of three is no longer kept
+    assert seen(pupil, tol=1e-6) == 5
+    assert seen(pupil, tol=1e-5) == 5
+    assert seen(pupil, ratio=6.0) == 6
+
+
+def test_other_light_has_the_same_samples_of_a_flat_pupil(sampled):
+    values = []
+    for wavelength in (500e-9, 600e-9):
+        pupil = lm.Pupil(spider=VANES, wavelength=wavelength, f_number=10.0)
+        air = lm.Seeing(0.1, focal_length=20.0, wavelength=wavelength)
+        values.append(lm.psf(pupil, 15, 40.0 * wavelength, blur=air).values)
+    np.testing.assert_allclose(values[0], values[1], rtol=2e-6)
+    assert len(sampled) == 1
+
+
+def test_few_lattices_are_kept(sampled):
+    pupil = lm.Pupil(spider=VANES)
+    for ratio in (60.0, 20.0, 12.0, 8.0, 7.0, 6.0, 60.0):
+        lm.psf(pupil, 5, 4.0, blur=lm.Seeing(1.0 / ratio), tol=1e-3)
+        assert 1 <= len(recorded._known(pupil.aperture, pupil.wavefront)) <= recorded._STEPS
+    assert len({grid.pixel for grid in sampled}) > recorded._STEPS
+    assert sampled[-1].pixel == sampled[0].pixel
+
+
+def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
+    pupil, shared = lm.Pupil(obscuration=0.2, spider=VANES), []
+    of_stack = recorded._of_stack
+    monkeypatch.setattr(
+        recorded, "_of_stack", lambda asked, *args: shared.append(asked.shared) or of_stack(asked, *args)
+    )
+    monkeypatch.setattr(recorded, "_outwards", lambda count: 10**4)
+    assert lm.psf(pupil, 9, 4.0, blur=lm.Seeing(0.05), tol=1e-4).error_bound <= 1e-4
+    assert shared == [True, False]
+
+
+def test_shares_of_the_error_are_asked_for_until_they_fit():
+    # 0.9 of what is allowed is 1 here: the parts may be at most 1.11 in all.
+    asked = Asked(None, 0, 1e-8, 1e-9, 100.0)
+    for parts in [(0.45, 0.0, 0.0), (0.0, 0.25, 0.0), (0.0, 0.0, 0.55), (0.38, 0.24, 0.495)]:
+        given, response, missing = (np.array([part]) for part in parts)
+        made = Made(np.ones((1, 1, 1)), given, response, missing, lm.NijboerZernike())
+        further = recorded._again(asked, made, np.ones(1))
+        assert further != asked
+        assert (further.tol, further.error, -further.margin) <= (asked.tol, asked.error, -asked.margin)
+    made = Made(np.ones((1, 1, 1)), *(np.array([part]) for part in (0.4, 0.2, 0.5)), lm.NijboerZernike())
+    assert recorded._again(asked, made, np.ones(1)) == asked
+
+
+@pytest.mark.parametrize("count", [0, 1, 31, 32, 33, 100, 607, 3072, -5, -700])
+def test_lattices_grow_by_little(count):
+    assert 0 <= recorded._outwards(count) - count <= abs(count) / 16

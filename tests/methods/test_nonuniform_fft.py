@@ -13,6 +13,7 @@ import lommel as lm
 from column_sums import field, nodes
 from lommel import Disc, Ellipse, Mask, NonuniformFFT, Polygon, Pupil, Segments, Spider, Wavefront
 from lommel.core.answers import ToleranceError, Wanted
+from lommel.methods import nonuniform_fft
 from lommel.optics.aperture.opening import Opening
 from lommel.optics.aperture.shapes import Combined
 from lommel.special import zernike
@@ -259,6 +260,47 @@ def test_bounds_hold_what_many_turns_of_segments_lose(turns, many):
         error = np.abs(answer.values - exact.values).max() / exact.values.max()
         assert error <= answer.error_bound + 1e-14
     assert answered == 0 if turns > 1e13 else answered > 0
+
+
+CUT = Polygon([(-0.9, -0.7), (0.8, -0.8), (0.5, 0.9)])
+
+
+@pytest.mark.parametrize(
+    ("shape", "center", "half"),
+    [
+        (33, None, (33, 17)),
+        ((20, 24), None, (21, 13)),
+        ((20, 25), (9.5, 12.0), (20, 13)),
+        ((21, 24), (11.0, 11.5), (23, 12)),
+        ((21, 24), (9.0, 13.5), (23, 14)),
+        ((21, 24), (2.0, 11.5), None),
+        ((21, 24), (10.25, 11.5), None),
+        ((21, 24), (10.0, -1.0), None),
+    ],
+)
+def test_images_of_a_real_pupil_are_those_of_one_side_of_the_axis(monkeypatch, shape, center, half):
+    pupil, grid = Pupil(stop=CUT, apodization=0.4), lm.Grid(shape, 0.7, center=center)
+    computed, rows = [], nonuniform_fft.row_images
+    monkeypatch.setattr(nonuniform_fft, "worth", lambda *_: False)
+    monkeypatch.setattr(nonuniform_fft, "row_images", lambda *args: computed.append(args[3].shape) or rows(*args))
+    found = NonuniformFFT(1e-9).images(pupil, grid, Wanted())
+    assert computed[0] == (half or grid.shape)
+    monkeypatch.setattr(nonuniform_fft, "_half", lambda _: None)
+    whole = NonuniformFFT(1e-9).images(pupil, grid, Wanted())
+    assert np.abs(found.values - whole.values).max() < 1e-11
+
+
+@pytest.mark.parametrize(
+    "pupil",
+    [
+        Pupil(Wavefront(nonradial={(3, 1): 1.0}), stop=CUT),
+        Pupil(stop=Segments((CUT,), tilt=(2.0,))),
+        Pupil(mask=Mask(np.exp(1j * np.arange(64.0).reshape(8, 8)), squares=True)),
+    ],
+)
+def test_images_of_other_pupils_have_two_sides(pupil):
+    values = NonuniformFFT(1e-9).images(pupil, lm.Grid(33, 0.5), Wanted()).values[0]
+    assert np.abs(values - values[::-1, ::-1]).max() > 0.01 * values.max()
 
 
 def test_segments_converge_by_lattices_too():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from contextlib import suppress
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,6 +17,7 @@ from lommel.blur.readout import Readout, ends, readout
 from lommel.blur.transfer_integral import TransferIntegral
 from lommel.blur.turbulence import Gate, Halo
 from lommel.core.answers import Declined, Images, ToleranceError, Wanted, not_met
+from lommel.core.engine import product
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, normalized_error, stored, storing, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
@@ -26,6 +28,7 @@ from lommel.optics.base_pupil import BasePupil
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
 
 # The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
 # aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
@@ -40,16 +43,22 @@ _WORTH = 0.8  # of the band, what is
 _COARSEST = 1e-4  # error of a gate, over the brightest that light of this band can be
 _MOST = 6144  # samples a side
 _AT_ONCE = 2**24
+_KEPT = 2**21  # samples of a pupil that are kept for other blur
+_STEPS = 4  # lattices of a pupil that are
 
 
 class Asked(NamedTuple):
-    """Method, threads, tolerance of samples, error of responses, and margin of the lattice for turbulence, in v."""
+    """Method, threads, tolerance of samples, error of responses, and margin of the lattice for turbulence, in v.
+
+    Where samples may be `shared` their lattice is one of few, a little finer and wider than needed.
+    """
 
     method: Method | None
     threads: int
     tol: float
     error: float
     margin: float
+    shared: bool = True
 
 
 class Made(NamedTuple):
@@ -90,10 +99,12 @@ class Band(NamedTuple):
         return self.share < 1.0
 
     @classmethod
-    def of(cls, pupil: BasePupil, several: tuple[Blur, ...], error: float) -> Band:
-        """Return that beyond which blur leaves at most `error` of the peak without aberration."""
+    def of(cls, pupil: BasePupil, several: tuple[Blur, ...], error: float, *, shared: bool = True) -> Band:
+        """Return that beyond which blur leaves at most `error` of the peak without aberration, one of few or any."""
         fading, light = Fading.above(several, pupil.scale, pupil.wavelength), pupil.transmission
         share, left = fading.end(error * pupil.amplitude**2 / (8.0 * light), FURTHER)
+        if shared:  # in eighths of octaves, so that blur of about the same width has the same lattice
+            share = 2.0 ** (math.ceil(8.0 * math.log2(share)) / 8.0)
         if share > _WORTH:
             share, left = 1.0, 0.0
         return cls(share, 8.0 * light * left, 4.0 * light * share**2, 8.0 * light * fading.light)
@@ -108,9 +119,10 @@ def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ..
             for index in np.ndindex(grid.stack)
         ]
         return _joined(each)
-    band, peak = Band.of(pupil, several, asked.error), pupil.amplitude**2
+    band, peak = Band.of(pupil, several, asked.error, shared=asked.shared), pupil.amplitude**2
     scale = pupil.scale / band.share
-    gate = Gate.of(STEP, max(asked.error, min(asked.error * peak / band.clear, _COARSEST)))
+    error = max(asked.error, min(asked.error * peak / band.clear, _COARSEST))
+    gate = Gate.of(STEP, 2.0 ** math.floor(math.log2(error)) if asked.shared else error)
     rows, columns = (
         readout(tuple(math.pi / scale * places), math.pi / scale * active, gate)
         for places, active in zip((grid.y, grid.x), grid.active, strict=True)
@@ -157,7 +169,8 @@ class Gather(NamedTuple):
 class Lattice(NamedTuple):
     """Samples in units of v over the share of the band, rows and columns, and what spreads them once gathered."""
 
-    h: float  # from sample to sample
+    step: float  # from sample to sample, in v
+    h: float  # the same in those units
     first: tuple[int, int]  # in samples from the axis
     counts: tuple[int, int]
     gathers: tuple[Gather, Gather]
@@ -170,8 +183,10 @@ class Lattice(NamedTuple):
         """Return the samples that are needed."""
         gate, margin = halo.gate, asked.margin * band.share
         plain, seen = short.nothing and not halo.several, bool(halo.several)
-        # Copies of the band of the intensity begin where that of the blur ends.
-        h = min(gate.h, math.pi / (1.0 / band.share + 1.0))
+        # Copies of the band of the intensity begin where that of the blur ends, or from the next sixteenth on.
+        ended = math.ceil(16.0 * band.share) / 16.0 if asked.shared else band.share
+        step = min(gate.h / band.share, math.pi / (1.0 + ended))
+        h = gate.h if step * band.share >= gate.h * (1.0 - 1e-15) else step * band.share
         beyond, cut = ends(gate)
         begins, counts, least, gathers = [], [], [], []
         for side, reach in zip(pixels, short.reach(gate.error)[::-1], strict=True):
@@ -189,7 +204,7 @@ class Lattice(NamedTuple):
             low, high = math.floor(near / h), math.ceil(far / h)
             # About its middle a lattice costs a quarter.
             if 2 * max(-low, high) + 1 <= 1.2 * (high - low + 1):
-                high = max(-low, high)
+                high = max(-low, high) if not asked.shared else _outwards(max(-low, high))
                 low = -high
             begins.append(low)
             counts.append(high - low + 1)
@@ -206,14 +221,24 @@ class Lattice(NamedTuple):
             )
         kernel = None if plain else spread(short, halo, (least[0], least[1]), margin, ended=band.ended)
         blind = 0.0 if seen or h == gate.h else 2.0 * cut * max(one.sums for one in gathers)
-        return cls(h, (begins[0], begins[1]), (counts[0], counts[1]), (gathers[0], gathers[1]), blind, gate, kernel)
+        return cls(
+            step, h, (begins[0], begins[1]), (counts[0], counts[1]), (gathers[0], gathers[1]), blind, gate, kernel
+        )
 
-    def gathered(self, samples: Array) -> Array:
+    def gathered(self, samples: Array, threads: int) -> Array:
         """Return a stack of samples as values of the coarser lattice."""
         down, across = (one.matrix for one in self.gathers)
         if down is None:
             return samples
-        return np.asarray((self.h / self.gate.h) ** 2 * (down.T @ samples @ across))
+        # By the core: threads of BLAS wait for each other, for as long as all the rest takes.
+        turned = (self.h / self.gate.h) ** 2 * down.T
+        return np.stack([product(product(turned, one, threads), across, threads) for one in samples])
+
+
+def _outwards(count: int) -> int:
+    """Return a number of samples a little larger, so that lattices of about a size are the same."""
+    unit = 1 << max(0, count.bit_length() - 5)
+    return -(-count // unit) * unit
 
 
 def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
@@ -228,12 +253,7 @@ def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
 def _of_block(asked: Asked, pupil: BasePupil, band: Band, lattice: Lattice, pixels: tuple[Readout, Readout]) -> Made:
     """Return images of a few pupils, from one lattice."""
     (rows, columns), (down, across), kernel = pixels, lattice.gathers, lattice.kernel
-    fine = Grid(
-        lattice.counts,
-        lattice.h / band.share * pupil.scale / math.pi,
-        center=(-lattice.first[0], -lattice.first[1]),
-    )
-    method, samples, off = _sampled(asked, pupil, fine)
+    method, samples, off = _on_lattice(asked, pupil, lattice)
     peak, light = pupil.amplitude**2, 4.0 * math.pi * pupil.transmission * band.share**2
     gain, missing = rows.gain * columns.gain, np.zeros(len(samples))
     # Where turbulence ends within the band, the light of each sample counts by itself.
@@ -249,7 +269,7 @@ def _of_block(asked: Asked, pupil: BasePupil, band: Band, lattice: Lattice, pixe
         response += gain * (spreading + light * gather * kernel.off) + band.tail * (1.0 + gain * gather)
     rounding = 0.0
     if kernel is not None:
-        coarse = lattice.gathered(samples)
+        coarse = lattice.gathered(samples, asked.threads)
         rounding = gain * kernel.rounding(coarse)
         area = lattice.h**2 * samples[0].size
         there = lattice.h**2 * samples.sum(axis=(1, 2)) - area * np.nan_to_num(off)
@@ -266,6 +286,51 @@ def _of_block(asked: Asked, pupil: BasePupil, band: Band, lattice: Lattice, pixe
     values = np.stack([(columns.matrix @ (rows.matrix @ one).T).T for one in part])
     error = np.full(len(values), 1.0001 * response + rounding)
     return Made(values, gain * off, error, missing, method)
+
+
+class Known(NamedTuple):
+    """Samples of a pupil on a lattice, kept for other blur and other wavelengths."""
+
+    first: tuple[int, int]
+    tol: float
+    method: Method
+    samples: Array
+    off: Array
+
+    def part(self, first: tuple[int, int], counts: tuple[int, int]) -> Array | None:
+        """Return the samples of a smaller lattice, None where it is not within this one."""
+        low = [there - here for there, here in zip(first, self.first, strict=True)]
+        high = [at + count for at, count in zip(low, counts, strict=True)]
+        if min(low) < 0 or high[0] > self.samples.shape[1] or high[1] > self.samples.shape[2]:
+            return None
+        return self.samples[:, low[0] : high[0], low[1] : high[1]]
+
+
+@lru_cache(maxsize=2)
+def _known(_aperture: tuple[object, ...], _wavefront: Wavefront) -> dict[float, Known]:
+    """Return what is kept of an aperture with a wavefront, by the step of the lattice."""
+    return {}
+
+
+def _on_lattice(asked: Asked, pupil: BasePupil, lattice: Lattice) -> tuple[Method, Array, Array]:
+    """Return the method, samples of a stack on a lattice, and bounds on what each is off by, or NaN."""
+    first, counts = lattice.first, lattice.counts
+    fine = Grid(counts, lattice.step * pupil.scale / math.pi, center=(-first[0], -first[1]))
+    if not asked.shared or asked.method or not isinstance(pupil, Pupil) or pupil.circular or pupil.shape:
+        return _sampled(asked, pupil, fine)
+    # Halves of decades: other blur asks for about as much.
+    asked = asked._replace(tol=10.0 ** (0.5 * math.floor(2.0 * math.log10(asked.tol))))
+    known = _known(pupil.aperture, pupil.wavefront)
+    kept = known.get(lattice.step)
+    if kept is not None and kept.tol <= asked.tol and (part := kept.part(first, counts)) is not None:
+        return kept.method, part, kept.off
+    made = _sampled(asked, pupil, fine)
+    if made[1].size > _KEPT:
+        return made
+    for step in list(known)[: max(0, len(known) - _STEPS + 1)]:
+        known.pop(step, None)
+    known[lattice.step] = Known(first, asked.tol, *made)
+    return made
 
 
 def _sampled(asked: Asked, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array]:
@@ -364,10 +429,13 @@ def recorded_images(
         with suppress(ToleranceError, Declined):
             return way, transferred(way, pupil, grid, wanted)
     elsewhere = 0.0 if peaked else _on_axis(asked, pupil, grid, several)
-    for _ in range(_TRIES):
+    for tries in range(_TRIES):
         try:
             made = summed(asked, pupil, grid, several)
         except (ValueError, ToleranceError) as fault:
+            if asked.shared:
+                asked = asked._replace(shared=False)
+                continue
             ratio = _seen(pupil, several)
             if method is not None or not ratio or math.isfinite(pupil.period):
                 raise
@@ -392,7 +460,7 @@ def recorded_images(
             # Nothing is negative that is an average of light.
             np.multiply(np.maximum(made.values, 0.0), scales[:, None, None], out=values, casting="same_kind")
             return made.method, Images(values, scales, None if unknown else bounds)
-        asked = _again(asked, made, aim * tops)
+        asked = _again(asked, made, aim * tops)._replace(shared=asked.shared and tries == 0)
     raise not_met(tol, float(bounds.max()), "the largest value in the window")
 
 
@@ -427,7 +495,7 @@ def _first(
     if halo.several:
         area += 1.0 / float(halo.at(np.zeros(1))[0])
     # Most of what is allowed is left to light beyond a lattice, which costs the most.
-    samples, responses = (0.12, 0.025) if halo.several else (0.3, 0.02)
+    samples, responses = (0.12, 0.009) if halo.several else (0.3, 0.02)
     tol = max(samples * aim * spot / area, 1e-13)  # over the peak of the samples
     bright = 4.0 * math.pi * pupil.transmission / area
     error = max(responses * aim * bright / pupil.amplitude**2, 1e-15)
@@ -462,12 +530,12 @@ def _margin(halo: Halo, half: float, edges: float, allowed: float) -> float:
 
 
 def _again(asked: Asked, made: Made, allowed: Array) -> Asked:
-    """Return what is asked next, by what was off too much."""
+    """Return what is asked next, by what was off too much: of shares that add up to no more than is allowed."""
     tol, error, margin = asked.tol, asked.error, asked.margin
     given = np.zeros(len(allowed)) if np.isnan(made.given).any() else made.given
     if (much := float((given / (0.4 * allowed)).max())) > 1.0:
         tol *= max(0.5 / much, 1e-4)
-    if (much := float((made.response / (0.3 * allowed)).max())) > 1.0:
+    if (much := float((made.response / (0.2 * allowed)).max())) > 1.0:
         error *= max(0.5 / much, 1e-6)
     if (much := float((made.missing / (0.5 * allowed)).max())) > 1.0:
         margin *= min(1.1 * much ** (3.0 / 14.0), 3.0)

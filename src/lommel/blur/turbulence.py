@@ -16,12 +16,14 @@ import scipy
 
 from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur, Seeing
+from lommel.core.engine import product
 from lommel.special.interpolation import steps
 from lommel.special.legendre import gauss_legendre
 
 _BAND = 1.2  # radians from one entry of a table to the next
 _NODES, _PHASE = 40, 40.0  # of a panel, and how far J0 turns in one at most
 _DARK = 1e-22
+_KEPT = 2**20  # values of J0
 
 
 class Gate(NamedTuple):
@@ -111,20 +113,37 @@ class Halo(NamedTuple):
 @lru_cache(maxsize=8)
 def _rule(halo: Halo, far: float, *, gated: bool = True) -> tuple[Array, Array]:
     """Return nodes in w, and weights of ``(1 / 2 pi) T G w dw`` for waves up to the radius `far`."""
+    w, weight = _nodes(*_panels(halo, far, gated=gated))
+    found = weight * halo.response(w)
+    return w, found * halo.gate.round(w) if gated else found
+
+
+def _panels(halo: Halo, far: float, *, gated: bool = True) -> tuple[float, int]:
+    """Return where the rule ends in w, and how many panels it has: few of each, so that seeing shares nodes."""
     end = halo.gate.end if gated else 11.0
     probe = np.linspace(0.0, end, 4097)
     dark = np.flatnonzero(halo.response(probe) < _DARK)
-    end = float(probe[dark[0]]) if dark.size else end
-    panels = max(2, math.ceil(end / min(_PHASE / max(far, 1.0), halo.finest)))
+    end = min(end, 0.25 * math.ceil(4.0 * float(probe[dark[0]]))) if dark.size else end
+    return end, 4 * math.ceil(0.25 * end / min(_PHASE / max(far, 1.0), halo.finest))
+
+
+@lru_cache(maxsize=8)
+def _nodes(end: float, panels: int) -> tuple[Array, Array]:
+    """Return nodes in w up to an end, and their weights of ``(1 / 2 pi) w dw``."""
     edges = np.cbrt(np.linspace(0.0, end, panels + 1))
     # The first, in which w varies by all of itself, is where the root is felt.
     edges = np.concatenate([edges[:1], edges[1] * np.array([0.5, 0.75]), edges[1:]])
     x, weight = gauss_legendre(_NODES)
     wide = np.diff(edges)[:, None]
     u = (edges[:-1, None] + wide * x).ravel()
-    w = u**3
-    found = (wide * weight).ravel() * 3.0 * u**5 / (2.0 * math.pi) * halo.response(w)
-    return w, found * halo.gate.round(w) if gated else found
+    return u**3, (wide * weight).ravel() * 3.0 * u**5 / (2.0 * math.pi)
+
+
+@lru_cache(maxsize=4)
+def _waves(end: float, panels: int, step: float, count: int) -> Array:
+    """Return J0 at so many equal steps of r and all nodes, which any seeing may share."""
+    w, _ = _nodes(end, panels)
+    return np.asarray(scipy.special.j0(np.multiply.outer(step * np.arange(float(count)), w)))
 
 
 def _transformed(weight: Array, w: Array, r: Array) -> Array:
@@ -132,8 +151,13 @@ def _transformed(weight: Array, w: Array, r: Array) -> Array:
     many = max(1, 2**21 // w.size)
     for start in range(0, r.size, many):
         part = slice(start, start + many)
-        out[part] = scipy.special.j0(np.multiply.outer(r[part], w)) @ weight
+        out[part] = _summed(scipy.special.j0(np.multiply.outer(r[part], w)), weight)
     return out
+
+
+def _summed(waves: Array, weight: Array) -> Array:
+    # By the core: of sums this short, threads of BLAS wait for each other longer than they take.
+    return product(waves, weight[:, None], 1)[:, 0]
 
 
 @lru_cache(maxsize=4)
@@ -143,8 +167,11 @@ def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
     step = _BAND / float(w.max())
     rule = steps(_BAND, error)
     beyond = rule.filter.size - 1
-    places = np.arange(math.ceil(far / step) + rule.taps.size + 1 + beyond, dtype=np.float64)
-    found = _transformed(weight, w, step * places)
+    count = math.ceil(far / step) + rule.taps.size + 1 + beyond
+    if count * w.size <= _KEPT:
+        found = _summed(_waves(*_panels(halo, far), step, count), weight)
+    else:
+        found = _transformed(weight, w, step * np.arange(float(count)))
     mirrored = np.concatenate([found[beyond:0:-1], found])
     filtered = np.convolve(mirrored, np.concatenate([rule.filter[:0:-1], rule.filter]), "valid")
     return filtered, step, rule.error

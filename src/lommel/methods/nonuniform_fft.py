@@ -23,6 +23,7 @@ from lommel.optics.pupil import Pupil
 
 _LEAST = 4e-15  # error of U that is asked for, over its largest value
 _SUMS = 0.25  # of the error of U, what sums may lose
+_FEWER = 0.75  # of the pixels, what those on one side of the axis may be for others to be their mirror images
 
 
 @dataclass(frozen=True)
@@ -136,11 +137,44 @@ def _elsewhere(pupil: Pupil, error: float, threads: int) -> Array:
     return np.asarray(np.maximum(np.sqrt(values.max(axis=(1, 2))) - off, 0.0) ** 2)
 
 
+def _real(pupil: Pupil) -> bool:
+    """Return whether the pupil function is real, so that images are the same turned by half a turn."""
+    return pupil.wavefront.flat and not pupil.phase_mask and not pupil.opening.phases.any()
+
+
+def _half(grid: Grid) -> Grid | None:
+    """Return pixels on one side of the axis that tell all others, or None where they are not much fewer."""
+    if not grid.mirrored:
+        return None
+    down, across = (max(c, side - 1 - c) for c, side in zip(grid.axis, grid.shape, strict=True))
+    first = grid.axis[1] % 1.0
+    shape = int(2.0 * down) + 1, int(across - first) + 1
+    if math.prod(shape) > _FEWER * math.prod(grid.shape):
+        return None
+    return Grid(shape, grid.pixel, center=(down, -first))
+
+
+def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
+    """Return images on the pixels of `grid` from those on the :func:`_half` of them."""
+    (row, column), (down, _) = grid.axis, half.axis
+    left, top, end = math.ceil(column), int(down - row), int(down + row) + 1
+    out = np.empty((len(values), *grid.shape))
+    out[:, :, left:] = values[:, top : top + grid.height, : grid.width - left]
+    near = int(left == column)  # the column on the axis has no mirror image
+    turned = values[:, end - grid.height : end, near : near + left]
+    out[:, :, :left] = turned[:, ::-1, ::-1]
+    return out
+
+
 def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:
     """Return I, its derivatives, and bounds on the errors of U and of its derivatives by any term of `wanted`.
 
     `error` is that of U over its largest value, which the bounds will be close to.
     """
+    half = None if wanted.terms or not _real(pupil) else _half(grid)
+    if half is not None:
+        values, slopes, off, off_slopes = _sums(pupil, half, error, wanted)
+        return _mirrored(values, half, grid), slopes, off, off_slopes
     step, amplitude = grid.step(pupil), pupil.amplitude
     reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
     factor = max((n for n, _ in wanted.terms), default=0)

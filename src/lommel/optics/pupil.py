@@ -276,6 +276,8 @@ class Pupil(BasePupil):
             theta = np.linspace(0.0, 2.0 * math.pi, 128, endpoint=False)
             ring = rho[:: 2048 // 64]
             blur = self._longest_gradient(np.outer(ring, np.cos(theta)), np.outer(ring, np.sin(theta)))
+        elif self.wavefront.flat and not self.segmented:
+            blur = np.zeros(1)
         else:
             blur = self._longest_gradient(*self._raster())
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))

@@ -129,6 +129,7 @@ def test_rays_that_are_stopped_do_not_widen_the_blur():
         assert pupil.geometric_radius() == pytest.approx(40.0 * farthest / math.pi, rel=2e-3)
     mask = Mask.sample(lambda x, y: np.hypot(x, y) < 0.5, 200)
     assert Pupil(Wavefront(10.0), mask=mask).geometric_radius() == pytest.approx(20.0 / math.pi, rel=0.03)
+    assert Pupil(mask=mask).geometric_radius() == 0.0
     one = np.zeros((64, 64))
     one[33, 36] = 1.0
     expected = 40.0 * math.hypot(9, 3) / 64 / math.pi

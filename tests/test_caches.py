@@ -174,6 +174,19 @@ def test_the_last_two_tables_of_a_kind_are_kept_whatever_their_size():
     assert engine.table_bytes()[0] < limit
 
 
+def test_pupils_beyond_a_whole_vector_take_the_tables_of_the_others_where_no_more_are_kept():
+    resource = pytest.importorskip("resource")
+    terms = dict(enumerate(15.0 * np.random.default_rng(1).normal(size=(15, 9)), 4))
+    pupils = lm.Pupil(lm.Wavefront.zernike(terms, order="noll"), obscuration=0.3)
+    plan, out = lm.Plan(128, 0.5, method=lm.ChordalGauss(), threads=1), np.empty((9, 128, 128), np.float32)
+    before = 0
+    for _ in range(3):
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+        plan(pupils, out=out)
+    # A table is made in pages that the process has not had before: 32 MiB of them.
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before < 8192
+
+
 def test_caches_may_be_cleared_while_other_threads_compute():
     def work(found: list[list[np.ndarray]]) -> None:
         found.extend([lm.psf(STACK, 33, 0.3).values, lm.psf(COMA, 60, 0.4, method=SERIES).values] for _ in range(2))

@@ -132,11 +132,11 @@ class ChordalRenderer {
         ChordCount far, near;
     };
     template <class Real>
-    std::vector<Group> grouped(const std::size_t* pending, std::size_t pupils) const {
+    std::vector<Group> grouped(const std::size_t* pending, std::size_t pupils, bool alike = false) const {
         const Level level = processor_level();
         std::vector<Group> groups;
         for (std::size_t first = 0; first < pupils; first += groups.back().here) {
-            const bool lone = !More::wanted && ChordKernels<Real>::lone(level, pupils - first);
+            const bool lone = !More::wanted && ChordKernels<Real>::lone(level, alike ? pupils : pupils - first);
             Group next{first, lone ? 1 : std::min(ChordKernels<Real>::lanes(level), pupils - first), lone, {}, {}};
             for (std::size_t i = first; i < first + next.here; ++i) {
                 next.far.include(states_[pending[i]].far.count);
@@ -145,7 +145,10 @@ class ChordalRenderer {
             groups.push_back(next);
         }
         // Of several tables that are more than what is kept, none is found again: one for all.
-        if (!kept<Real>(groups)) {
+        if (alike || !kept<Real>(groups)) {
+            if (groups.front().lone != groups.back().lone) {
+                return grouped<Real>(pending, pupils, true);
+            }
             Group all = groups.front();
             for (const Group& group : groups) {
                 all.far.include(group.far);
@@ -164,10 +167,13 @@ class ChordalRenderer {
     bool kept(const std::vector<Group>& groups) const {
         double terms = 0.0, kernels = 0.0;
         ChordCount last[2];
+        bool lone = !groups.empty() && groups.front().lone;
         for (const Group& group : groups) {
             const ChordCount counts[2] = {group.far, group.near};
+            const bool same = group.lone == lone;
+            lone = group.lone;
             for (std::size_t disk = 0; disk < 2; ++disk) {
-                if (!(counts[disk] == last[disk])) {
+                if (!same || !(counts[disk] == last[disk])) {
                     terms += 2.0 * counts[disk].size() * static_cast<double>(stack_.terms.size());
                     kernels += KernelTable<Real>::bytes(counts[disk], rows_.at.size());
                     last[disk] = counts[disk];

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -141,6 +143,41 @@ def test_samples_that_are_kept_are_of_the_same_pupil_and_good_enough(sampled):
     assert seen(pupil, tol=1e-6) == 5
     assert seen(pupil, tol=1e-5) == 5
     assert seen(pupil, ratio=6.0) == 6
+
+
+def test_only_samples_of_the_tolerance_serve_again(sampled):
+    pupil, lattice = lm.Pupil(spider=VANES), SimpleNamespace(step=1.0, first=(-6, -7), counts=(13, 15))
+    for tol, count in [(1e-4, 1), (1e-4, 1), (1e-3, 1), (1e-6, 2), (1e-4, 2), (2e-7, 3)]:
+        _, values, off = recorded._on_lattice(Asked(None, 1, tol, 1e-9, 0.0), pupil, lattice)
+        assert values.shape == (1, 13, 15)
+        assert float(off[0]) <= tol * pupil.amplitude**2
+        assert len(sampled) == count
+    part = SimpleNamespace(step=1.0, first=(-2, 3), counts=(4, 5))
+    _, values, _ = recorded._on_lattice(Asked(None, 1, 1e-6, 1e-9, 0.0), pupil, part)
+    exact = lm.psf(pupil, (4, 5), 1.0 / np.pi, center=(2, -3), tol=1e-10, normalize="strehl", dtype=np.float64)
+    np.testing.assert_allclose(values[0], exact.values * pupil.amplitude**2, atol=2e-7)
+    assert len(sampled) == 3
+    for first in [(-7, 0), (0, -8), (4, 0), (0, 4)]:
+        known, count = recorded._known(pupil.aperture, pupil.wavefront)[1.0], len(sampled)
+        assert known.part(first, (4, 5)) is None
+        beyond = SimpleNamespace(step=1.0, first=first, counts=(4, 5))
+        assert recorded._on_lattice(Asked(None, 1, 1e-6, 1e-9, 0.0), pupil, beyond)[1].shape == (1, 4, 5)
+        assert len(sampled) == count + 1
+        recorded._known(pupil.aperture, pupil.wavefront)[1.0] = known
+
+
+@pytest.mark.parametrize("ratio", [4.0, 9.0, 15.0, 33.0, 80.0])
+@pytest.mark.parametrize("shared", [False, True])
+def test_copies_of_the_band_of_the_intensity_begin_where_that_of_the_blur_ends(monkeypatch, ratio, shared):
+    lattices, of = [], recorded._on_lattice
+    monkeypatch.setattr(recorded, "_on_lattice", lambda *args: lattices.append(args[2]) or of(*args))
+    asked = Asked(None, 1, 1e-8, 1e-9, 60.0, shared)
+    summed(asked, lm.Pupil(spider=VANES), Grid(3, 2.0), (lm.Seeing(1.0 / ratio),))
+    (lattice,) = lattices
+    share = lattice.h / lattice.step
+    assert share < 1.0
+    assert lattice.step * (1.0 + share) <= np.pi * (1.0 + 1e-14)
+    assert lattice.h <= recorded.STEP
 
 
 def test_other_light_has_the_same_samples_of_a_flat_pupil(sampled):

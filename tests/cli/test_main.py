@@ -335,6 +335,30 @@ def test_an_mtf_that_is_not_given_is_said_to_be_missing(call_lommel, tmp_path, a
         assert f"not computed: {reason}" in shown
 
 
+@pytest.mark.parametrize("field", ["", '[field]\nsensor = ["1 mm", "1 mm"]\nW131 = 0.2\n'])
+@pytest.mark.parametrize("waves", [0.0, 30.0])
+def test_of_a_mask_with_phases_is_shown_what_it_has(call_lommel, tmp_path, field, waves):
+    # Of moduli that are 1 but for rounding.
+    mask = np.exp(1j * np.linspace(0.0, 3.0, 4096).reshape(64, 64))
+    assert np.abs(mask).max() > 1.0
+    np.save(tmp_path / "mask.npy", mask)
+    lens = '[lens]\nfocal_length = "50 mm"\nf_number = 8\nwavelength = "550 nm"\n[sensor]\npixel = "5 um"\n'
+    aperture = f'[aberrations]\nW020 = {waves}\n[aperture]\nmask = {{ file = "mask.npy" }}\n'
+    (tmp_path / "lens.toml").write_text(lens + aperture + field, encoding="utf-8")
+    facts = json.loads(call_lommel("info", "lens.toml", "--json", folder=tmp_path).stdout)
+    assert facts["strehl"] == pytest.approx(lm.strehl(lm.load_instrument(tmp_path / "lens.toml").pupil()))
+    assert [facts[name] for name in ("marechal", "rms_waves", "rms_waves_without_tilt")] == [None] * 3
+    reason = "mask must be real for measures of the wavefront"
+    assert sum(told.startswith(reason) for told in facts["refused"]) == 1
+    shown = " ".join(call_lommel("info", "lens.toml", folder=tmp_path).stdout.split())
+    assert f"not computed: {reason}" in shown
+    assert "rms wavefront error" not in shown
+    if field:
+        assert facts["field"]["places"][0]["rms_waves"] is None
+    # For so wide a blur the mask is too coarse.
+    assert [facts[name] is None for name in ("fwhm", "diameter_80")] == [waves > 0.0] * 2
+
+
 def test_energies_of_a_wavefront_that_depends_on_the_direction_come_with_a_bound(call_lommel, lenses, tmp_path):
     text = lenses["newtonian-off-axis"].read_text(encoding="utf-8")
     start, end = text.index("[aperture.spider]"), text.index("[aberrations]")

@@ -189,22 +189,22 @@ def describe_lens(instrument: Instrument) -> Report:
         "spherical": float(pupil.wavefront.spherical),
         "higher": [float(c) for c in pupil.wavefront.higher],
         "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
-        "balancing_W020": _balancing(pupil),
+        "balancing_W020": tried(lambda: _balancing(pupil)),
         "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
         "airy_radius": airy,
         "dark_ring_radius": _dark_ring(pupil),
         "geometric_radius": blur,
         "circle_of_confusion": 2.0 * float(plain.pupil(instrument.object_distance).geometric_radius()),
-        "strehl": tried(lambda: float(aperture_means.strehl(pupil))),
-        "strehl_at_peak": tried(lambda: _brightest(pupil)),
-        "marechal": float(aperture_means.marechal(pupil)),
-        "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
-        "rms_waves_without_tilt": float(aperture_means.rms(_level(pupil), unit="waves")),
+        "strehl": tried(partial(_strehl, pupil)),
+        "strehl_at_peak": tried(partial(_brightest, pupil)),
+        "marechal": tried(lambda: float(aperture_means.marechal(pupil))),
+        "rms_waves": tried(partial(_rms, pupil)),
+        "rms_waves_without_tilt": tried(partial(_rms_without_tilt, pupil)),
         **_widths(instrument, pupil, tried),
         "cutoff": pupil.cutoff,
         **across,
         **down,
-        "field": None if instrument.aberrations_of_field is None else _field(instrument),
+        "field": None if instrument.aberrations_of_field is None else _field(instrument, tried),
         "encircled_energy": [
             {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
             for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
@@ -247,6 +247,19 @@ def _level(pupil: Pupil) -> Pupil:
     return _tilted(pupil, *-aperture_means.least_squares(pupil, [_across, _down]))
 
 
+def _strehl(pupil: Pupil) -> float:
+    return float(aperture_means.strehl(pupil))
+
+
+def _rms(pupil: Pupil) -> float:
+    """Return the rms wavefront error in waves."""
+    return float(aperture_means.rms(pupil, unit="waves"))
+
+
+def _rms_without_tilt(pupil: Pupil) -> float:
+    return _rms(_level(pupil))
+
+
 def _balancing(pupil: Pupil) -> float | None:
     """Return the W020 (waves) that leaves the least rms beside the other terms; None where there are none."""
     if not (pupil.wavefront.spherical or any(pupil.wavefront.higher)):
@@ -272,7 +285,9 @@ def _brightest(pupil: Pupil) -> float:
 def _widths(instrument: Instrument, pupil: Pupil, tried: Callable[[Callable[[], Any]], Any]) -> Facts:
     """Return FWHM and diameter of 80 % of the light, of the optics alone and, where that differs, with the pixel."""
     # One pixel, integrated: measures are of the continuous image.
-    image: PSF = psf(pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill)
+    image: PSF | None = tried(lambda: psf(pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill))
+    if image is None:
+        return {f"{name}{end}": None for name in ("fwhm", "diameter_80") for end in ("", "_with_pixel")}
     measures: dict[str, Callable[[str], float]] = {
         "fwhm": lambda of: float(spot.fwhm(image, of=of)),
         "diameter_80": lambda of: float(spot.energy_diameter(image, _SHARE, about="centroid", of=of)),
@@ -295,7 +310,7 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> list[RenderableTyp
         strehl += f" on the axis, {strehl_ratio(top)} at the brightest point"
     lines = [
         ("Strehl ratio", strehl),
-        ("Marechal's estimate", strehl_ratio(facts["marechal"]) if facts["marechal"] >= 0.3 else None),
+        ("Marechal's estimate", strehl_ratio(facts["marechal"]) if (facts["marechal"] or 0.0) >= 0.3 else None),
         *_mtf_rows(facts),
     ]  # fmt: skip
     energies = [
@@ -384,7 +399,7 @@ def _wavefront_parts(facts: Facts) -> list[RenderableType]:
     """Return the tables of the wavefront and of the model."""
     rms, level = facts["rms_waves"], facts["rms_waves_without_tilt"]
     where = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
-    tilted = f" ({number(level)} without tilt)" if rms - level > 5e-5 * rms else ""
+    tilted = f" ({number(level)} without tilt)" if level is not None and rms - level > 5e-5 * rms else ""
     best, higher, distances = facts["balancing_W020"], facts["higher"], facts["defocus_of_distances"]
     shares = ""
     if not math.isclose(distances, facts["defocus"], rel_tol=1e-6, abs_tol=1e-9):
@@ -392,7 +407,7 @@ def _wavefront_parts(facts: Facts) -> list[RenderableType]:
     listed = [f"{name} = {value:.4g}" for name, value in facts["waves"].items()]
     rest = f", ... ({len(listed)} terms; see --json)" if len(listed) > 4 else ""
     lines = [
-        ("rms wavefront error", f"{number(rms)} waves {where}{tilted}"),
+        ("rms wavefront error", None if rms is None else f"{number(rms)} waves {where}{tilted}"),
         ("defocus C_d", f"{facts['defocus']:.4g} rad{shares}"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
         *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(higher if len(higher) < 4 else [])],
@@ -497,7 +512,7 @@ def _stop(stop: Shape | Segments) -> Facts:
     }
 
 
-def _field(instrument: Instrument) -> Facts:
+def _field(instrument: Instrument, tried: Callable[[Callable[[], Any]], Any]) -> Facts:
     """Return the description of the field, from the axis to a corner of the sensor."""
     assert instrument.sensor is not None  # as long as there is a map
     field, (height, width) = instrument.field(), instrument.sensor
@@ -508,15 +523,15 @@ def _field(instrument: Instrument) -> Facts:
             pupil = field.pupil(x, y)
         except ValueError:  # beyond the map
             continue
-        terms, level = pupil.wavefront.to_zernike(unit="waves"), _level(pupil)
+        terms = pupil.wavefront.to_zernike(unit="waves")
         places.append(
             {
                 "part": part,
                 "distance": math.hypot(x, y),
-                "strehl": float(aperture_means.strehl(pupil)),
-                "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
-                "strehl_at_peak": _brightest(pupil),
-                "rms_waves_without_tilt": float(aperture_means.rms(level, unit="waves")),
+                "strehl": tried(partial(_strehl, pupil)),
+                "rms_waves": tried(partial(_rms, pupil)),
+                "strehl_at_peak": tried(partial(_brightest, pupil)),
+                "rms_waves_without_tilt": tried(partial(_rms_without_tilt, pupil)),
                 "zernike": _terms({term: c for term, c in terms.items() if term[0] > 1}),
             }
         )
@@ -535,7 +550,7 @@ def _field_parts(field: Facts) -> list[RenderableType]:
         terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
         distance = format_length(place["distance"], like=field["reach"])
         rows.append(
-            (distance, *(f"{place[name]:.4g}" for name in ("strehl_at_peak", "rms_waves_without_tilt")), terms)
+            (distance, *(known(place[name], ".4g") for name in ("strehl_at_peak", "rms_waves_without_tilt")), terms)
         )
     names = ("image height", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
     text = (

@@ -323,7 +323,8 @@ class Pupil(BasePupil):
         if self.phase_mask:
             mask = self.mask
             assert mask is not None
-            found = replace(found, mask=type(mask)(np.abs(mask.values), mask.squares))
+            # Moduli of cosine and sine are rounded.
+            found = replace(found, mask=type(mask)(np.minimum(np.abs(mask.values), 1.0), mask.squares))
         return found
 
     def _each(self, of: Callable[[Any], Any]) -> Pupil:

@@ -117,3 +117,11 @@ def test_a_cubic_phase_plate_and_a_vortex_have_the_psfs_of_their_wavefronts():
     v = math.pi * 0.25 * np.arange(25)
     known = [(2.0 * integrate.quad(lambda t, k=k: special.j1(k * t) * t, 0.0, 1.0)[0]) ** 2 for k in v]
     assert found.values[24, 24:] == pytest.approx(known, abs=1e-3)
+
+
+def test_without_aberration_a_mask_with_phases_is_its_moduli():
+    values = np.exp(1j * np.linspace(0.0, 3.0, 4096).reshape(64, 64))
+    assert np.abs(values).max() > 1.0  # rounded
+    ideal = lm.Pupil(mask=lm.Mask(values)).unaberrated()
+    np.testing.assert_allclose(ideal.mask.values, 1.0, rtol=1e-15)
+    assert ideal.mask.values.max() == 1.0

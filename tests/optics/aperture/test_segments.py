@@ -41,7 +41,7 @@ def test_segments_of_which_nothing_is_left_go_with_their_phases():
     assert (PHASED - hexagon).piston == covered.piston
     assert lm.Pupil(stop=PHASED - hexagon).area == pytest.approx(lm.Pupil(stop=SIX).area * 5 / 6, rel=1e-12)
     with pytest.raises(ValueError, match="other must leave something of the segments"):
-        PHASED - lm.Disc(2.0)
+        PHASED - lm.Disc(1.5)
     with pytest.raises(TypeError, match="other must be a shape"):
         PHASED - SIX  # type: ignore[operator]
 

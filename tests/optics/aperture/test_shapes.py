@@ -362,10 +362,31 @@ def test_parts_wholly_beyond_the_rim_are_refused():
             Pupil(stop=stop)
     with pytest.raises(ValueError, match=f"other {words}"):
         Segments.hexagonal(2) - metres
-    # Parts that hold all of the aperture, or touch it between the points of their outline, are taken.
+    # Parts that hold little more than the aperture, or touch it between the points of their outline, are taken.
     corner = Polygon(((0.9999, -3.0), (30.0, -3.0), (30.0, 40.0), (0.9999, 40.0)))
-    for part in (Disc(5.0), Disc(0.3, (1.2999, 0.0)), Polygon.strip((-9.0, 0.0), (9.0, 0.0), 8.0), corner):
+    for part in (Disc(1.5), Disc(0.3, (1.2999, 0.0)), Polygon.strip((-9.0, 0.0), (9.0, 0.0), 3.0), corner):
         assert Pupil(stop=Disc(0.5) | part).area > 0.25
+    assert Pupil(stop=Disc()).area == Pupil(stop=Disc(1.2)).area == pytest.approx(1.0)
+
+
+def test_parts_far_around_the_aperture_are_refused():
+    metres = Disc(3.3)
+    got = r"got Disc\(radius=3.3, center=\(0.0, 0.0\)\)"
+    words = f"edges across the aperture or near its rim, {got} far around all of it;"
+    for stop in (
+        metres,
+        metres - Disc(0.5),
+        Disc(0.5) | metres,
+        Polygon.strip((-0.5, 0.0), (0.5, 0.0), 0.1) & metres,
+    ):
+        with pytest.raises(ValueError, match=f"stop must be made of parts with {words} lengths are over the radius"):
+            Pupil(stop=stop)
+    with pytest.raises(ValueError, match=f"other .* {words}"):
+        Segments.hexagonal(2) - metres
+    for part in (Ellipse(2.0, 1.6), Polygon.strip((-9.0, 0.0), (9.0, 0.0), 3.1), Disc(2.0, (0.0, 0.4))):
+        with pytest.raises(ValueError, match="far around all of it"):
+            Pupil(stop=part)
+    assert Pupil(stop=Disc(2.0, (0.6, 0.0))).area == 1.0
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.4])

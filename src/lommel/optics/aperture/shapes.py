@@ -746,9 +746,18 @@ def _clear(part: Shape) -> bool:
     return listed(Disc() & part).rule(0, _LEAST).weight > 0.0
 
 
+_AROUND = 1.5  # radius up to which parts may hold all of the aperture
+
+
 def require_reach(name: str, region: Shape) -> None:
-    """Raise ValueError if a part of a region lies wholly beyond the rim of the aperture."""
+    """Raise ValueError if a part of a region, or its edges, lie far beyond the rim of the aperture."""
+    middle = np.zeros(1)
     for part in region.parts:
+        if part.margin(middle, middle)[0] > _AROUND:
+            raise ValueError(
+                f"{name} must be made of parts with edges across the aperture or near its rim, got "
+                f"{validation.shown(part)} far around all of it; lengths are over the radius of the aperture"
+            )
         edge = np.concatenate(part.outline(48))
         if not (edge**2).sum(axis=1).min() < 1.0 and not _clear(part):
             raise ValueError(

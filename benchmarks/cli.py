@@ -11,7 +11,19 @@ from collections.abc import Callable
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from benchmarks import apertures, features, fresh, instructions, limits, microscopes, peers, seeing, sizes, sweeps
+from benchmarks import (
+    apertures,
+    costs,
+    features,
+    fresh,
+    instructions,
+    limits,
+    microscopes,
+    peers,
+    seeing,
+    sizes,
+    sweeps,
+)
 from benchmarks.machine import ROOT, clean, describe
 from benchmarks.report import Table, show
 from benchmarks.settings import Settings
@@ -19,6 +31,8 @@ from benchmarks.settings import Settings
 TABLES: dict[str, Callable[[Settings], Table]] = {
     "targets": limits.run,
     "sizes": sizes.run,
+    "costs": costs.costs,
+    "physical": costs.physical,
     "aberrations": sweeps.aberrations,
     "tolerances": sweeps.tolerances,
     "accuracy": sweeps.accuracy,
@@ -56,7 +70,7 @@ def main() -> int:
     console.print(f"{time.monotonic() - start:.0f} s")
     if options.write:
         _write(done)
-        written = "benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png"
+        written = "benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png, docs/benchmarks-costs.png"
         console.print(f"Written: {written}", highlight=False)
     missed = [row for table in done if table.key == "targets" for row in limits.missed(table)]
     for row in missed:
@@ -94,5 +108,7 @@ def _write(done: list[Table]) -> None:
     docs = ROOT / "docs"
     docs.mkdir(exist_ok=True)
     (ROOT / "benchmarks" / "results.json").write_text(text, encoding="utf-8")
-    (docs / "benchmarks.md").write_text(page.write(results, "benchmarks.png"), encoding="utf-8")
-    figure.draw(next(t for t in results["tables"] if t["key"] == "sizes"), docs / "benchmarks.png")
+    (docs / "benchmarks.md").write_text(page.write(results), encoding="utf-8")
+    tables = {table["key"]: table for table in results["tables"]}
+    figure.draw(tables["sizes"], docs / "benchmarks.png")
+    figure.draw_costs(tables["costs"], docs / "benchmarks-costs.png")

@@ -46,6 +46,12 @@ def _ready() -> DepthBlur:
     return blur
 
 
+def photograph() -> Contender:
+    """Return the blur of the scene, its windows made."""
+    image, blur = scene()[0], _ready()
+    return Contender("depth", lambda _: blur.forward(image), "DepthBlur.forward(image)")
+
+
 def _fixed() -> Contender:
     from scipy.signal import oaconvolve
 
@@ -93,11 +99,9 @@ def _error(made: NDArray[Any]) -> float:
 def against_fixed(settings: Settings, *, bank: bool) -> Measured:
     """Measure the blur against one fixed kernel; `bank`: with the making of its windows."""
     image, blur = scene()[0], _ready()
+    mine, other = photograph(), _fixed()
     if bank:
         mine = Contender("depth", lambda _: _made().forward(image), "DepthBlur(...).forward(image)")
-    else:
-        mine = Contender("depth", lambda _: blur.forward(image), "DepthBlur.forward(image)")
-    other = _fixed()
     result = race([mine, other], settings.rounds)
     count = ", ".join(f"{b.count} windows" for b in blur.banks)
     cuts = [np.interp(b.positions(blur.defocus), np.arange(b.count), b.cuts) for b in blur.banks]

@@ -1,4 +1,4 @@
-"""Cost against the side of the window, log-log."""
+"""Cost against the side of the window and against all else, log-log."""
 
 from __future__ import annotations
 
@@ -50,3 +50,26 @@ def draw(sizes: dict[str, Any], path: Path) -> None:
     axes.minorticks_off()
     axes.legend(fontsize=8)
     figure.savefig(path, dpi=130, metadata={"Software": None})
+
+
+def draw_costs(costs: dict[str, Any], path: Path) -> None:
+    """Draw the table of costs of a pixel, as it stands in the JSON file: a panel for each that they are against."""
+    from matplotlib.figure import Figure
+
+    panels: dict[str, dict[str, list[tuple[float, float]]]] = {}
+    for row in costs["rows"]:
+        curves = panels.setdefault(row["against"], {})
+        curves.setdefault(row["pupil"], []).append((float(row["at"]), row["cost"]["median"]))
+    figure = Figure(figsize=(9.0, 8.6), layout="constrained")
+    for k, (against, curves) in enumerate(panels.items()):
+        axes = figure.add_subplot(3, 2, k + 1)
+        for (name, curve), color in zip(curves.items(), ("#c1121f", "#2b2d42"), strict=False):
+            x, y = np.array(curve).T
+            axes.loglog(x, y, "o-", color=color, label=name, markersize=4)
+        if against.startswith("tolerance"):
+            axes.invert_xaxis()
+        axes.set_xlabel(against)
+        axes.set_ylabel("cost of a pixel, in np.abs")
+        axes.grid(which="both", linewidth=0.3)
+        axes.legend(fontsize=8)
+    figure.savefig(path, dpi=120, metadata={"Software": None})

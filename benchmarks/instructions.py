@@ -11,7 +11,9 @@ import numpy as np
 
 import lommel as lm
 from benchmarks.chordal import SIDE, random_zernikes
+from benchmarks.depth import photograph
 from benchmarks.engine import engine, stack, through_focus
+from benchmarks.microscopes import planes
 from benchmarks.mixed import RANDOM, Mixed
 from benchmarks.report import Table
 from benchmarks.settings import Settings
@@ -34,12 +36,20 @@ def _limited(level: str) -> Iterator[None]:
 def _works() -> list[tuple[str, Contender]]:
     radial, general = Question(10.0, 3.0), Mixed(directions=RANDOM[0])
     chords = stack(random_zernikes(each=True), SIDE, 0.5, method=lm.ChordalGauss(1e-4), dtype=np.float32, out=True)
+    spider = lm.Pupil(lm.Wavefront(3.0), obscuration=0.3, spider=lm.Spider.equal(4, 0.02))
+    vanes = Contender("vanes", lambda _: lm.psf(spider, 128, 0.5, threads=1))
+    frequencies = np.linspace(0.0, 1.0, 100)
+    transfer = Contender("otf", lambda _: lm.otf(general.pupil(), frequencies))
     return [
         ("512², radially symmetric", engine(radial, out=True)),
         ("512², its pixels averaged", engine(radial, out=True, integrate=True)),
         ("1000 of 33², through focus, float64", stack(through_focus(10.0, 1000), 33, 0.5, out=True)),
         ("512², coma, astigmatism, trefoil and defocus of 10 rad each", engine(general, out=True)),
         ("1000 of 33², 15 Zernike terms of 1 rad rms each, tol 1e-4", chords),
+        ("128², four vanes", vanes),
+        ("transfer function of 10 rad each at 100 frequencies", transfer),
+        ("64 planes of 64² of an immersion objective", planes()),
+        ("500 × 741 RGB blurred by depth, 2 threads", photograph()),
     ]
 
 

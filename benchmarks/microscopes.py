@@ -125,6 +125,11 @@ def _contender(
     return Contender(name, call, fresh=lambda count: [stack(k) for k in range(count)], values=intensity)
 
 
+def planes() -> Contender:
+    """Return a stack of 64 planes of 64²."""
+    return _contender("planes", 64, lambda k: _focal(k, 64))
+
+
 def _lens(side: int, planes: int, more: lm.Wavefront | None = None) -> Contender:
     def fresh(count: int) -> list[lm.Pupil]:
         through = [lm.Wavefront(np.linspace(-20.0, 20.0, planes) + 1e-9 * k) for k in range(count)]

@@ -48,8 +48,16 @@ limit in two runs. Load from other programs widens the ranges in brackets.
 _DEMANDS = ("must", "aim", "verdict")
 
 
-def write(results: dict[str, Any], figure: str) -> str:
-    """Return the page as Markdown, with the path of its figure."""
+_FIGURES = {
+    "sizes": "![Cost of one PSF against the side of the window, for each way to compute it](benchmarks.png)",
+    "costs": "![Cost of a pixel against window, aberration, terms, tolerance and pupils](benchmarks-costs.png)",
+}
+# Drawn, and in benchmarks/results.json.
+_LEFT_OUT = ("costs",)
+
+
+def write(results: dict[str, Any]) -> str:
+    """Return the page as Markdown."""
     machine = results["machine"]
     versions = ", ".join(f"{name} {number}" for name, number in machine["versions"].items())
     yards = ", ".join(f"{name} {value:,.0f} µs".replace(",", " ") for name, value in machine["yardsticks"].items())
@@ -60,8 +68,9 @@ def write(results: dict[str, Any], figure: str) -> str:
     ]
     for plain in results["tables"]:
         columns = {name: kind for name, kind in plain["columns"].items() if name not in _DEMANDS}
-        parts.append(markdown(Table(**plain | {"columns": columns})))
-        if plain["key"] == "sizes":
-            parts.append(f"![Cost of one PSF against the side of the window, for each way to compute it]({figure})\n")
+        rows = [] if plain["key"] in _LEFT_OUT else plain["rows"]
+        parts.append(markdown(Table(**plain | {"columns": columns, "rows": rows})))
+        if plain["key"] in _FIGURES:
+            parts.append(_FIGURES[plain["key"]] + "\n")
     parts.append(_AGAIN)
     return "\n".join(parts)

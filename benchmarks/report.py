@@ -90,6 +90,8 @@ _FORMATS: dict[str, Callable[[Any], str]] = {
 def markdown(table: Table) -> str:
     """Write a table as a section of a Markdown page."""
     lines = [f"## {table.title}", "", table.about, ""]
+    if not table.rows:
+        return "\n".join(lines)
     lines.append("| " + " | ".join(table.columns) + " |")
     lines.append("|" + "|".join("---" if kind == "text" else "---:" for kind in table.columns.values()) + "|")
     lines += ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in table.cells()]

@@ -8,7 +8,8 @@ shows only in how many point spread functions were drawn a second.
 
 With `--states 500` it draws so many random states over the ranges of all controls, always the same ones, and prints
 those that take longer than a second until all of the page is of the new state, as it meets them; quantiles of
-that time; and the slowest, with what the engine takes for their PSF, their curves and their picture.
+that time; and the slowest, with what the engine takes for their PSF, the images of their FWHM and light in the
+window, their curves and their picture.
 """
 
 from __future__ import annotations
@@ -77,7 +78,7 @@ window.parts = async (state) => {
     return Math.round(performance.now() - begin);
   };
   return [
-    timed(() => engine.psf(state)), timed(() => engine.curves(state)),
+    timed(() => engine.psf(state)), timed(() => engine.extents(state)), timed(() => engine.curves(state)),
     timed(() => engine.blur(state, picture, 256, 256)),
   ];
 };
@@ -143,7 +144,7 @@ def states(module: Path, count: int) -> None:
         for k in np.argsort(times)[::-1][:20]:
             shown = {key: float(f"{x:.3g}") if isinstance(x, float) else x for key, x in drawn[k].items()}
             parts = page.evaluate("parts", drawn[k]) if times[k] < PATIENCE else "?"
-            print(f"{times[k]:6.2f} s, PSF, curves, picture (ms): {parts}; {link(shown)}")
+            print(f"{times[k]:6.2f} s, PSF, extents, curves, picture (ms): {parts}; {link(shown)}")
         browser.close()
 
 

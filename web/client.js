@@ -41,9 +41,9 @@ export class Client {
     const lane = this.lanes[SECOND.has(method) ? 1 : 0];
     const asked = JSON.stringify(given);
     if (method === "measures" && this.last?.asked === asked) {
-      // The curves do not wait for the image of the same state, of which two numbers come.
-      const [curves, psf] = await Promise.all([lane.call("curves", ...given), this.last.psf]);
-      return completed(curves, psf);
+      // The curves do not wait for the images of the same state, which the other worker makes.
+      const [curves, extents, psf] = await Promise.all([lane.call("curves", ...given), this.last.psf.then(() => this.lanes[0].call("extents", ...given)), this.last.psf]);
+      return completed({ ...curves, ...extents }, psf);
     }
     const answer = lane.call(method, ...given);
     if (method === "psf") this.last = { asked, psf: answer };

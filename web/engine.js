@@ -52,18 +52,26 @@ export class Engine {
     const state = focused(changed(DEFAULTS, given));
     const { side, pixel, tol } = asked(state, quality);
     if (this.seen?.key !== keyOf(state, side, pixel, tol)) this.psf(given, quality);
-    return completed(this.curves(given, quality), this.seen);
+    return completed({ ...this.curves(given, quality), ...this.extents(given, quality) }, this.seen);
   }
 
-  // The measures that the image is not needed for; completed() adds the others.
+  // The measures that take images of their own: the FWHM and the light in the window.
+  extents(given, quality = "settled") {
+    const stated = changed(DEFAULTS, given);
+    const state = focused(stated);
+    this.refuse(stated, quality);
+    const fwhm = this.fwhm(state, quality);
+    const { share: inside, error: inside_error } = this.inside(state, quality);
+    return { fwhm, inside, inside_error };
+  }
+
+  // The measures that no image is needed for; completed() adds the others.
   curves(given, quality = "settled") {
     const stated = changed(DEFAULTS, given);
     const state = focused(stated);
     this.refuse(stated, quality);
     const { pixel } = asked(state, quality);
     const { error, radii } = QUALITY[quality];
-    const fwhm = this.fwhm(state, quality);
-    const inside = this.inside(state, quality);
     this.light(state);
     const window = stepOf(state, fineReach(state));
     const cut = state.vanes || beyondCircles(state);
@@ -76,10 +84,7 @@ export class Engine {
       strehl: mean[0],
       strehl_error: circles.error,
       unaberrated: (area * brightness(state) * stepOf(state, pixel) ** 2) / (4 * Math.PI), // value of a pixel at the peak
-      fwhm,
       d80_axis: radius < 0 ? null : 2 * lengthOf(state, radius),
-      inside: inside.share,
-      inside_error: inside.error,
       profile: { r, mean, reference },
       energy: { r, share, reference: flat },
       mtf: withPixel(state, this.contrast(stated, quality, cut)),
@@ -440,11 +445,14 @@ function asked(state, quality) {
   const { tol, side: most } = QUALITY[slow ? quality : "settled"];
   let side = Math.min(state.side, state.view === "fine" ? most : QUALITY[quality].seen);
   // Images without symmetry are paid for by the window: of the sensor's pixels those in the fine window, or near the axis. Averages
-  // far from it are not computed.
-  const rows = alongRows(state, state.view === "averaged");
-  if ((rows && state.view !== "fine") || (unevenSlope(state) && state.view === "sampled")) {
-    const near = rows ? 0 : 2 * Math.floor((state.light === "white" ? 800 : 2400) / largestStep(state, state.pixel));
-    side = Math.min(side, Math.max(64, near, 2 * Math.ceil(fineReach(state) / state.pixel)));
+  // far from it are not computed where aberrations are large.
+  const averaged = state.view === "averaged";
+  const rows = alongRows(state, averaged);
+  const v = largestStep(state, state.pixel);
+  const white = state.light === "white";
+  if ((rows && state.view !== "fine") || (state.view === "sampled" ? unevenSlope(state) > 0 : averaged && unevenSlope(state) > 250)) {
+    const near = rows ? 0 : averaged ? (white ? 1000 : 2700) / Math.ceil(v) : 2 * Math.floor((white ? 800 : 2400) / v);
+    side = Math.min(side, Math.max(v > 40 ? 16 : 64, 2 * Math.floor(near / 2), 2 * Math.ceil(fineReach(state) / state.pixel)));
   }
   return { side, pixel: pixelOf(state, side), tol };
 }

@@ -85,6 +85,11 @@ struct Averages {
     std::vector<double> total;
     double given = 0.0, peak = 0.0;  // what the samples' errors come to, and the largest intensity, at least
 
+    // Whether aberrations leave a peak that is far below that without.
+    bool blurred() const {
+        return std::accumulate(edge.begin(), edge.end(), 0.0, [](double sum, double c) { return sum + std::abs(c); }) > 20.0;
+    }
+
     template <class S>
     void make(const lommel::PixelTaps& taps, double tol) {
         const lommel::PixelFilter filter{taps.weights.data(), taps.weights.size(), taps.stride};
@@ -202,8 +207,11 @@ struct Averages {
     // Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
     Proof near_axis(double tol, double storing) {
         for (const double widest : {1.05, 0.8}) {
-            const Proof proof = attempt(tol, storing, widest);
-            if (proof.bound <= tol) {
+            Proof proof = attempt(tol, storing, widest);
+            if (proof.bound > tol && blurred()) {
+                proof.rest = proof.bound;
+            }
+            if (proof.bound <= tol || proof.rest > 0.0) {
                 return proof;
             }
         }
@@ -215,10 +223,17 @@ struct Averages {
         const double ceiling = light.area() * light.area(), aim = tol - (1.0 + tol) * storing, lowest = least_average(step);
         // As if the largest average were a few times the least it can be, and the peak not faint.
         double finer = 0.5 * aim * std::min(4.0 * lowest, 1.0), response = 2e-3 * aim * lowest;
+        // Of large aberrations samples are less bright: how much so is seen in single precision. Below `rounded` of their peak there
+        // are roundings only, which take long to be found out.
+        const bool dim = blurred();
+        if (dim) {
+            finer = std::max(finer, 1.5 * single);
+        }
+        double rounded = 0.0;
         Proof proof{1e300, 0.0};
         for (int again = 0; again < 5; ++again) {
             const PixelTaps taps(step, response, widest);
-            const double asked = finer / (taps.gain * taps.gain);
+            const double asked = std::max(finer / (taps.gain * taps.gain), rounded);
             asked >= single ? make<float>(taps, asked) : make<double>(taps, asked);
             const double top = *std::max_element(total.begin(), total.end());
             const double rounding =
@@ -228,10 +243,11 @@ struct Averages {
                 break;
             }
             proof = {stored((given + own) / found, storing), found};
-            if (proof.bound <= tol) {
+            if (proof.bound <= tol || (dim && asked <= rounded)) {
                 break;
             }
-            finer = asked >= single ? 0.9 * single : finer * std::min(1.0, 0.5 * aim * found / given);
+            rounded = dim ? 2e-12 / peak : 0.0;
+            finer = asked >= single && !dim ? 0.9 * single : finer * std::min(1.0, 0.5 * aim * found / given);
             response *= std::min(1.0, 0.2 * aim * found / own);
         }
         return proof;

@@ -838,16 +838,32 @@ def test_averages_over_large_windows_are_as_exact_as_asked(engine, state):
         assert found["bound"] <= most
 
 
-def test_averages_that_would_take_long_are_within_the_bound_they_state(engine):
-    state = {"coma": 8, "defocus": 10, "view": "averaged", "pixel": 10, "side": 512}
+@pytest.mark.parametrize(("pixel", "side", "most"), [(10, 180, 1e-6), (50, 36, 1e-6), (200, 16, 3e-2)])
+def test_averages_of_large_aberrations_are_of_the_pixels_with_light_and_within_their_bound(engine, pixel, side, most):
+    state = {"coma": 8, "defocus": 10, "view": "averaged", "pixel": pixel, "side": 512}
     found = engine.psf(state)
-    values = np.array(found["values"]).reshape(512, 512)
-    assert 1e-6 < found["bound"] < 0.03
+    assert found["side"] == side
+    values = np.array(found["values"]).reshape(side, side)
+    assert found["bound"] < most
     # Small windows around the axis, and far from it.
-    for row, column in ((256, 256), (256, 330), (40, 470)):
-        window = lm.psf(stated_pupil(state), 5, 1e-5, center=(258 - row, 258 - column), integrate=True, tol=1e-4)
+    middle = side // 2
+    for row, column in ((middle, middle), (middle, side - 3), (3, side - 5)):
+        center = (2 + middle - row, 2 + middle - column)
+        window = lm.psf(stated_pupil(state), 5, pixel * 1e-6, center=center, integrate=True, tol=1e-4)
         off = np.abs(values[row - 2 : row + 3, column - 2 : column + 3] - window.values).max()
         assert off <= (found["bound"] + 1e-4) * found["peak"]
+
+
+@pytest.mark.parametrize(
+    "state", [{"defocus": 20, "pixel": 15}, {"spherical": 12, "pixel": 4, "obscuration": 0.3}], ids=("wide", "narrow")
+)
+def test_averages_of_round_images_follow_the_light_within_circles(engine, state):
+    state = {"defocus": 0, "side": 256, "f_number": 8, "view": "averaged", **state}
+    found = engine.psf(state)
+    exact = psf_of(state, tol=1e-7, dtype=np.float64).values
+    off = np.abs(np.array(found["values"]).reshape(256, 256) - exact).max() / exact.max()
+    assert off <= found["bound"] + 1e-7
+    assert found["bound"] <= 1e-6
 
 
 def heavy_states():

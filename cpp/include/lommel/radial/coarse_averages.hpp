@@ -249,8 +249,14 @@ class CoarseAverages {
     Doubles values;
     double off() const { return std::max(by_rings, error); }
 
-    static constexpr double least = 8.0, always = 20.0;  // v a pixel, from which on this may pay, and does
-    static constexpr double most_near = 4000.0;          // pixels with rings where it may
+    static constexpr double always = 20.0;  // v a pixel, from which on this pays
+#if defined(__wasm__)
+    // The live page has one image of a window, whose weights no other image would share.
+    static constexpr double least = 3.0, most_near = 1e9;
+#else
+    static constexpr double least = 8.0;         // v a pixel, from which on this may pay
+    static constexpr double most_near = 4000.0;  // pixels with rings where it may
+#endif
 
     struct Attempt {
         double rings, field, sums;  // asked: of averages, of U, of averages

@@ -11,7 +11,14 @@ from hypothesis import strategies as st
 from scipy import integrate, optimize, special
 
 import lommel as lm
-from lommel.measures.continuous_image import ImageModel, cartesian_images, images, polar_images, sampled_transfer
+from lommel.measures.continuous_image import (
+    ImageModel,
+    _turning,
+    cartesian_images,
+    images,
+    polar_images,
+    sampled_transfer,
+)
 
 LAMBDA, F_NUMBER = 550e-9, 4.0
 BLURS = {
@@ -410,3 +417,8 @@ def test_the_frequency_of_half_contrast_is_that_of_the_image():
     assert psf.mtf(f) == pytest.approx(0.3, abs=1e-8)
     white = lm.psf(camera(), 9, 1e-6, method=lm.Polychromatic([450e-9, 650e-9], [1, 1]))
     assert white.mtf(lm.mtf_frequency(white)) == pytest.approx(0.5, abs=1e-8)
+
+
+def test_waves_at_equal_steps_turn_by_products():
+    f, x = np.linspace(-0.9, 0.8, 23), 0.37 * np.arange(-11.0, 27.0)
+    np.testing.assert_allclose(_turning(f, x), np.exp(2j * np.pi * np.outer(x, f)), atol=1e-13)

@@ -36,6 +36,7 @@ from lommel.base.cached import cached_property
 from lommel.blur.blurs import Blur, Seeing
 from lommel.blur.convolution import Short
 from lommel.core.answers import Images, ToleranceError, Wanted
+from lommel.core.engine import product
 from lommel.measures.overlap import autocorrelation
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.measures.small_shifts import transfer
@@ -353,12 +354,11 @@ class PolarImage:
         return found
 
     def on(self, x: Array, y: Array) -> Array:
-        """Return light per area on a lattice of points, shape ``(len(y), len(x))``."""
+        """Return light per area on a lattice of points at equal steps, shape ``(len(y), len(x))``."""
         found = np.zeros((y.size, x.size))
         for _, fx, fy, light in self._everywhere:
-            columns = np.exp(2j * math.pi * np.outer(fx.ravel(), x))
-            rows = np.exp(2j * math.pi * np.outer(y, fy.ravel())) * light.ravel()
-            found += rows.real @ columns.real - rows.imag @ columns.imag
+            columns, rows = _turning(fx.ravel(), x), _turning(fy.ravel(), y) * light.ravel()
+            found += product(rows.real, columns.real.T, 0) - product(rows.imag, columns.imag.T, 0)
         return found
 
     def derivatives(self, x: float, y: float) -> Array:
@@ -394,6 +394,18 @@ class PolarImage:
 
 
 Waves = tuple[Array, Array, Array, NDArray[np.complex128]]
+
+
+def _turning(f: Array, x: Array) -> NDArray[np.complex128]:
+    """Return waves of frequencies at equal steps of places, shape ``(len(x), len(f))``."""
+    found = np.empty((x.size, f.size), dtype=np.complex128)
+    found[0] = np.exp(2j * math.pi * x[0] * f)
+    done = 1
+    while done < x.size:
+        more = min(done, x.size - done)
+        np.multiply(found[:more], np.exp(2j * math.pi * (x[done] - x[0]) * f), out=found[done : done + more])
+        done += more
+    return found
 
 
 class PolarPart(NamedTuple):

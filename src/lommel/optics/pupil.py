@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Json
+from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property, changed
 from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.base_pupil import BasePupil, Geometry, not_a_pupil
@@ -282,27 +282,29 @@ class Pupil(BasePupil):
             blur = self._longest_gradient(*self._raster())
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
-    def _raster(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return points that fill the clear aperture."""
-        x, y = self.opening.raster()
-        if self.mask is not None:
-            clear = np.abs(self.mask.at(x, y)) > 0.0
-            # Light may pass between all points of the raster.
-            x, y = (x[clear], y[clear]) if clear.any() else self.rule(0)[:2]
-        return x, y
+    def _raster(self) -> NDArray[np.float64]:
+        """Return points that fill the clear aperture, and slopes of the segments there."""
+        found = self.opening.raster()
+        if self.mask is None:
+            return found
+        clear = np.abs(self.mask.at(*found[:2])) > 0.0
+        if clear.any():
+            return found[:, clear]
+        # Light may pass between all points of the raster.
+        x, y = self.rule(0)[:2]
+        return np.stack([x, y, *self.opening.tilted(x, y)[1:]])
 
-    def _longest_gradient(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase."""
+    def _longest_gradient(
+        self, x: Array, y: Array, tip: float | Array = 0.0, tilt: float | Array = 0.0
+    ) -> NDArray[np.float64]:
+        """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase, with slopes of segments."""
         h = 1e-6
 
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
             return self.wavefront.phase(np.hypot(x + dx, y + dy), np.arctan2(y + dy, x + dx)).reshape(-1, x.size)
 
         across, down = ((phase(*d) - phase(-d[0], -d[1])) / (2.0 * h) for d in ((h, 0.0), (0.0, h)))
-        if self.segmented:
-            _, tip, tilt = self.opening.tilted(x, y).reshape(3, -1)
-            across, down = across + tip, down + tilt
-        return np.asarray(np.hypot(across, down).max(axis=1))
+        return np.asarray(np.hypot(across + tip, down + tilt).max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
         """Return the pupil with another `wavefront`, `geometry` and perhaps `wavelength`; TypeError for others."""

@@ -111,3 +111,12 @@ def test_segments_are_drawn_with_their_phases():
     levels = np.unique(np.round(drawn.compressed() if np.ma.isMaskedArray(drawn) else drawn[~np.isnan(drawn)], 9))
     assert np.ptp(levels) == pytest.approx(0.5)
     assert len(levels) == 2
+
+
+def test_rays_are_scanned_at_the_same_points_of_an_aperture_once():
+    pupil = lm.Pupil(lm.Wavefront(1.0), stop=PHASED)
+    assert lm.Pupil(lm.Wavefront(2.0), stop=PHASED).opening.raster() is pupil.opening.raster()
+    x, y, tip, tilt = pupil.opening.raster()
+    np.testing.assert_array_equal(pupil.opening.tilted(x, y)[1:], [tip, tilt])
+    assert np.hypot(tip, tilt).max() > 0.0
+    assert not lm.Pupil(stop=SIX).opening.raster()[2:].any()

@@ -263,12 +263,20 @@ class Opening:
         """
         return _rows(self, -(-degree // _STEP) * _STEP, math.floor(math.log10(error)))
 
-    def raster(self) -> tuple[Array, Array]:
-        """Return points that fill the clear region up to its edges."""
-        lines = [line for part in self.regions for line in part.outline(256)]
-        x, y = np.concatenate([*lines, np.stack(_nodes(self, 64)[:2], axis=-1)]).T
-        clear = self._margin(x, y) >= -1e-9
-        return x[clear], y[clear]
+    def raster(self) -> Array:
+        """Return points that fill the clear region up to its edges, with slopes of segments there, (4, n)."""
+        return _raster(self)
+
+
+@lru_cache(maxsize=4)
+def _raster(opening: Opening) -> Array:
+    lines = [line for part in opening.regions for line in part.outline(256)]
+    x, y = np.concatenate([*lines, np.stack(_nodes(opening, 64)[:2], axis=-1)]).T
+    clear = opening.margin(x, y) >= -1e-9
+    x, y = x[clear], y[clear]
+    found = np.stack([x, y, *(opening.tilted(x, y)[1:] if opening.phases.any() else np.zeros((2, x.size)))])
+    found.flags.writeable = False
+    return found
 
 
 def _phased(phases: Array, x: Array, y: Array) -> Array:

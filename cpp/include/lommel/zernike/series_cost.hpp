@@ -62,7 +62,7 @@ struct SeriesCost {
             variance += amplitude * amplitude / (static_cast<double>(n + 1) * (m > 0 ? 2.0 : 1.0));
         });
         const double share = unit_roundoff * (phase.sensitivity() + rounding_) * std::sqrt(1.0 + variance) / tol;
-        return share > 0.15 ? 20.0 : 1.0 + 12.0 * share;
+        return share > 0.25 ? 20.0 : 1.0 + 12.0 * share;
     }
 
     void expand(const ZernikePhase& phase, double reach, double error) {

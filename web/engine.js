@@ -450,10 +450,12 @@ function asked(state, quality) {
   const rows = alongRows(state, averaged);
   const v = largestStep(state, state.pixel);
   const white = state.light === "white";
-  if ((rows && state.view !== "fine") || (state.view === "sampled" ? unevenSlope(state) > 0 : averaged && unevenSlope(state) > 250)) {
+  if ((rows && state.view !== "fine") || (state.view === "sampled" ? unevenSlope(state) > 0 : averaged && unevenSlope(state) > 170)) {
     const near = rows ? 0 : averaged ? (white ? 1000 : 2700) / Math.ceil(v) : 2 * Math.floor((white ? 800 : 2400) / v);
     side = Math.min(side, Math.max(v > 40 ? 16 : 64, 2 * Math.floor(near / 2), 2 * Math.ceil(fineReach(state) / state.pixel)));
   }
+  // Round images, too, where light is far within a window that is very wide.
+  if (state.view !== "fine" && side * v > 6e4 && rayReach(state) > 20) side = Math.max(64, 2 * Math.floor(3e4 / v));
   return { side, pixel: pixelOf(state, side), tol };
 }
 
@@ -492,7 +494,7 @@ function least(list, fits) {
 }
 
 // Up to `most` changes of a state, in words, after which it fits the time.
-function advice(state, fits, most = 2) {
+function advice(state, fits, most = 4) {
   const scaled = (keys) => SHARES.map((share) => [`to ${100 * share} %`, Object.fromEntries(keys.map((key) => [key, state[key] * share]))]);
   const aberrations = ["spherical", ...DIRECTED.map(({ name }) => name)].filter((key) => state[key]);
   const lists = [];
@@ -500,6 +502,7 @@ function advice(state, fits, most = 2) {
   if (state.vanes) lists.push(["remove the vanes", [["", { vanes: 0 }]]]);
   if (state.view === "averaged") lists.push(["choose “finely sampled”", [["", { view: "fine" }]]]);
   const choices = lists.length;
+  if (state.view !== "fine") lists.push(["reduce the pixel", scaled(["pixel"])]);
   if (state.focus === "distances") lists.push(["stop down", STOPS.filter((stop) => stop > state.f_number).map((stop) => [`to f/${stop}`, { f_number: stop }])]);
   if (state.focus === "distances") lists.push(["set the object distance to the focus distance", [["", { object_distance: state.focus_distance }]]]);
   else if (state.defocus) lists.push(["reduce the defocus", scaled(["defocus"])]);

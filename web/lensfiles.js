@@ -348,6 +348,8 @@ function structured(text, faults, opened = null) {
     for (let at = path; at; at = at.slice(0, Math.max(0, at.lastIndexOf(".")))) if (lines.has(at)) return `${path} (line ${lines.get(at)})`;
     return path;
   };
+  if (!root.lens && ["focal_length", "wavelength", "pixel"].some((key) => Object.hasOwn(root, key)))
+    throw new Error("has no sections; expected are [lens] and [sensor], each on a line of its own before its keys, such as [lens] above focal_length = \"50 mm\"");
   if (root.objective && !root.lens) throw new Error("describes a microscope, [objective]; this page takes lenses, [lens]");
   return root.terms && !root.lens ? sectionTable(root, where, faults) : lensOf(root, where, faults, opened);
 }

@@ -66,7 +66,7 @@ export function compose(canvases, { state, shown, held = null, mode = "one", sha
     draw(canvases.held, held.state, held, old, both ? (top * old.pixel ** 2) / image.pixel ** 2 : largest(old.values));
     found.panels.unshift({ name: "A", canvas: canvases.held, state: held.state, shown: held });
   }
-  const point = both ? "the brightest point of A and B" : old ? "the brightest point of each" : "the brightest point";
+  const point = both ? "the brightest point of A and B, for equal light; the numbers are of each its own peak" : old ? "the brightest point of each" : "the brightest point";
   const label = `${map === TRUE_COLOUR && image.colour ? "true colour, " : ""}${psf.counts ? "electrons per pixel" : `of ${point}`}${state.noise === "on" && !psf.counts ? ", without noise: that is of the sensor's pixels" : ""}`;
   return { ...found, ticks: drawBar(canvases.bar, { map, stretch: state.stretch }, psf.counts ? Math.max(1, top) : 1), label };
 }

@@ -551,7 +551,7 @@ export class View {
       const x = STAR.middle[0] + perRadius / f;
       const y = STAR.middle[1];
       const r = perRadius / f;
-      if (last - r < 26) continue; // their numbers would overlap
+      if (last - r < 10 + 7 * short(f, 2).length) continue; // their numbers would overlap
       last = r;
       marks.push(svg("path", { d: `M${x - r * 0.134} ${y - r / 2}A${r} ${r} 0 0 1 ${x - r * 0.134} ${y + r / 2}` }), svg("text", { x, y: y + 4 }, short(f, 2)));
     }

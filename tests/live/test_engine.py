@@ -521,6 +521,7 @@ def followed(state, advice):
     """Return a state after a change in words."""
     directed, defocus = ["spherical", "coma", "astigmatism", "trefoil"], ["defocus"]
     reduced = {"the defocus": defocus, "the aberrations": directed, "defocus and aberrations": defocus + directed}
+    reduced["the pixel"] = ["pixel"]
     state = dict(state)
     for part in re.split(r" and (?=stop|reduce|remove|choose)", advice.lower()):
         if part == "choose one wavelength":
@@ -556,6 +557,13 @@ def test_a_refusal_is_quick_and_what_it_advises_computes(engine, state):
         found = re.fullmatch(r"it would take too long\. (.*)\.", said)
         for advice in found[1].split(", or "):
             assert ask(method, followed(state, advice))[0] == "", advice
+
+
+def test_advice_names_less_defocus_and_smaller_pixels(engine):
+    state = {"defocus": 30, "coma": 8, "light": "white", "view": "averaged", "pixel": 40, "side": 64, "vanes": 4}
+    said = engine.ask("psf", state)["error"]
+    assert "educe the defocus to" in said or "educe defocus and" in said
+    assert "educe the pixel to" in said
 
 
 def test_advice_for_the_mtf_helps(engine):

@@ -77,7 +77,7 @@ def test_an_enlarged_page_scrolls_and_keeps_the_psf_large(visit: Callable[..., A
 
 def test_a_phone_shows_the_bar_and_the_numbers_before_the_sliders(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
-    bar, numbers, side = (page.locator(part).bounding_box() for part in (".scale", ".numbers", ".side"))
+    bar, numbers, side = (page.locator(part).bounding_box() for part in (".scale", ".numbers", ".hands"))
     assert bar["height"] > 15
     assert bar["y"] < numbers["y"] < side["y"]
     assert numbers["y"] + numbers["height"] < 844
@@ -93,6 +93,67 @@ def test_two_pictures_take_the_width_of_the_screen(visit: Callable[..., Any]) ->
     assert ends["x"] + ends["width"] == pytest.approx(1344, abs=2)
 
 
+CUT = """() => [...document.querySelector(".lommel-live-host").shadowRoot
+    .querySelectorAll(".readout, .legend, .line label, dt:not(.unseen)")]
+    .filter((node) => node.scrollWidth > node.clientWidth + 1 || node.scrollHeight > node.clientHeight + 3)
+    .map((node) => node.textContent)"""
+COVERED = """(node) => {
+    const root = document.querySelector(".lommel-live-host").shadowRoot;
+    const { left, top, width, height } = node.getBoundingClientRect();
+    const seen = root.elementFromPoint(left + width / 2, top + height / 2);
+    return !(node === seen || node.contains(seen));
+}"""
+
+
+@pytest.mark.parametrize(
+    "path", ["/live#side=64&noise=on&vanes=4", "/live#side=64&focus=distances", "/live?lesson=hubble"]
+)
+@pytest.mark.parametrize("compared", [False, True])
+def test_all_is_in_reach_at_a_zoom_of_200_percent(visit: Callable[..., Any], path: str, compared: bool) -> None:
+    # Of a screen of 1366 x 768.
+    page = visit(path, viewport={"width": 683, "height": 384}, device_scale_factor=2)
+    if compared:
+        page.get_by_role("button", name="Hold as A").click()
+        page.wait_for_selector(".lommel-live-host:not([data-busy])", state="attached")
+    assert page.evaluate("document.documentElement.scrollWidth") <= 683
+    assert page.evaluate(CUT) == []
+    for control in page.locator("button:visible, select:visible, input:not(.unseen):visible, summary:visible").all():
+        control.evaluate("node => node.scrollIntoView({ block: 'center' })")
+        area = control.bounding_box()
+        name = control.evaluate("node => node.getAttribute('aria-label') ?? node.textContent + node.dataset.key")
+        assert area["x"] >= 0, name
+        assert area["x"] + area["width"] <= 683, name
+        assert area["y"] >= 0, name
+        assert area["y"] + area["height"] <= 384, name
+        assert not control.evaluate(COVERED), name
+
+
+def test_the_text_of_a_lesson_is_on_the_first_screen_of_a_phone(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?lesson=hubble", viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    text, numbers = (page.locator(part).bounding_box() for part in (".lesson", ".numbers"))
+    assert text["y"] < 0.6 * 844
+    assert text["y"] < numbers["y"]
+
+
+@pytest.mark.parametrize("width", [390, 1366])
+def test_names_of_menus_and_numbers_do_not_touch(visit: Callable[..., Any], width: int) -> None:
+    page = visit("/mounted#side=64", viewport={"width": width, "height": 768})
+    page.get_by_role("button", name="Hold as A").click()
+    rest(page)
+    assert page.locator("select[aria-label=Lesson], .tools > select").last.bounding_box()["width"] >= 94
+    for row in page.evaluate(
+        """() => [...document.querySelector(".lommel-live-host").shadowRoot.querySelectorAll("dt:not(.unseen)")]
+        .filter((node) => node.closest(".numbers")).map((node) => {
+            const range = document.createRange();
+            range.selectNodeContents(node);
+            const { left, right, top } = range.getBoundingClientRect();
+            return [Math.round(top), left, right];
+        }).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map((at, i, all) =>
+            i + 1 < all.length && all[i + 1][0] === at[0] ? all[i + 1][1] - at[2] : 99)"""
+    ):
+        assert row >= 5
+
+
 @pytest.mark.parametrize("size", [(768, 1024), (1024, 768), (1366, 768), (1920, 1080)])
 def test_a_projector_shows_a_curve_on_its_first_screen(visit: Callable[..., Any], size: tuple[int, int]) -> None:
     page = visit("/mounted?large#side=64", viewport={"width": size[0], "height": size[1]})
@@ -100,12 +161,6 @@ def test_a_projector_shows_a_curve_on_its_first_screen(visit: Callable[..., Any]
         area = page.locator(f"figure.{name}").bounding_box()
         assert area["y"] + area["height"] <= size[1], name
     assert page.evaluate("document.documentElement.scrollWidth") <= size[0]
-
-
-CUT = """() => [...document.querySelector(".lommel-live-host").shadowRoot
-    .querySelectorAll(".readout, .legend, .line label, dt")]
-    .filter((node) => node.scrollWidth > node.clientWidth + 1 || node.scrollHeight > node.clientHeight + 3)
-    .map((node) => node.textContent)"""
 
 
 @pytest.mark.parametrize("width", [390, 768, 1024, 1366, 1920])

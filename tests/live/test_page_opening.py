@@ -278,6 +278,15 @@ DROP = """([name, text]) => {
 }"""
 
 
+def test_a_lens_file_without_sections_is_told_what_is_expected(visit: Callable[..., Any]) -> None:
+    page = visit()
+    page.evaluate("""live.open(new File(['focal_length = "50 mm"\\nf_number = 2'], 'flat.toml')).catch(() => null)""")
+    page.wait_for_timeout(300)
+    said = page.locator(".notice").inner_text()
+    assert "flat.toml: has no sections; expected are [lens] and [sensor]" in said
+    assert 'such as [lens] above focal_length = "50 mm"' in said
+
+
 def test_a_dropped_lens_file_names_the_lens_and_what_is_left_out(
     visit: Callable[..., Any], lenses: dict[str, Path]
 ) -> None:

@@ -284,6 +284,7 @@ def test_pictures_that_are_not_computed_say_so(visit: Callable[..., Any]) -> Non
     rest(page)
     notice = page.locator(".notice").inner_text()
     assert notice.startswith("This setting cannot be computed: it would take too long. Choose one wavelength")
+    assert page.locator(".ruler").is_hidden()  # there is nothing to measure
     refused = page.evaluate(labels)
     for name in names:
         assert f"{name}: not computed for this setting." in refused

@@ -247,9 +247,10 @@ void bindings::define_disk_bounds(nb::module_& m) {
           "What the sums of the chordal rule round, and what single precision adds; and what a factor of some degree adds to "
           "either.");
     m.def("turned_waves", &turned_waves, "turns"_a, "Cosine and sine, in floats, of each multiple of 2^-32 turns.");
-    m.def("chordal_mean", &chordal_mean, "terms"_a, "coefficients"_a, "curve"_a, "nodes"_a, "window"_a, "lone"_a,
-          "Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and "
-          "what it may be beyond that; the window is left, right, top and bottom in v; vectors are of samples for a lone pupil.");
+    m.def(
+        "chordal_mean", &chordal_mean, "terms"_a, "coefficients"_a, "curve"_a, "nodes"_a, "window"_a, "lone"_a,
+        "Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and "
+        "what it may be beyond that; the window is left, right, top and bottom in v; vectors are of samples for a lone pupil.");
     m.def("tilted_stack", &tilted_stack, "terms"_a, "edge"_a, "center"_a, "row"_a, "column"_a, "step"_a,
           "A wavefront whose axis is moved by a tilt, and what that loses.");
 }

@@ -42,8 +42,8 @@ std::pair<Out<double, 3>, Out<double, 4>> star_likelihood(const nb::typed<nb::li
             }
             const auto part = [&](std::size_t k) { return star.data() + (k * count + one) * pixels; };
             const double* const own = light.data() + 2 * set * count + one;
-            const lommel::StarLikelihood found = lommel::star_likelihood<T>({part(0), part(1), part(2), part(3)}, pixels, from,
-                                                                            own[0], own[count], products.data() + image * rows * rows);
+            const lommel::StarLikelihood found = lommel::star_likelihood<T>(
+                {part(0), part(1), part(2), part(3)}, pixels, from, own[0], own[count], products.data() + image * rows * rows);
             const double all[] = {found.deviance, found.expected, found.spread};
             for (std::size_t k = 0; k < 3; ++k) {
                 numbers.data()[k * size + image] = all[k];
@@ -60,7 +60,8 @@ void bindings::define_estimation(nb::module_& m) {
         using T = decltype(pixel);
         m.def(sizeof(T) == 4 ? "star_likelihood_single" : "star_likelihood_double", &star_likelihood<T>, "images"_a, "light"_a,
               "star"_a, "threads"_a,
-              "Deviance, expected chi2 and its variance, (3, sets, images), of counts given images and their derivatives, and the "
+              "Deviance, expected chi2 and its variance, (3, sets, images), of counts given images and their derivatives, and "
+              "the "
               "products of these, 1 and the residual over standard deviations, (sets, images, k + 2, k + 2).");
     });
 }

@@ -76,9 +76,7 @@ struct SharpTable {
     std::size_t tiles() const { return (samples + tile - 1) / tile; }
     std::size_t room() const { return tiles() * tile * images; }  // vectors for images of all samples
     // Where the numbers of a sample are, so many of which there are, each `tile` after the other.
-    static std::size_t place(std::size_t sample, std::size_t numbers) {
-        return sample / tile * tile * numbers + sample % tile;
-    }
+    static std::size_t place(std::size_t sample, std::size_t numbers) { return sample / tile * tile * numbers + sample % tile; }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
@@ -150,7 +148,8 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
             const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
             const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
             for (std::size_t j = 0; j < list.size(); ++j) {
-                values[place(s, list.size()) + j * tile] = static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
+                values[place(s, list.size()) + j * tile] =
+                    static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
             }
             for (std::size_t k = 0; k < places; ++k) {
                 const std::size_t corner = k % corners, sign = k / corners % 2, image = k / corners / 2;

@@ -32,8 +32,7 @@ class Fraunhofer(Method[Pupil]):
     padding : float, default 4
         Least ratio of the FFT's length to `samples`, at least 1.
     edge : {"binary", "grey"}, default "binary"
-        "binary": a sample is 1 if its centre is clear, else 0; "grey": it is the clear fraction of its cell, exact
-        for discs and annuli, from 16 x 16 points of the cell for other apertures.
+        "binary": a sample is 1 if its centre is clear, else 0; "grey": it is the clear fraction of its cell.
 
     Raises
     ------

@@ -20,10 +20,19 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.optics.aperture.apodization import Apodization
-from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse, Segments, Shape, Spider, listed, require_reach
+from lommel.optics.aperture.shapes import (
+    CatEye,
+    Disc,
+    Ellipse,
+    Segments,
+    Shape,
+    Spider,
+    covered,
+    listed,
+    require_reach,
+)
 from lommel.special.disk import disk_overlap
 
-_SUB = 16  # points along each side of a cell at an edge
 _EXACT = 1e-14  # relative error of rules for measures
 _APART = 1e-10  # area over pi that segments may have in common, by rounding
 _STEP = 16  # degrees are rounded up to multiples of it, so that neighbours share their nodes
@@ -205,23 +214,17 @@ class Opening:
         return self._margin(validation.real_array("x", x), validation.real_array("y", y))
 
     def _margin(self, x: Array, y: Array) -> Array:
-        least = self._round(x, y)
-        return least if self.spider is None else np.minimum(least, -self.spider.margin(x, y))
-
-    def _round(self, x: Array, y: Array) -> Array:
-        """Return the margin without vanes."""
         rho = np.hypot(x, y)
         least = np.minimum(1.0 - rho, rho - self.obscuration) if self.obscuration > 0.0 else 1.0 - rho
         for part in (self.vignetting, self.stop):
             if part is not None:
                 least = np.minimum(least, part.margin(x, y))
-        return np.asarray(least)
+        return np.asarray(least if self.spider is None else np.minimum(least, -self.spider.margin(x, y)))
 
     def coverage(self, x: Array, y: Array, half: float) -> Array:
         """Return the clear fraction of square cells with centres (`x`, `y`) and side twice `half`.
 
-        Exact for circular and annular apertures; else by 16 x 16 points of each cell that an edge may cross, smoothed
-        at the edge. TypeError or ValueError if an argument is not real and finite, or `half` not above 0.
+        Exact but for rounding. TypeError or ValueError if an argument is not real and finite, or `half` not above 0.
         """
         x, y = validation.real_array("x", x), validation.real_array("y", y)
         half = validation.real("half", half, above=0.0)
@@ -230,23 +233,8 @@ class Opening:
             inner = disk_overlap(self.obscuration, *cell) if self.obscuration > 0.0 else 0.0
             return np.asarray((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half))
         across, down = np.broadcast_arrays(x, y)
-        margin = self._margin(across, down)
-        part = (margin >= 0.0).astype(np.float64)
-        cut = np.abs(margin) < math.sqrt(2.0) * half
-        place = half * ((2.0 * np.arange(_SUB) + 1.0) / _SUB - 1.0)
-        # Counting whole points alone would favour one side of an edge along a diagonal of their lattice.
-        soft = 2.0 * half / _SUB
-        xs, ys = across[cut], down[cut]
-        count = np.zeros(xs.size)
-        for dy in place:
-            for dx in place:
-                here = 0.5 + self._round(xs + dx, ys + dy) / soft
-                if self.spider is not None:
-                    # A softer edge than a vane is wide would fill it in.
-                    here = np.minimum(here, 0.5 - self.spider.margin(xs + dx, ys + dy) / min(soft, self.spider.width))
-                count += np.clip(here, 0.0, 1.0)
-        part[cut] = count / _SUB**2
-        return part
+        parts = (covered(region, across.ravel(), down.ravel(), half) for region in self.regions)
+        return np.asarray(sum(parts)).reshape(across.shape)
 
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if that is too large.

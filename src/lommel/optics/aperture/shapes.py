@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import or_
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,8 +26,10 @@ _FAR = 1000.0
 _FARTHEST = _FAR + 1.0  # that such a disc may reach the aperture
 _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
+_AT_ONCE = 2**24  # cells times parts
 _LEAST = 1e-10  # error of areas over pi
 _BOTH, _EITHER, _WITHOUT = -1, -2, -3  # as the compiled core has them
+_PLANE = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])  # more than any aperture
 _Part = TypeVar("_Part")
 _STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
 
@@ -132,6 +134,35 @@ class Listed(NamedTuple):
                 stack.append(by[step](stack.pop(), second))
         return stack.pop()
 
+    def reduced(self, pattern: Sequence[int]) -> Listed:
+        """Return the region where each part is as a `pattern` says, _NONE, _CUT or _FULL, by those that are cut."""
+        stack: list[int | list[int]] = []
+        for step in self.steps:
+            if step >= 0:
+                stack.append([step] if pattern[step] == _CUT else pattern[step])
+                continue
+            second, first = stack.pop(), stack.pop()
+            if step == _WITHOUT and isinstance(second, int):
+                second, step = _FULL - second, _BOTH
+            decides = _FULL if step == _EITHER else _NONE
+            if decides in (first, second):
+                stack.append(decides)
+            elif isinstance(second, int):
+                stack.append(first)
+            elif isinstance(first, int) and step != _WITHOUT:
+                stack.append(second)
+            else:
+                stack.append([*([len(pattern)] if isinstance(first, int) else first), *second, step])
+        steps = cast("list[int]", stack.pop())
+        used = sorted({step for step in steps if step >= 0})
+        polygons = (*self.polygons, _PLANE)
+        round_parts = np.cumsum([len(at) == 0 for at in polygons]) - 1
+        return Listed(
+            self.ellipses[[round_parts[part] for part in used if len(polygons[part]) == 0]],
+            tuple(polygons[part] for part in used),
+            tuple(used.index(step) if step >= 0 else step for step in steps),
+        )
+
     def __and__(self, other: Listed) -> Listed:
         """Return what two regions share."""
         further = tuple(step + len(self.polygons) if step >= 0 else step for step in other.steps)
@@ -140,6 +171,46 @@ class Listed(NamedTuple):
             self.polygons + other.polygons,
             (*self.steps, *further, _BOTH),
         )
+
+
+# Of a cell, how much of it a part holds: in order, so that the least is that of both, the largest that of either.
+_NONE, _CUT, _FULL = 0, 1, 2
+
+
+def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
+    """Return the fraction of square cells that a region covers, exact but for rounding.
+
+    Parameters
+    ----------
+    region : Shape
+    x, y : ndarray, shape (n,)
+        Centres of the cells.
+    half : float
+        Half of their side.
+    """
+    parts: list[Shape] = []
+    region._listed(parts, [])
+    if x.size * len(parts) > _AT_ONCE and x.size > 1:
+        pieces = -(-x.size * len(parts) // _AT_ONCE)
+        bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
+        return np.concatenate([covered(region, *band, half) for band in bands])
+    whole, near = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
+    margins = (part.margin(x, y) for part in parts)
+    known = np.array([np.where(m > near, _FULL, np.where(m < -near, _NONE, _CUT)) for m in margins], np.int8)
+    state = whole.combined(list(known), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
+    found: Array = np.where(state == _FULL, 1.0, 0.0)
+    cut = np.flatnonzero(state == _CUT)
+    if not cut.size:
+        return found
+    # Cells that the same edges cross have one region, of the parts with these edges.
+    patterns, which = np.unique(known[:, cut], axis=1, return_inverse=True)
+    square = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    for k, pattern in enumerate(patterns.T):
+        left = whole.reduced(pattern.tolist())
+        for i in cut[which == k]:
+            cell = Listed(np.zeros((0, 5)), (np.add(square, (x[i], y[i])),), (0,))
+            found[i] = (cell & left).rule(0, 1e-17).weight * math.pi / (4.0 * half * half)
+    return np.asarray(np.clip(found, 0.0, 1.0))
 
 
 def listed(region: Shape) -> Listed:

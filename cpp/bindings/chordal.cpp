@@ -1,7 +1,9 @@
 // Pupils with arbitrary Zernike terms on small windows, by the chordal Gauss rule.
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "lommel/chordal/fields.hpp"
 #include "lommel/chordal/gradient.hpp"
 #include "lommel/chordal/images.hpp"
 #include "lommel/chordal/sums.hpp"
@@ -93,6 +95,66 @@ void sums_gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
         center_y, center_x);
 }
 
+std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<std::int32_t, 1> ends,
+                                                       In<complex, 3> coefficients, In<std::int32_t, 2> shares,
+                                                       In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
+                                                       In<std::int32_t, 1> parities, In<complex, 4> waves,
+                                                       In<std::int32_t, 1> wave, double center_y, double center_x,
+                                                       std::size_t height, std::size_t width, double step, int threads) {
+    const auto within = [](const std::int32_t* which, std::size_t size, std::size_t most, std::int32_t least = 0) {
+        return std::all_of(which, which + size,
+                           [&](std::int32_t i) { return i >= least && (i < 0 || static_cast<std::size_t>(i) < most); });
+    };
+    const auto at_nodes = [&](const auto& table, std::size_t axis) {
+        return table.shape(axis) == radial.shape(1) && table.shape(axis + 1) == radial.shape(2);
+    };
+    const std::size_t planes = wave.shape(0), total = radial.shape(0);
+    require(at_nodes(factors, 1) && at_nodes(terms, 1) && at_nodes(waves, 2), "tables must be at the same nodes");
+    require(planes > 0 && coefficients.shape(1) == planes && coefficients.shape(2) == total,
+            "one coefficient a plane and term");
+    require(waves.shape(1) == 4 && within(wave.data(), planes, waves.shape(0)), "waves have four parities and are one a plane");
+    require(within(ends.data(), ends.size(), total + 1) && std::is_sorted(ends.data(), ends.data() + ends.size()),
+            "terms must be those of parts");
+    require(parities.size() == terms.shape(0) && within(parities.data(), parities.size(), 4), "one parity a term");
+    require(shares.shape(0) > 0 && shares.shape(1) == 3 && factors.shape(0) == shares.shape(0), "one factor a share");
+    require(sets.shape(0) > 0 && sets.shape(1) == 2, "one set at the least");
+    lommel::NodeSeries given{count_of(2 * radial.shape(1), 2 * radial.shape(2)),
+                             planes,
+                             0,
+                             total,
+                             {},
+                             radial.data(),
+                             coefficients.data(),
+                             {},
+                             factors.data(),
+                             {},
+                             terms.data(),
+                             parities.data(),
+                             waves.data(),
+                             wave.data()};
+    given.ends.assign(ends.data(), ends.data() + ends.size());
+    for (std::size_t i = 0; i < shares.shape(0); ++i) {
+        const std::int32_t* of = shares.data() + 3 * i;
+        require(of[0] >= 0 && of[0] < 64 && within(of + 1, 1, 4) && within(of + 2, 1, ends.size()), "shares must be of parts");
+        given.shares.push_back({of[0], of[1], of[2]});
+        given.fields = std::max(given.fields, static_cast<std::size_t>(of[0]) + 1);
+    }
+    for (std::size_t i = 0; i < sets.shape(0); ++i) {
+        const std::int32_t* of = sets.data() + 2 * i;
+        require(within(of, 1, coefficients.shape(0)) && within(of + 1, 1, terms.shape(0), -1),
+                "sets must be of series and terms");
+        given.sets.push_back({of[0], of[1]});
+    }
+    require_image(height, width);
+    require_center(center_y, center_x);
+    require_request(step, 1.0, threads);
+    auto values = new_array<double, 4>({given.sets.size(), planes, height, width});
+    auto largest = new_array<double, 3>({given.sets.size(), planes, given.fields});
+    released(
+        [&] { lommel::node_light(given, {height, width, center_y, center_x, step}, threads, values.data(), largest.data()); });
+    return {values, largest};
+}
+
 // Images only where they are likely to take less time than by the series.
 template <class T>
 struct CheaperImages : Images<T> {
@@ -149,6 +211,10 @@ void bindings::define_chordal(nb::module_& m) {
     m.def("chordal_sums", &sums, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "step"_a,
           "chords"_a, "nodes"_a, "threads"_a, "images"_a.noconvert(),
           "Intensities by so many chords and nodes, in single precision, of each pupil column by column.");
+    m.def("chordal_series_light", &series_light, "radial"_a, "ends"_a, "coefficients"_a, "shares"_a, "factors"_a, "sets"_a,
+          "terms"_a, "parities"_a, "waves"_a, "wave"_a, "center_y"_a, "center_x"_a, "height"_a, "width"_a, "step"_a,
+          "threads"_a,
+          "Sums of squares of fields whose amplitudes are series at the nodes of a quadrant, derivatives, and largest fields.");
     m.def("chordal_sums_gradient", &sums_gradient, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "chords"_a, "nodes"_a, "threads"_a, "weights"_a, "values"_a.noconvert(),
           "Of the sum of weights times these, the derivatives by the coefficients of all terms.");

@@ -54,6 +54,7 @@ from lommel.measures.focus import best_focus as best_focus
 from lommel.measures.transfer import mtf as mtf, mtf_frequency as mtf_frequency, otf as otf, ptf as ptf
 from lommel.methods.chordal_gauss import ChordalGauss as ChordalGauss
 from lommel.methods.paper.closed_form import ClosedForm as ClosedForm
+from lommel.methods.layers.chordal_debye import ChordalDebye as ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings as DebyeRings
 from lommel.methods.layers.debye_wolf import DebyeWolf as DebyeWolf
 from lommel.methods.paper.fraunhofer import Fraunhofer as Fraunhofer

@@ -243,6 +243,51 @@ def chordal_sums_gradient(
     return made
 
 
+class NodeTables(NamedTuple):
+    """Fields at the nodes of a quadrant of the chordal rule, x, y > 0, which are the last two axes of all tables.
+
+    A field is the sum of its shares, ``factor * sum_n c_n R_n``. Parities are 2 for odd in x plus 1 for odd in y.
+    """
+
+    radial: Array  # (terms, ...), those of all parts
+    ends: NDArray[np.int32]  # of the terms of each part
+    shares: NDArray[np.int32]  # (k, 3): the field, the parity of the factor, the part
+    factors: NDArray[np.complex128]  # (k, ...)
+
+
+class NodeWaves(NamedTuple):
+    """Weighted sums of waves over the images of nodes, by parity, and which of them each plane has."""
+
+    values: NDArray[np.complex128]  # (waves, 4, ...)
+    which: NDArray[np.int32]  # (planes,)
+
+
+class NodeTerms(NamedTuple):
+    """Zernike terms at the nodes, and their parities."""
+
+    values: Array  # (terms, ...)
+    parities: NDArray[np.int32]
+
+
+def chordal_series_light(
+    tables: NodeTables,
+    coefficients: NDArray[np.complex128],
+    waves: NodeWaves,
+    window: Window,
+    sets: NDArray[np.int32],
+    terms: NodeTerms,
+    threads: int = 0,
+) -> tuple[Array, Array]:
+    """Return the sum of squares of fields in each plane, and its derivatives, (sets, planes, height, width).
+
+    And the largest modulus of each field, (sets, planes, fields). `coefficients` have the shape (series, planes,
+    terms); a set of fields has one of these series, and is multiplied by i times one of the `terms` or, for -1, none.
+    """
+    light: Callable[..., tuple[Array, Array]] = _core.chordal_series_light
+    rows = *window.center, *window.shape, window.step, threads
+    return light(*tables[:2], coefficients, *tables[2:], sets, *terms, *waves, *rows)
+
+
 def _disk_images(
     compute: Callable[..., float],
     over: str,

@@ -54,18 +54,19 @@ def _stratified() -> tuple[Callable[[float], Method], ...]:
     return (Stratified,)
 
 
-def _rings() -> tuple[Callable[[float], Method], ...]:
+def _chords_or_rings() -> tuple[Callable[[float], Method], ...]:
+    from lommel.methods.layers.chordal_debye import ChordalDebyeIfCheaper
     from lommel.methods.layers.debye_rings import DebyeRings
 
-    return (DebyeRings,)
+    return ChordalDebyeIfCheaper, DebyeRings
 
 
 RULES = (
     Rule(
         "microscope objective with measured aberrations",
         lambda pupil, _: pupil.aberrated,
-        _rings,
-        "a matrix product per azimuthal order, FFTs on circles, a sparse product",
+        _chords_or_rings,
+        "two matrix products in small windows; or one per azimuthal order, FFTs on circles, a sparse product",
     ),
     Rule(
         "microscope objective",
@@ -141,6 +142,8 @@ def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Met
     """Return the methods for a stack that is computed in parts, so that one of them answers all that it can."""
     if len(ways) == 1:
         return ways
+    if pupil.layered:
+        return ways[-1:]
     from lommel.core.engine import disk_costs
     from lommel.methods.nijboer_zernike import disk_stack, window_of
     from lommel.methods.pixels.averaging import samples_across
@@ -169,7 +172,7 @@ def reference(pupil: BasePupil) -> Method:
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 
-        return _rings()[0](1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
+        return _chords_or_rings()[-1](1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
     if pupil.radial:
         from lommel.methods.hankel import Hankel  # for reports, which are rare
 

@@ -47,7 +47,7 @@ class Asked(NamedTuple):
             from lommel.methods.layers.slopes import layered_slopes
 
             layers = cast("ObjectivePupil", pupil)
-            return layered_slopes(self.ways[0], layers, self.grid, names, question, energy=self.energy)
+            return layered_slopes(self.ways[-1], layers, self.grid, names, question, energy=self.energy)
         if names:
             from lommel.methods.derivatives import differentiated
             from lommel.optics.pupil import checked

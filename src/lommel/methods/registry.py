@@ -9,6 +9,7 @@ from lommel.core.answers import ToleranceError
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.hankel import Hankel
 from lommel.methods.layers.bead import Bead
+from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings
 from lommel.methods.layers.debye_wolf import DebyeWolf
 from lommel.methods.layers.scanning import Confocal, Sted, TwoPhoton
@@ -46,7 +47,7 @@ METHODS = _named(
 )
 """Every method for the pupils of lenses, by the name the command line uses."""
 
-LAYERED = _named(Stratified, DebyeRings, DebyeWolf)
+LAYERED = _named(Stratified, ChordalDebye, DebyeRings, DebyeWolf)
 """Those for the pupils of objectives."""
 
 _SUMS = _named(Polychromatic, Bead, Confocal, TwoPhoton, Sted)  # of the answers of others
@@ -97,6 +98,7 @@ __all__ = [
     "LAYERED",
     "METHODS",
     "Bead",
+    "ChordalDebye",
     "ChordalGauss",
     "ClosedForm",
     "Confocal",

@@ -150,7 +150,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     band, along = _along(accuracy.between)
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
     wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
-    rows = _squares(light.waves.form)
+    rows = squares(light.waves.form)
     values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     scales = np.ones(n) if wanted.scale is None else np.broadcast_to(wanted.scale, n)
     centers = np.stack(np.broadcast_arrays(*grid.center), axis=-1).reshape(-1, 2)
@@ -237,7 +237,7 @@ def _along(error: float) -> tuple[float, interpolation.Steps]:
     return band, interpolation.steps(band, max(error, least))
 
 
-def _squares(form: Complex) -> Complex:
+def squares(form: Complex) -> Complex:
     """Return rows T with ``sum_ab form[a, b] U_a conj(U_b) = sum_c abs(sum_a T[c, a] U_a)^2``."""
     if not np.any(form - np.diag(np.diag(form))):
         rows = np.diag(np.sqrt(np.diag(form).astype(np.complex128)))

@@ -1,0 +1,330 @@
+"""Small windows of a microscope with a measured wavefront: the chordal Gauss rule with projected amplitudes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Declined, Images, Intensities, Wanted, not_met
+from lommel.core.engine import NodeTables, NodeTerms, NodeWaves, Window, chordal_series_light
+from lommel.methods.layers.debye_rings import squares
+from lommel.methods.layers.debye_wolf import LEAST, LayeredMethod, likely_peak
+from lommel.methods.method import normalized_error, stored, storing
+from lommel.methods.pixels.averaging import averaged_images
+from lommel.optics.grid import Grid
+from lommel.optics.layers import projection
+from lommel.optics.layers.emitter import Emitter
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.quadrature_bounds import Complex
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+
+_B = np.geomspace(0.03, 3.0, 64)  # how far curves are from the real angles, each of which proves a bound
+_SINH = np.sinh(_B)
+_RATIO = np.exp(-4.0 * _B)
+_OVER_CHORDS = np.log1p(_RATIO)
+_OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
+_MOST_NODES, _MOST_DEGREE = 256, 250
+_ROUNDING = 2.0**-53
+# Of the error of a field, what the projection, the sum over chords and that over nodes may have.
+_SHARES = (0.25, 0.3, 0.3)
+_QUADRATURE = 0.05
+
+
+@dataclass(frozen=True)
+class ChordalDebye(LayeredMethod):
+    r"""Debye-Wolf integral of an objective with aberrations in small windows, for any emitter, by sums over chords.
+
+    Supports the pupils of :meth:`lommel.Objective.pupil` with `aberrations` only.
+
+    Parameters
+    ----------
+    tol : float, default 1e-6
+        Tolerance relative to the largest value in the window, 1e-12 to 1e-1; :class:`ToleranceError` is raised where
+        it cannot be met, as in a window far from the light.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `tol` is out of range.
+
+    Notes
+    -----
+    Every field is ``(1/pi) int t(rho) exp(i q theta + i W - i v.r) dx dy`` over the unit disc, t being the amplitude
+    times the phase of the layers, which have a kink at the critical angle. In place of t stands its series of
+    radial polynomials ``R_n^q`` up to a degree D; what is left out is orthogonal to all polynomials up to that
+    degree, and ``exp(i W - i v.r)`` in a small window nearly is one. The rule of :class:`ChordalGauss` integrates the
+    rest. Degree, chords and nodes are proven to suffice; see docs/certificate.md, section 16.
+
+    References
+    ----------
+    L. N. Trefethen and J. A. C. Weideman, SIAM Review 56, 385 (2014), doi:10.1137/130932132: the trapezoidal rule.
+    J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003): Zernike
+    series of the amplitudes of vectorial light.
+    """
+
+    tol: float = 1e-6
+
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
+        """Return why `pupil` is not supported, or None if it is."""
+        return None if pupil.aberrated else "supports aberrations only; without these use Stratified or DebyeWolf"
+
+    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I on the pixels of `grid`."""
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
+
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        if wanted.powers or wanted.terms:
+            raise ValueError("derivatives by phases are not available of the pupils of an Objective")
+        return averaged_images(self._samples, pupil, grid, self.tol, wanted)
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        n = pupil.depth.size
+        values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
+        if grid.stack:
+            scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
+            alone = [
+                self._refined(
+                    pupil[k],
+                    grid[k],
+                    tol,
+                    wanted._replace(scale=None if scales is None else scales[i : i + 1], out=values[i : i + 1]),
+                )
+                for i, k in enumerate(np.ndindex(pupil.shape))
+            ]
+            scale, error, peak = (
+                np.concatenate(each) for each in zip(*((m.scale, m.bound, m.brightest) for m in alone), strict=True)
+            )
+            return Images(values, scale, error, None, peak)
+        return self._refined(pupil, grid, tol, wanted._replace(out=values))
+
+    def _refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        """Return I at the centres of pixels around one axis, within `tol` of the largest."""
+        # What is divided by its own largest value is off by twice as much, and stored twice.
+        twice = 2.0 if wanted.scale is None else 1.0
+        aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
+        peak = likely_peak(pupil) / 4.0
+        while True:
+            field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
+            values, error = intensities(pupil, grid, field, wanted.threads)
+            top = values.reshape(len(values), -1).max(axis=1)
+            least = top - error
+            relative = np.divide(error, least, out=np.full(least.shape, np.inf), where=least > 0.0)
+            if wanted.scale is None:
+                relative = normalized_error(relative)
+            if (worst := float(stored(relative, wanted.dtype).max())) <= tol:
+                break
+            if field <= LEAST or (not worst < np.inf and peak < 1e-12):
+                raise not_met(self.tol, worst, "the largest value in the window")
+            peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
+        scales = 1.0 / top if wanted.scale is None else np.array(np.broadcast_to(wanted.scale, top.shape))
+        assert wanted.out is not None
+        np.multiply(values, scales[:, None, None], out=wanted.out, casting="same_kind")
+        return Images(wanted.out, scales, stored(relative, wanted.dtype), None, least)
+
+
+_MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
+
+
+class ChordalDebyeIfCheaper(ChordalDebye):
+    """The same where it is likely to take less time than :class:`DebyeRings`; Declined elsewhere, at once."""
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        if pupil.depth.size * math.prod(grid.shape) > _MOST_SAMPLES:
+            raise Declined("so many samples take less time by circles")
+        return super()._samples(pupil, grid, tol, wanted)
+
+    @property
+    def reported(self) -> ChordalDebye:
+        """The method that images are said to be by."""
+        return ChordalDebye(self.tol)
+
+
+class Rule(NamedTuple):
+    """Even numbers of chords and of nodes on each, and the degree of the amplitudes."""
+
+    chords: int
+    nodes: int
+    degree: int
+
+
+def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int) -> tuple[Array, Array]:
+    """Return I at the centres of pixels around one axis, by fields that are off by about `field`, and its errors."""
+    assert pupil.aberrations is not None
+    wavefront, step = pupil.aberrations.flattened(), grid.step(pupil)
+    axis, shape = np.array(grid.axis), np.array(grid.shape)
+    size = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step)
+    norm = projection.norm(pupil.layers, pupil.light.model)
+    degree = degree_for(size.around, norm, _SHARES[0] * field)
+    found = projection.amplitudes(pupil, degree, _QUADRATURE * field)
+    orders = pupil.light.model.orders
+    each_part = projection.by_part(found.coefficients, orders, degree)
+    series = [np.abs(c) @ _powers(order, degree) for order, c in zip(orders, each_part, strict=True)]
+    most = np.log(np.max([each.max(axis=0) for each in series], axis=0) + 1e-300)
+    chords = count_for(most + size.around + _OVER_CHORDS, _SHARES[1] * field)
+    nodes = count_for(most + size.along + _OVER_NODES, _SHARES[2] * field)
+    rule = Rule(chords, nodes, degree)
+    which = np.arange(pupil.depth.size) if len(wavefront.edge) > 1 else np.zeros(pupil.depth.size)
+    values, largest = chordal_series_light(
+        _tables(rule, pupil.light.model.orders, pupil.emitter),
+        found.coefficients[None],
+        NodeWaves(_folded(wavefront, rule), which.astype(np.int32)),
+        Window(grid.shape, grid.axis, step),
+        _VALUES,
+        _terms(chords, nodes, ()),
+        threads,
+    )
+    off = np.stack([sums_error(each, size, rule) for each in series]) + norm * left_out(size.around, degree)
+    sizes = np.abs(_rows(pupil.emitter))
+    parts = list(pupil.light.waves.parts)
+    reach = step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
+    of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
+    lost = 2.0 * chords + 2.0 * nodes + 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
+    # Weights sum to 1, so that an amplitude is at most the sum of the moduli of its terms.
+    light = np.stack([np.abs(c).sum(axis=1) for c in each_part])
+    wrong = sizes @ (off + lost * _ROUNDING * light)[parts] + sizes.sum(axis=1)[:, None] * found.error
+    error = (wrong * (2.0 * largest[0].T + wrong)).sum(axis=0) + 16.0 * _ROUNDING * values[0].max(axis=(1, 2))
+    return values[0] / pupil.power[:, None, None], error / pupil.power * (1.0 + 1e-12)
+
+
+@lru_cache(maxsize=64)
+def _rows(emitter: Emitter) -> Complex:
+    """Return the fields of an emitter, as sums of its waves, whose squares add up to its light."""
+    return squares(emitter.light.waves.form)
+
+
+@lru_cache(maxsize=64)
+def _powers(order: int, degree: int) -> Array:
+    """Return what bounds each term of an amplitude on the curves, shape (terms, b)."""
+    return np.asarray(np.exp(np.outer(projection.degrees(order, degree), _B)))
+
+
+class Growth(NamedTuple):
+    """Logarithms of bounds on ``abs(exp(i W - i v.r))`` on the curves of chords, and on those of nodes."""
+
+    around: Array
+    along: Array
+
+
+def growth(wavefront: Wavefront, low: Array, high: Array) -> Growth:
+    """Return bounds for a stack of wavefronts in a window from v = `low` to `high`, (y, x)."""
+    terms = wavefront.edge_terms()
+    tilts = [np.atleast_1d(terms.get(term, 0.0)) for term in ((1, -1), (1, 1))]
+    reach = [
+        max(float(np.abs(edge - tilt).max()) for edge in (a, b)) for a, b, tilt in zip(low, high, tilts, strict=True)
+    ]
+    total = np.zeros(_B.shape)
+    for (n, _), w in wavefront.amplitudes().items():
+        if n > 1:
+            total += w * np.sinh(n * _B)
+    return Growth(total + math.hypot(*reach) * _SINH, total + reach[0] * _SINH)
+
+
+def left_out(size: Array, degree: int) -> float:
+    """Bound what terms of higher degree add to a field, over their norm."""
+    return math.exp(min(700.0, float((size + _tail(degree + 1.0) - (degree + 1.0) * _B).min())))
+
+
+def _tail(first: Array | float) -> Array:
+    """Return the logarithm of what terms from a degree on add, but for the exponential of that degree."""
+    terms = (first + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
+    return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
+
+
+def degree_for(size: Array, norm: float, error: float) -> int:
+    """Return a degree of amplitudes of such a norm beyond which terms add at most about `error`."""
+    first, needed = np.full(_B.shape, 40.0), size + math.log(norm / error)
+    for _ in range(2):
+        first = np.maximum((needed + _tail(first)) / _B, 1.0)
+    degree = math.ceil(float(first.min())) - 1
+    if degree > _MOST_DEGREE:
+        raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
+    return degree
+
+
+def count_for(size: Array, error: float) -> int:
+    """Return an even number of chords or nodes n for which ``exp(size - 2 n b)`` is at most `error` for some b."""
+    needed = 2 * max(2, math.ceil(float(((size - math.log(error)) / (4.0 * _B)).min())))
+    if needed > _MOST_NODES:
+        raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
+    return needed
+
+
+def sums_error(series: Array, size: Growth, rule: Rule) -> Array:
+    """Bound the errors of fields, (planes,), of amplitudes within `series` (planes, b) on the curves, by a rule."""
+    chords = np.exp(np.minimum(size.around - 2.0 * rule.chords * _B, 600.0)) * (1.0 + np.exp(-4.0 * _B))
+    chords /= -np.expm1(-2.0 * (rule.chords + 1) * _B)
+    nodes = np.exp(np.minimum(size.along - 2.0 * rule.nodes * _B, 600.0)) * (32.0 / 15.0) / -np.expm1(-2.0 * _B)
+    with np.errstate(over="ignore"):
+        return np.asarray((series * chords).min(axis=1) + (series * nodes).min(axis=1))
+
+
+class _Quadrant(NamedTuple):
+    """Nodes with x, y > 0, shape (chords / 2, nodes / 2), and their weights."""
+
+    rho: Array
+    theta: Array
+    weight: Array
+
+
+@lru_cache(maxsize=16)
+def _quadrant(chords: int, nodes: int) -> _Quadrant:
+    angle = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)[:, None]
+    eta, weight = (each[::-1][: nodes // 2] for each in gauss_legendre(nodes, -1.0, 1.0))
+    x, y = np.cos(angle) + 0.0 * eta, np.sin(angle) * eta
+    return _Quadrant(np.hypot(x, y), np.arctan2(y, x), np.sin(angle) ** 2 * weight / (chords + 1))
+
+
+@lru_cache(maxsize=16)
+def _tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables:
+    """Return what fields of an emitter are made of at the nodes."""
+    at, waves = _quadrant(rule.chords, rule.nodes), emitter.light.waves
+    radial = [[zernike.radial(int(n), q, at.rho) for n in projection.degrees(q, rule.degree)] for q in orders]
+    shares, factors = [], []
+    for c, row in enumerate(_rows(emitter)):
+        for share, q, j in zip(row, waves.orders, waves.parts, strict=True):
+            for parity, factor in zip(
+                _PARITIES[q % 2], (np.cos(q * at.theta), 1j * np.sin(q * at.theta)), strict=True
+            ):
+                if share and (q or not parity):
+                    shares.append((c, parity, j))
+                    factors.append(share * factor)
+    ends = np.cumsum([len(each) for each in radial])
+    return NodeTables(
+        np.concatenate(radial), ends.astype(np.int32), np.array(shares, dtype=np.int32), np.stack(factors)
+    )
+
+
+_PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even and odd q
+_VALUES = np.array([[0, -1]], dtype=np.int32)
+
+
+@lru_cache(maxsize=16)
+def _terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> NodeTerms:
+    """Return Zernike terms at the nodes of a quadrant, and the parity of each."""
+    at = _quadrant(chords, nodes)
+    odd_y = np.array([m < 0 for _, m in terms], dtype=np.int32)
+    odd_x = np.array([(abs(m) + (m < 0)) % 2 for _, m in terms], dtype=np.int32)
+    values = [zernike.polynomial(n, m, at.rho, at.theta) for n, m in terms]
+    return NodeTerms(np.reshape(values, (len(terms), *at.rho.shape)), 2 * odd_x + odd_y)
+
+
+# Signs of even and odd parts, 2 for odd in x plus 1 for odd in y, at (x, y), (x, -y), (-x, y) and (-x, -y).
+_SIGNS = np.array([[1, 1, 1, 1], [1, -1, 1, -1], [1, 1, -1, -1], [1, -1, -1, 1]], dtype=np.float64)
+
+
+def _folded(wavefront: Wavefront, rule: Rule) -> Complex:
+    """Return weighted sums of ``exp(i W)`` over the images of each node, by parity, (wavefronts, 4, ...)."""
+    at = _quadrant(rule.chords, rule.nodes)
+    values, parity = _terms(rule.chords, rule.nodes, wavefront.terms)
+    flat = values.reshape(len(values), -1)
+    phases = np.stack([wavefront.edge[:, parity == p] @ flat[parity == p] for p in range(4)], axis=1)
+    waves = np.exp(1j * (_SIGNS @ phases)) * at.weight.ravel()
+    return np.asarray(_SIGNS @ waves).reshape(-1, 4, *at.rho.shape)

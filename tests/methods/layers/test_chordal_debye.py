@@ -1,0 +1,211 @@
+"""Small windows of a microscope with a measured wavefront: sums of plane waves, and each term of the bound."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel import _core
+from lommel.methods.layers import chordal_debye
+from lommel.optics.layers import debye, projection
+from lommel.optics.layers.quadrature_bounds import Model
+from lommel.special import zernike
+from objectives import OIL
+from plane_waves import intensity
+
+WAVE, PIXEL = 520e-9, 6.5e-6
+WATER = lm.Objective(
+    NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38
+)
+FIVE = lm.Wavefront.zernike({5: 0.1, 6: -0.05, 7: 0.1, 9: 0.08, 11: 0.1}, unit="waves", order="noll")
+CUT = lm.Scalar(supercritical=False)
+EMITTERS = [
+    "isotropic",
+    lm.Dipole(0.7, 0.4),
+    lm.Dipole(1.2, -2.0, wobble=0.3),
+    lm.Scalar("aplanatic"),
+    CUT,
+    lm.Beam(),
+    lm.Beam((0.3, 0.8 - 0.2j)),
+    lm.Beam("radial"),
+    lm.Beam("azimuthal"),
+    lm.Beam("vortex"),
+]
+
+
+def worst(objective, pupil, made, size, center=(None, None)):
+    """The largest error of a PSF over the peak of each plane, from direct sums at its pixels."""
+    y, x = (np.arange(size) - (size // 2 if c is None else c) for c in center)
+    y, x = np.meshgrid(y * PIXEL, x * PIXEL, indexing="ij")
+    exact = intensity(objective, pupil, x.ravel(), y.ravel(), 70, 128) / pupil.power[:, None]
+    found = made.values.reshape(exact.shape) / np.asarray(made.scale).reshape(-1, 1)
+    return (np.abs(found - exact).max(axis=1) / exact.max(axis=1)).max()
+
+
+@pytest.mark.parametrize("emitter", [e for e in EMITTERS if e != CUT], ids=repr)
+def test_the_light_is_the_sum_of_its_plane_waves(emitter):
+    given = {"depth": [0.05e-6, 0.3e-6], "z": [-0.3e-6, 0.2e-6], "emitter": emitter}
+    pupil = OIL.pupil(**given, wavelength=WAVE, aberrations=FIVE)
+    made = lm.psf(pupil, 7, PIXEL, method=lm.ChordalDebye(1e-9), integrate=False, dtype=np.float64)
+    assert worst(OIL, pupil, made, 7) <= 1e-10
+    assert made.error_bound <= 1e-9
+
+
+@pytest.mark.parametrize("emitter", EMITTERS, ids=repr)
+@pytest.mark.parametrize("integrate", [False, True])
+def test_it_agrees_with_orders_on_circles(emitter, integrate):
+    pupil = OIL.pupil(depth=[0.1e-6, 3e-6], z=[-0.3e-6, 0.5e-6], emitter=emitter, wavelength=WAVE, aberrations=FIVE)
+    chords, circles = (
+        lm.psf(pupil, 9, PIXEL, method=method(1e-8), integrate=integrate, dtype=np.float64)
+        for method in (lm.ChordalDebye, lm.DebyeRings)
+    )
+    assert lm.peak_error(chords, circles) <= 1e-8
+    assert chords.error_bound <= 1e-8
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_no_error_is_above_its_bound_nor_that_above_the_tolerance(seed):
+    rng = np.random.default_rng(seed)
+    terms = {(n, m): 0.3 * rng.normal() for n in range(1, 8) for m in range(-n, n + 1, 2) if rng.random() < 0.3}
+    objective = (OIL, WATER)[seed % 2]
+    emitter = EMITTERS[seed % len(EMITTERS)]
+    tol = 10.0 ** rng.uniform(-10, -2)
+    given = {"depth": 10.0 ** rng.uniform(-8, -5), "z": rng.uniform(-1e-6, 1e-6, 2), "emitter": emitter}
+    pupil = objective.pupil(**given, wavelength=WAVE, aberrations=lm.Wavefront.zernike(terms))
+    center = tuple(rng.uniform(-1.0, 5.0, 2))
+    asked = {"center": center, "integrate": False, "dtype": np.float64}
+    made = lm.psf(pupil, 5, PIXEL, method=lm.ChordalDebye(tol), **asked)
+    exact = lm.psf(pupil, 5, PIXEL, method=lm.DebyeRings(1e-10), **asked)
+    error = np.abs(made.values - exact.values).max(axis=(1, 2)) / exact.values.max(axis=(1, 2))
+    assert error.max() <= made.error_bound + 2e-10
+    assert made.error_bound <= tol
+
+
+@pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
+def test_all_instructions_and_axes_give_the_same(level):
+    aberrations = lm.Wavefront.zernike({5: [0.1, 0.2, 0.0], 8: [0.0, 0.1, 0.05]}, order="noll", unit="waves")
+    pupil = OIL.pupil(depth=1e-6, z=np.linspace(-0.5e-6, 0.5e-6, 3), wavelength=WAVE, aberrations=aberrations)
+    center = np.array([3.0, 3.4, 2.2]), np.array([3.0, 3.1, 4.0])
+    _core.limit_instructions(level)
+    try:
+        made = lm.psf(pupil, (7, 8), PIXEL, method=lm.ChordalDebye(1e-9), center=center, dtype=np.float64, threads=2)
+    finally:
+        _core.limit_instructions("avx512")
+    exact = lm.psf(pupil, (7, 8), PIXEL, method=lm.DebyeRings(1e-9), center=center, dtype=np.float64)
+    assert lm.peak_error(made, exact) <= 2e-9
+
+
+def test_peak_of_one_and_float32_keep_their_bounds():
+    pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
+    made = lm.psf(pupil, 9, PIXEL, method=lm.ChordalDebye(1e-6), normalize="peak", dtype=np.float32)
+    exact = lm.psf(pupil, 9, PIXEL, method=lm.DebyeRings(1e-9), normalize="peak", dtype=np.float64)
+    assert made.values.max() == 1.0
+    assert np.abs(made.values - exact.values).max() <= made.error_bound <= 1e-6
+
+
+def test_few_samples_are_taken_by_chords_and_many_by_circles():
+    pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
+    assert lm.psf(pupil, 15, PIXEL).method == lm.ChordalDebye(1e-6)
+    assert isinstance(lm.psf(pupil, 255, PIXEL).method, lm.DebyeRings)
+    assert isinstance(lm.psf(pupil, 9, PIXEL, center=(900.0, 900.0)).method, lm.DebyeRings)
+    stack = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 40), wavelength=WAVE, aberrations=FIVE)
+    assert isinstance(lm.psf(stack, 25, PIXEL).method, lm.DebyeRings)
+    with pytest.raises(ValueError, match="smaller windows"):
+        lm.psf(pupil, 301, PIXEL, method=lm.ChordalDebye())
+    with pytest.raises(ValueError, match="aberrations only"):
+        lm.psf(OIL.pupil(depth=0.0, wavelength=WAVE), 9, PIXEL, method=lm.ChordalDebye())
+
+
+def fine(function):
+    """The integral of a function of complex x and y over the unit disc, over pi, by polar coordinates."""
+    x, w = np.polynomial.legendre.leggauss(80)
+    rho, theta = 0.5 * (1.0 + x)[:, None], 2.0 * np.pi * np.arange(128) / 128
+    return (w[:, None] * rho * function(rho, theta)).sum() / 128
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_terms_of_high_degree_hardly_reach_a_small_window(seed):
+    rng = np.random.default_rng(seed)
+    wavefront = lm.Wavefront.zernike({(n, m): 0.1 * rng.normal() for n in (2, 3) for m in range(-n, n + 1, 2)})
+    v = rng.uniform(0.3, 3.0)
+    size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v])).around
+    q = int(rng.integers(0, 3))
+    degree = q + 2 * (seed + 1) - 1
+
+    def wave(rho, theta):
+        phase = wavefront.phase(rho, theta) - v * rho * (np.cos(theta) + np.sin(theta))
+        return np.exp(1j * (phase + q * theta))
+
+    degrees = np.arange(degree + 1, degree + 40, 2)
+    each = [fine(lambda rho, theta, n=n: zernike.radial(int(n), q, rho) * wave(rho, theta)) for n in degrees]
+    # The worst amplitude of norm 1 without terms up to the degree.
+    exact = np.sqrt(((degrees + 1.0) * np.abs(each) ** 2).sum())
+    bound = chordal_debye.left_out(size, degree)
+    assert 1e-5 * bound <= exact + 1e-13 <= bound + 2e-13
+
+
+@pytest.mark.parametrize("few", ["chords", "nodes"])
+@pytest.mark.parametrize("count", [4, 6, 8, 10, 14])
+@pytest.mark.parametrize(("n", "q"), [(0, 0), (4, 0), (6, 2)])
+def test_sums_of_each_term_are_within_the_bound_of_chords_and_nodes(few, count, n, q):
+    rule = chordal_debye.Rule(count, 40, n) if few == "chords" else chordal_debye.Rule(40, count, n)
+    wavefront, found = lm.Wavefront.zernike({(2, 2): 1.0}), []
+    for v in (1.0, 3.0, 8.0):
+        size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v]))
+        at = chordal_debye._quadrant(rule.chords, rule.nodes)
+
+        def integrand(rho, theta, v=v):
+            phase = wavefront.phase(rho, theta) - v * rho * (np.cos(theta) + np.sin(theta))
+            return zernike.radial(n, q, rho) * np.exp(1j * (phase + q * theta))
+
+        images = [at.theta, np.pi - at.theta, -at.theta, np.pi + at.theta]
+        error = abs(sum((at.weight * integrand(at.rho, theta)).sum() for theta in images) - fine(integrand))
+        bound = chordal_debye.sums_error(np.exp(n * chordal_debye._B)[None], size, rule)[0]
+        assert error <= bound + 1e-14
+        found.append(error / bound if error > 1e-13 else 0.0)
+    assert max(found) > 1e-5 or count > 10  # far from the bound, were it a wrong one
+
+
+def test_tilts_shift_the_window():
+    low, high = np.array([-1.0, 2.0]), np.array([3.0, 5.0])
+    tilted, other = (
+        lm.Wavefront.zernike({(1, -1): 0.7, (1, 1): -0.4, (2, 0): 0.3}),
+        lm.Wavefront.zernike({(2, 0): 0.3}),
+    )
+    moved = np.array([float(tilted.edge_terms()[term]) for term in ((1, -1), (1, 1))])
+    found = chordal_debye.growth(tilted.flattened(), low + moved, high + moved)
+    for one, exact in zip(found, chordal_debye.growth(other.flattened(), low, high), strict=True):
+        assert np.allclose(one, exact, rtol=1e-12)
+
+
+@pytest.mark.parametrize("kind", ["vectorial", "scalar", "radial", "vortex"])
+def test_coefficients_are_the_integrals_over_the_pupil(kind):
+    emitter = {"vectorial": "isotropic", "scalar": lm.Scalar("aplanatic")}.get(kind, lm.Beam("vortex"))
+    emitter = lm.Beam("radial") if kind == "radial" else emitter
+    pupil = OIL.pupil(depth=[0.2e-6, 4e-6], z=[0.4e-6, -0.8e-6], wavelength=WAVE, emitter=emitter, aberrations=FIVE)
+    degree = 30
+    made = projection.amplitudes(pupil, degree, 1e-9)
+    model = pupil.light.model
+    assert model == Model(kind, aplanatic=True)
+    exact = debye.rule(pupil.layers, model, pupil.depth, pupil.focus, 120.0, 1e-13)
+    waves = exact.waves(pupil.depth, pupil.focus)
+    found = projection.by_part(made.coefficients, model.orders, degree)
+    for q, part, each in zip(model.orders, exact.parts, found, strict=True):
+        n = projection.degrees(q, degree)
+        radial = np.stack([zernike.radial(int(k), q, exact.rho) for k in n])
+        assert np.allclose(each, (n + 1.0) * ((waves * part) @ radial.T), rtol=0.0, atol=1e-9)
+        held = (np.abs(each) ** 2 / (n + 1.0)).sum(axis=1)
+        assert np.sqrt(held.max()) <= projection.norm(pupil.layers, model)
+    assert made.error <= 2e-9
+
+
+def test_the_rule_of_a_range_of_depths_and_stages_is_shared():
+    pupils = [
+        OIL.pupil(depth=d, z=z, wavelength=WAVE, aberrations=FIVE) for d, z in ((1e-6, 1e-7), (1.01e-6, 1.2e-7))
+    ]
+    for pupil in pupils:
+        lm.psf(pupil, 7, PIXEL, method=lm.ChordalDebye(1e-5))
+    before = projection._integrals.cache_info().misses
+    lm.psf(OIL.pupil(depth=1.02e-6, z=1.1e-7, wavelength=WAVE, aberrations=FIVE), 7, PIXEL, tol=1e-5)
+    assert projection._integrals.cache_info().misses == before

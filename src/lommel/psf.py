@@ -98,8 +98,9 @@ def psf(
         `ChordalGauss`, of radially symmetric pupils all but other terms and the obscuration by `NijboerZernike`; of
         any aperture all but the obscuration, and the wavelength where segments have phases, by `NonuniformFFT`; or
         by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified` or, with aberrations,
-        `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and, without aberrations,
-        "wavelength" (the stage, all indices and the pixel in metres as they are); "row", "column".
+        `ChordalDebye` and `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and, without
+        aberrations, "wavelength" (the stage, all indices and the pixel in metres as they are); "row", "column"; and
+        by `ChordalDebye` Zernike terms.
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         C-contiguous, writable array for the values.
     threads : int, optional

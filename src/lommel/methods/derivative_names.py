@@ -66,7 +66,7 @@ def checked(
 def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
     found: Name
     if isinstance(name, str) and (name in texts or _INDEXED.fullmatch(name)):
-        found, term = name, _term(name)
+        found, term = name, term_of(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
         try:
             found = term = zernike.term(name, "nm")
@@ -85,7 +85,7 @@ def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
     return found
 
 
-def _term(name: Name) -> Term | None:
+def term_of(name: Name) -> Term | None:
     """Return n and m of what names a Zernike term."""
     if isinstance(name, tuple):
         return name
@@ -95,7 +95,7 @@ def _term(name: Name) -> Term | None:
 
 def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
     """Return what the derivative by a checked `name` is made of."""
-    if (term := _term(name)) is not None:
+    if (term := term_of(name)) is not None:
         return Parts({term: 1.0})
     assert isinstance(name, str)
     if name in POWERS:

@@ -47,7 +47,10 @@ class Asked(NamedTuple):
             from lommel.methods.layers.slopes import layered_slopes
 
             layers = cast("ObjectivePupil", pupil)
-            return layered_slopes(self.ways[-1], layers, self.grid, names, question, energy=self.energy)
+            return first_proven(
+                self.ways,
+                lambda way: layered_slopes(way, layers, self.grid, names, question, energy=self.energy),
+            )[1]
         if names:
             from lommel.methods.derivatives import differentiated
             from lommel.optics.pupil import checked

@@ -179,6 +179,27 @@ def test_tilts_shift_the_window():
         assert np.allclose(one, exact, rtol=1e-12)
 
 
+def test_terms_as_factors_grow_like_their_degree():
+    plain = chordal_debye.growth(FIVE.flattened(), np.array([-3.0, -3.0]), np.array([3.0, 3.0]))
+    for one, other in zip(plain.times(4), plain, strict=True):
+        assert np.allclose(one - other, np.log(np.cosh(4.0 * chordal_debye._B)), rtol=0.0, atol=1e-9)
+
+
+def test_errors_of_fields_become_those_of_intensities_and_slopes(monkeypatch):
+    """One field E and its derivative F, of which each is off by d: 2 abs(E) d + d^2, and 2 (abs(E) + abs(F)) d."""
+    pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, emitter=lm.Scalar("aplanatic"), aberrations=FIVE)
+    grid, d = lm.Grid(7, PIXEL), 1e-3
+    monkeypatch.setattr(chordal_debye, "left_out", lambda *_: 0.0)
+    monkeypatch.setattr(chordal_debye, "sums_error", lambda series, *_: np.full(len(series), d))
+    values, error = chordal_debye.intensities(pupil, grid, 1e-9, 1, chordal_debye.By((1,), ((2, 2),)))
+    power = float(pupil.power[0])
+    largest = np.sqrt(values[0].max() * power)
+    assert error[0] * power == pytest.approx(d * (2.0 * largest + d), rel=1e-6)
+    for slope in (1, 2):
+        of_slope = np.abs(values[slope]).max() * power / (2.0 * largest)  # at most the largest F
+        assert error[slope] * power >= 2.0 * d * (largest + of_slope + d) * (1.0 - 1e-6)
+
+
 @pytest.mark.parametrize("kind", ["vectorial", "scalar", "radial", "vortex"])
 def test_coefficients_are_the_integrals_over_the_pupil(kind):
     emitter = {"vectorial": "isotropic", "scalar": lm.Scalar("aplanatic")}.get(kind, lm.Beam("vortex"))
@@ -190,7 +211,7 @@ def test_coefficients_are_the_integrals_over_the_pupil(kind):
     assert model == Model(kind, aplanatic=True)
     exact = debye.rule(pupil.layers, model, pupil.depth, pupil.focus, 120.0, 1e-13)
     waves = exact.waves(pupil.depth, pupil.focus)
-    found = projection.by_part(made.coefficients, model.orders, degree)
+    found = projection.by_part(made.coefficients[0], model.orders, degree)
     for q, part, each in zip(model.orders, exact.parts, found, strict=True):
         n = projection.degrees(q, degree)
         radial = np.stack([zernike.radial(int(k), q, exact.rho) for k in n])
@@ -209,3 +230,58 @@ def test_the_rule_of_a_range_of_depths_and_stages_is_shared():
     before = projection._integrals.cache_info().misses
     lm.psf(OIL.pupil(depth=1.02e-6, z=1.1e-7, wavelength=WAVE, aberrations=FIVE), 7, PIXEL, tol=1e-5)
     assert projection._integrals.cache_info().misses == before
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize("emitter", ["isotropic", lm.Dipole(0.7, 0.4), lm.Scalar("aplanatic")], ids=repr)
+def test_derivatives_are_limits_of_differences(emitter, integrate):
+    terms = [lm.Wavefront.zernike({term: 1.0}) for term in ((2, 2), (3, -1))]
+    units = [wavefront * (1.0 / float(max(abs(c) for c in wavefront.edge_terms().values()))) for wavefront in terms]
+
+    def psf(depth=1e-6, z=0.3e-6, astigmatism=0.0, coma=0.0, **more):
+        aberrations = FIVE + units[0] * astigmatism + units[1] * coma
+        given = {"wavelength": WAVE, "emitter": emitter, "origin": "coverslip", "aberrations": aberrations}
+        asked = {"integrate": integrate, "dtype": np.float64} | more
+        return lm.psf(OIL.pupil(depth=[depth], z=z, **given), 7, PIXEL, **asked)
+
+    names = ("z", "depth", "row", "column", (2, 2), (3, -1))
+    made = psf(derivatives=names, tol=1e-7)
+    assert isinstance(made.method, lm.ChordalDebye)
+    steps = {"z": ("z", 0.3e-6, 1e-9), "depth": ("depth", 1e-6, 1e-9)}
+    steps |= {(2, 2): ("astigmatism", 0.0, 1e-3), (3, -1): ("coma", 0.0, 1e-3)}
+    for name, (argument, at, h) in steps.items():
+
+        def slope(step, argument=argument, at=at):
+            ends = (psf(**{argument: at + s}, tol=1e-9).values for s in (step, -step))
+            return (next(ends) - next(ends)) / (2.0 * step)
+
+        exact = (4.0 * slope(0.5 * h) - slope(h)) / 3.0
+        found = made.derivatives[name]
+        assert np.abs(found - exact).max() <= 2e-7 * np.abs(exact).max()
+        assert (
+            np.abs(found - exact).max() <= made.derivative_bounds[name] * made.values.max() + 1e-9 * abs(exact).max()
+        )
+    other = psf(derivatives=("row", "column"), method=lm.DebyeRings(1e-8))
+    for name in ("row", "column"):
+        off = np.abs(made.derivatives[name] - other.derivatives[name]).max()
+        assert off <= (made.derivative_bounds[name] + other.derivative_bounds[name]) * made.values.max()
+
+
+def test_derivatives_by_terms_of_axes_and_wavefronts_of_their_own():
+    aberrations = lm.Wavefront.zernike({5: [0.1, 0.2], 8: [0.0, 0.1]}, order="noll", unit="waves")
+    pupil = OIL.pupil(depth=1e-6, z=[0.2e-6, -0.3e-6], wavelength=WAVE, aberrations=aberrations)
+    center = np.array([3.0, 3.4]), np.array([3.0, 2.1])
+    asked = {"derivatives": ("noll 8", "z"), "dtype": np.float64}
+    together = lm.psf(pupil, 7, PIXEL, center=center, **asked)
+    for k in range(2):
+        alone = lm.psf(pupil[k], 7, PIXEL, center=(center[0][k], center[1][k]), **asked)
+        for name in ("noll 8", "z"):
+            one, other = together.derivatives[name][k], alone.derivatives[name]
+            assert np.abs(one - other).max() <= 1e-6 * np.abs(other).max()
+
+
+def test_derivatives_by_terms_are_those_of_small_windows():
+    pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
+    with pytest.raises(ValueError, match="smaller shape"):
+        lm.psf(pupil, 9, PIXEL, method=lm.DebyeRings(), derivatives=((2, 2),))
+    assert isinstance(lm.psf(pupil, 255, PIXEL, derivatives=("z",)).method, lm.DebyeRings)

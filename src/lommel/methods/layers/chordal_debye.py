@@ -37,6 +37,16 @@ _SHARES = (0.25, 0.3, 0.3)
 _QUADRATURE = 0.05
 
 
+class By(NamedTuple):
+    """Derivatives by depth (0) and focus (1), over the steepest phase, and by Zernike terms, 1 at the edge."""
+
+    rates: tuple[int, ...] = ()
+    terms: tuple[tuple[int, int], ...] = ()
+
+
+_NONE = By()
+
+
 @dataclass(frozen=True)
 class ChordalDebye(LayeredMethod):
     r"""Debye-Wolf integral of an objective with aberrations in small windows, for any emitter, by sums over chords.
@@ -86,37 +96,49 @@ class ChordalDebye(LayeredMethod):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        return self.differentiated(pupil, grid, tol, wanted)[0]
+
+    def differentiated(
+        self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
+    ) -> tuple[Images, Array, Array]:
+        """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and derivatives `by` parameters.
+
+        These are those of I, (k, n, height, width), with bounds, (k, n), and not held to `tol`. Raises ToleranceError
+        and ValueError as :meth:`images`.
+        """
         n = pupil.depth.size
         values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
-        if grid.stack:
-            scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
-            alone = [
-                self._refined(
-                    pupil[k],
-                    grid[k],
-                    tol,
-                    wanted._replace(scale=None if scales is None else scales[i : i + 1], out=values[i : i + 1]),
-                )
-                for i, k in enumerate(np.ndindex(pupil.shape))
-            ]
-            scale, error, peak = (
-                np.concatenate(each) for each in zip(*((m.scale, m.bound, m.brightest) for m in alone), strict=True)
-            )
-            return Images(values, scale, error, None, peak)
-        return self._refined(pupil, grid, tol, wanted._replace(out=values))
+        if not grid.stack:
+            return self._refined(pupil, grid, tol, wanted._replace(out=values), by)
+        scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
+        alone = []
+        for i, k in enumerate(np.ndindex(pupil.shape)):
+            one = wanted._replace(scale=None if scales is None else scales[i : i + 1], out=values[i : i + 1])
+            alone.append(self._refined(pupil[k], grid[k], tol, one, by))
+        made, slopes, off = zip(*alone, strict=True)
+        whole = Images(
+            values,
+            np.concatenate([each.scale for each in made]),
+            np.concatenate([each.bound for each in made]),
+            None,
+            np.concatenate([each.brightest for each in made]),
+        )
+        return whole, np.concatenate(slopes, axis=1), np.concatenate(off, axis=1)
 
-    def _refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        """Return I at the centres of pixels around one axis, within `tol` of the largest."""
+    def _refined(
+        self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
+    ) -> tuple[Images, Array, Array]:
+        """Return the same around one axis, I being within `tol` of its largest value."""
         # What is divided by its own largest value is off by twice as much, and stored twice.
         twice = 2.0 if wanted.scale is None else 1.0
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
         while True:
             field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
-            values, error = intensities(pupil, grid, field, wanted.threads)
-            top = values.reshape(len(values), -1).max(axis=1)
-            least = top - error
-            relative = np.divide(error, least, out=np.full(least.shape, np.inf), where=least > 0.0)
+            values, error = intensities(pupil, grid, field, wanted.threads, by)
+            top = values[0].reshape(len(values[0]), -1).max(axis=1)
+            least = top - error[0]
+            relative = np.divide(error[0], least, out=np.full(least.shape, np.inf), where=least > 0.0)
             if wanted.scale is None:
                 relative = normalized_error(relative)
             if (worst := float(stored(relative, wanted.dtype).max())) <= tol:
@@ -126,8 +148,8 @@ class ChordalDebye(LayeredMethod):
             peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
         scales = 1.0 / top if wanted.scale is None else np.array(np.broadcast_to(wanted.scale, top.shape))
         assert wanted.out is not None
-        np.multiply(values, scales[:, None, None], out=wanted.out, casting="same_kind")
-        return Images(wanted.out, scales, stored(relative, wanted.dtype), None, least)
+        np.multiply(values[0], scales[:, None, None], out=wanted.out, casting="same_kind")
+        return Images(wanted.out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:]
 
 
 _MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
@@ -136,10 +158,13 @@ _MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
 class ChordalDebyeIfCheaper(ChordalDebye):
     """The same where it is likely to take less time than :class:`DebyeRings`; Declined elsewhere, at once."""
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    def differentiated(
+        self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
+    ) -> tuple[Images, Array, Array]:
+        """Return I at the centres of pixels and its derivatives."""
         if pupil.depth.size * math.prod(grid.shape) > _MOST_SAMPLES:
             raise Declined("so many samples take less time by circles")
-        return super()._samples(pupil, grid, tol, wanted)
+        return super().differentiated(pupil, grid, tol, wanted, by)
 
     @property
     def reported(self) -> ChordalDebye:
@@ -155,43 +180,57 @@ class Rule(NamedTuple):
     degree: int
 
 
-def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int) -> tuple[Array, Array]:
-    """Return I at the centres of pixels around one axis, by fields that are off by about `field`, and its errors."""
+def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE) -> tuple[Array, Array]:
+    """Return I at the centres of pixels around one axis and its derivatives, (1 + k, n, height, width), and bounds.
+
+    By fields that are off by about `field`.
+    """
     assert pupil.aberrations is not None
-    wavefront, step = pupil.aberrations.flattened(), grid.step(pupil)
-    axis, shape = np.array(grid.axis), np.array(grid.shape)
-    size = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step)
-    norm = projection.norm(pupil.layers, pupil.light.model)
+    wavefront, step, model = pupil.aberrations.flattened(), grid.step(pupil), pupil.light.model
+    axis, shape, planes = np.array(grid.axis), np.array(grid.shape), pupil.depth.size
+    plain = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step)
+    size = plain.times(max((n for n, _ in by.terms), default=0))
+    norm = projection.norm(pupil.layers, model)
     degree = degree_for(size.around, norm, _SHARES[0] * field)
-    found = projection.amplitudes(pupil, degree, _QUADRATURE * field)
-    orders = pupil.light.model.orders
-    each_part = projection.by_part(found.coefficients, orders, degree)
-    series = [np.abs(c) @ _powers(order, degree) for order, c in zip(orders, each_part, strict=True)]
-    most = np.log(np.max([each.max(axis=0) for each in series], axis=0) + 1e-300)
+    found = projection.amplitudes(pupil, degree, _QUADRATURE * field, by.rates)
+    each_part = projection.by_part(found.coefficients, model.orders, degree)
+    # Bounds on the amplitudes of each part on the curves, (1 + rates, planes, b).
+    series = [np.abs(c) @ _powers(order, degree) for order, c in zip(model.orders, each_part, strict=True)]
+    most = np.log(np.max([each.max(axis=(0, 1)) for each in series], axis=0) + 1e-300)
     chords = count_for(most + size.around + _OVER_CHORDS, _SHARES[1] * field)
     nodes = count_for(most + size.along + _OVER_NODES, _SHARES[2] * field)
     rule = Rule(chords, nodes, degree)
-    which = np.arange(pupil.depth.size) if len(wavefront.edge) > 1 else np.zeros(pupil.depth.size)
+    own = np.arange(planes) if len(wavefront.edge) > 1 else np.zeros(planes)
+    sets = [(k, -1) for k in range(1 + len(by.rates))] + [(0, k) for k in range(len(by.terms))]
     values, largest = chordal_series_light(
-        _tables(rule, pupil.light.model.orders, pupil.emitter),
-        found.coefficients[None],
-        NodeWaves(_folded(wavefront, rule), which.astype(np.int32)),
+        _tables(rule, model.orders, pupil.emitter),
+        found.coefficients,
+        NodeWaves(_folded(wavefront, rule), own.astype(np.int32)),
         Window(grid.shape, grid.axis, step),
-        _VALUES,
-        _terms(chords, nodes, ()),
+        np.array(sets, dtype=np.int32),
+        _terms(chords, nodes, by.terms),
         threads,
     )
-    off = np.stack([sums_error(each, size, rule) for each in series]) + norm * left_out(size.around, degree)
-    sizes = np.abs(_rows(pupil.emitter))
-    parts = list(pupil.light.waves.parts)
     reach = step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     lost = 2.0 * chords + 2.0 * nodes + 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
     # Weights sum to 1, so that an amplitude is at most the sum of the moduli of its terms.
-    light = np.stack([np.abs(c).sum(axis=1) for c in each_part])
-    wrong = sizes @ (off + lost * _ROUNDING * light)[parts] + sizes.sum(axis=1)[:, None] * found.error
-    error = (wrong * (2.0 * largest[0].T + wrong)).sum(axis=0) + 16.0 * _ROUNDING * values[0].max(axis=(1, 2))
-    return values[0] / pupil.power[:, None, None], error / pupil.power * (1.0 + 1e-12)
+    light = np.stack([np.abs(c).sum(axis=2) for c in each_part])
+    sizes, parts = np.abs(_rows(pupil.emitter)), list(pupil.light.waves.parts)
+
+    def wrong(which: int, term: int) -> Array:
+        """Return what the fields of a set are off by, (planes, fields)."""
+        n = 0 if term < 0 else by.terms[term][0]
+        here = plain.times(n)
+        off = np.stack([sums_error(each[which], here, rule) for each in series])
+        off += norm * left_out(here.around, degree) + (lost + 6.0 * n * n) * _ROUNDING * light[:, which]
+        return np.asarray((sizes @ off[parts]).T + sizes.sum(axis=1) * found.error)
+
+    off = np.stack([wrong(*each) for each in sets])
+    error = 2.0 * (off[0] * largest + off * largest[0] + off[0] * off).sum(axis=2)
+    error[0] = (off[0] * (2.0 * largest[0] + off[0])).sum(axis=1)
+    error += 16.0 * _ROUNDING * 2.0 * (largest[0] * largest).sum(axis=2)
+    return values / pupil.power[:, None, None], error / pupil.power * (1.0 + 1e-12)
 
 
 @lru_cache(maxsize=64)
@@ -211,6 +250,11 @@ class Growth(NamedTuple):
 
     around: Array
     along: Array
+
+    def times(self, n: int) -> Growth:
+        """Return bounds with a Zernike term of degree n as a factor, at most ``cosh(n b)`` there."""
+        factor = n * _B + np.log(0.5 + 0.5 * np.exp(-2.0 * n * _B))
+        return Growth(self.around + factor, self.along + factor)
 
 
 def growth(wavefront: Wavefront, low: Array, high: Array) -> Growth:
@@ -303,7 +347,6 @@ def _tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables
 
 
 _PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even and odd q
-_VALUES = np.array([[0, -1]], dtype=np.int32)
 
 
 @lru_cache(maxsize=16)

@@ -16,14 +16,17 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Images, Slopes, Wanted
+from lommel.methods.derivative_names import term_of
 from lommel.methods.derivatives import Slope, scaling_derivative, tilted
+from lommel.methods.layers import chordal_debye
+from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
 from lommel.methods.method import Method, storing, widened
 from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.layers import debye
+from lommel.optics.layers import debye, projection
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 if TYPE_CHECKING:
@@ -39,20 +42,30 @@ if TYPE_CHECKING:
 Rates = Callable[[ObjectivePupil], Sequence[By]]  # from planes to the derivatives that are wanted of these
 
 
-def sampled_slopes(method: Method, pupil: ObjectivePupil, grid: Grid, rates: Rates, wanted: Wanted) -> Images:
-    """Return images by DebyeRings or Stratified and their derivatives."""
+def sampled_slopes(
+    method: Method,
+    pupil: ObjectivePupil,
+    grid: Grid,
+    rates: Rates,
+    wanted: Wanted,
+    terms: tuple[tuple[int, int], ...] = (),
+) -> Images:
+    """Return images and their derivatives; those by Zernike `terms`, which ChordalDebye has, are last."""
     by = rates(pupil)
     most = debye.steepest(pupil.layers, pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel())
     # What derivatives are divided by, so that their transfer functions are at most twice that of the aperture.
     sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * float(np.abs(one.own).max(initial=0.0)) for one in by]
+    sizes += [1.0] * len(terms)
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        each, plain = list(zip(rates(pupil), sizes, strict=True)), wanted._replace(terms=())
+        each, plain = list(zip(rates(pupil), sizes, strict=False)), wanted._replace(terms=())
+        if isinstance(method, ChordalDebye):
+            return _by_chords(method, pupil, grid, each, terms, tol, plain)
         if isinstance(method, DebyeRings):
             return _by_circles(method, pupil, grid, each, most, tol, plain)
         return _by_engine(pupil, grid, each, tol, plain)
 
-    question = wanted._replace(terms=((0, 0),) * len(by))  # as many
+    question = wanted._replace(terms=((0, 0),) * len(sizes))  # as many
     made = averaged_images(sample, pupil, grid, method.tol, question)
     made = widened(made, pupil, method, normalized=False)
     assert made.slopes is not None
@@ -125,6 +138,33 @@ def _by_circles(
     return made._replace(slopes=Slopes(values, error))
 
 
+def _by_chords(
+    method: ChordalDebye,
+    pupil: ObjectivePupil,
+    grid: Grid,
+    each: Sequence[tuple[By, float]],
+    terms: tuple[tuple[int, int], ...],
+    tol: float,
+    wanted: Wanted,
+) -> Images:
+    """Return samples by ChordalDebye, with derivatives over a size each, those by Zernike terms last."""
+    by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
+    made, raw, wrong = method.differentiated(pupil, grid, tol, wanted, by)
+    steep = projection.steepest(pupil.layers, pupil.light.model)
+    values = np.empty((len(raw), *made.values.shape), wanted.dtype)
+    error = np.empty(wrong.shape)
+    shares = [(one.factor * steep[one.which] / size, np.asarray(one.own) / size) for one, size in each]
+    shares += [(1.0, np.zeros(1))] * len(terms)
+    for k, (share, given) in enumerate(shares):
+        own = np.broadcast_to(given, made.scale.shape)
+        slope = share * raw[k] * made.scale[:, None, None] + own[:, None, None] * made.values
+        largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / made.scale
+        rounded = (storing(wanted.dtype) + 2.0**-48) * largest
+        error[k] = (abs(share) * wrong[k] + rounded) / made.brightest + np.abs(own) * (made.bound + 1e-12)
+        values[k] = slope
+    return made._replace(slopes=Slopes(values, error))
+
+
 _AXIS = ("row", "column")
 _OWN = ("z", "depth", "wavelength")
 
@@ -135,15 +175,23 @@ def layered_slopes(
     """Return the method, images and their derivatives by checked names."""
     if not known(pupil.light):
         raise ValueError(f"derivatives are not available of the light of {pupil.emitter!r}")
-    if not isinstance(method, Stratified | DebyeRings):
+    if not isinstance(method, Stratified | DebyeRings | ChordalDebye):
         raise ValueError(
             f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified, or "
-            "DebyeRings with aberrations"
+            "ChordalDebye or DebyeRings with aberrations"
         )
-    if unknown := [name for name in names if name not in (*_OWN, *_AXIS)]:
+    by_name = {name: term for name in names if (term := term_of(name)) is not None}
+    terms = tuple(dict.fromkeys(by_name.values()))
+    if terms and isinstance(method, DebyeRings):
         raise ValueError(
-            "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row' and 'column', "
-            f"got {unknown[0]!r}"
+            "derivatives by Zernike terms are those of ChordalDebye, which takes small windows; ask for a smaller "
+            "shape or fewer planes"
+        )
+    has = (*_OWN, *_AXIS, *(by_name if isinstance(method, ChordalDebye) else ()))
+    if unknown := [name for name in names if name not in has]:
+        raise ValueError(
+            "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row' and 'column', and "
+            f"with aberrations by Zernike terms, got {unknown[0]!r}"
         )
     if "wavelength" in names and pupil.aberrated:
         raise ValueError(
@@ -158,13 +206,13 @@ def layered_slopes(
 
     if pupil.radial:
         made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
-    elif kinds:
-        made = sampled_slopes(method, pupil, grid, rates, wanted)
+    elif kinds or terms:
+        made = sampled_slopes(method, pupil, grid, rates, wanted, terms)
     else:
         made = widened(method.images(pupil, grid, wanted), pupil, method, normalized=False)
     each: dict[Name, Slope] = {}
     if made.slopes is not None:  # by the axis or without
-        each |= zip((*kinds, *_AXIS), map(Slope, *made.slopes), strict=False)
+        each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
     grows = "wavelength" in kinds and not pupil.radial
     if (axis and "row" not in each) or grows:
         # What is left out of the phase moves fields and their gradients by as much.
@@ -176,7 +224,7 @@ def layered_slopes(
             values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
             of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
             each["wavelength"] = _sum(each["wavelength"], of_place, made, wanted)
-    return method, made, [each[name] for name in names]
+    return method.reported, made, [each[by_name.get(name, name)] for name in names]
 
 
 def _radial(

@@ -30,7 +30,7 @@ _LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6
 class Amplitudes(NamedTuple):
     """Series of the amplitudes of some planes, and a bound on what their errors add to a field."""
 
-    coefficients: Complex  # (planes, terms), those of all parts
+    coefficients: Complex  # (1 + rates, planes, terms), those of all parts
     error: float  # by the quadrature of coefficients, and rounding
 
 
@@ -39,28 +39,36 @@ def degrees(order: int, degree: int) -> NDArray[np.int64]:
     return np.arange(order, max(degree, order) + 1, 2, dtype=np.int64)
 
 
-def amplitudes(pupil: ObjectivePupil, degree: int, error: float) -> Amplitudes:
+def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[int, ...] = ()) -> Amplitudes:
     """Return the amplitudes of the flattened planes of a `pupil`, half of the parts of its model times the wave.
 
-    By integrals over the angles, the sum of which is off by `error` at most.
+    By integrals over the angles, the sum of which is off by `error` at most. Further series are those of derivatives,
+    0 for that by depth and 1 for that by focus, less a phase that all fields share, over :func:`steepest`.
     """
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
     model = pupil.light.model
     rule, integrals = _integrals(pupil.layers, model, *_box(pupil.layers, depth, focus), degree, error)
-    found = rule.waves(depth, focus) @ integrals
+    waves = rule.waves(depth, focus)
+    found = np.stack([waves @ integrals[k] for k in (0, *(1 + rate for rate in rates))])
     return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * rule.rounding)
 
 
 def by_part(coefficients: Complex, orders: tuple[int, ...], degree: int) -> list[Complex]:
     """Return the coefficients of each part."""
     ends = np.cumsum([0, *(degrees(order, degree).size for order in orders)])
-    return [coefficients[:, low:high] for low, high in itertools.pairwise(ends)]
+    return [coefficients[..., low:high] for low, high in itertools.pairwise(ends)]
 
 
 @lru_cache(maxsize=32)
 def norm(layers: Layers, model: Model) -> float:
     """Bound ``(2 int abs(t)^2 rho drho)^(1/2)`` of all parts at any depth: next to the glass nothing has faded."""
     return math.sqrt(float(debye.power(layers, np.zeros(1), model)[0].max())) * (1.0 + 1e-12)
+
+
+@lru_cache(maxsize=32)
+def steepest(layers: Layers, model: Model) -> tuple[float, float]:
+    """Bound the derivatives of the phase by depth and by focus in the pupil, less their middle."""
+    return debye.steepest(layers, model, np.zeros(1), np.zeros(1))[:2]
 
 
 def _each(error: float, degree: int) -> float:
@@ -79,14 +87,20 @@ def _integrals(
 ) -> tuple[debye.Rule, Complex]:
     """Return a rule for a range of depths, and of focus less that of paraxial rays, and weights of its angles.
 
-    These make coefficients of waves, of all parts side by side.
+    These make coefficients of waves, of all parts side by side, and those of the derivatives by depth and by focus.
     """
+    middle, steep = layers.middle_rates()[1:], steepest(layers, model)
 
     def growth(piece: Piece) -> Array:
         # R_n^m(rho) is a mean of U_n(rho cos(alpha)), at most n + 1 times exp(n b), rho within the ellipse of b.
         square = piece.covered.square * layers.NA**-2
         size = np.abs(square.centre) + np.abs(square.centre - 1.0) + 2.0 * square.radius
-        return np.asarray(math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0)))
+        turned = [
+            (rate - least).largest / most
+            for rate, least, most in zip(piece.covered.rates[1:], middle, steep, strict=True)
+        ]
+        grown = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))
+        return np.asarray(grown + np.log(np.maximum(1.0, np.max(turned, axis=0))))
 
     # The phase is linear in both: the corners bound all.
     corners = [(d, f + layers.immersion / layers.sample * d) for d in depth for f in focus]
@@ -97,7 +111,9 @@ def _integrals(
         for order, part in zip(model.orders, rule.parts, strict=True)
         for n in degrees(order, degree)
     ]
-    return rule, np.ascontiguousarray(np.stack(weights, axis=1))
+    factors = [1j * (rate - least) / most for rate, least, most in zip(rule.rates[1:], middle, steep, strict=True)]
+    plain = np.stack(weights, axis=1)
+    return rule, np.ascontiguousarray([plain, *(factor[:, None] * plain for factor in factors)])
 
 
 def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float], tuple[float, float]]:

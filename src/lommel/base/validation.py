@@ -61,11 +61,28 @@ def line(text: object) -> str:
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text))
 
 
+# Of types, what makes one of them of other things that are given.
+_INSTEAD = {
+    ("Wavefront", "OPDMap"): "fit_opd(...).wavefront is one",
+    (
+        "Wavefront",
+        "ndarray",
+    ): "fit_opd(OPDMap(...)).wavefront, or mask=Mask(np.exp(1j * phase)) takes a map of phases",
+    ("Mask", "ndarray"): "Mask(amplitude) and Mask(np.exp(1j * phase)) are",
+    ("Mask", "OPDMap"): "Mask(np.exp(2j * np.pi * waves)) is one",
+}
+
+
+def _instead(value: object, *kinds: type[object]) -> str:
+    found = (_INSTEAD.get((kind.__name__, type(value).__name__)) for kind in kinds)
+    return "".join(f"; {hint}" for hint in found if hint)
+
+
 def instance(name: str, value: _Value, kind: type[object]) -> _Value:
     """Return `value` if it is of this type; TypeError otherwise."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
-        raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}")
+        raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}{_instead(value, kind)}")
     return value
 
 
@@ -73,7 +90,7 @@ def optional(name: str, value: object, *kinds: type[object]) -> None:
     """Refuse what is neither None nor of one of these types, with a TypeError."""
     if value is not None and not isinstance(value, kinds):
         allowed = " or ".join(kind.__name__ for kind in kinds)
-        raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}")
+        raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}{_instead(value, *kinds)}")
 
 
 def path(name: str, value: object) -> Path:

@@ -66,6 +66,9 @@ _OF_LENSES = {
     "field": "its PSF is the on-axis one",
     "mtf": "use PSF.mtf in Python for that of a stack",
     "colour": "its emitter has one wavelength; use lommel.colour_psf with its pupil",
+    "seeing": "there is no atmosphere before it",
+    "outer_scale": "there is no atmosphere before it",
+    "jitter": "blur its images by lommel.Jitter in Python",
 }
 
 

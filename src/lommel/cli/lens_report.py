@@ -484,7 +484,8 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
         if segments := stop["segments"]:
             phases = f", pistons {number(stop['piston_rms_waves'])} waves rms" if stop["piston_rms_waves"] else ""
             rows.append(("segments", f"{segments}{phases}"))
-        rows.append(("aperture", f"made of {', '.join(kinds)}"))
+        if kinds:
+            rows.append(("aperture", f"within the rim, made of {', '.join(kinds)}"))
     if spider is not None:
         angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
         width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
@@ -503,7 +504,8 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
 
 def _stop(stop: Shape | Segments) -> Facts:
     """Return of what a stop is made, and the spread of the phases of its segments."""
-    parts = [part for one in (stop.shapes if isinstance(stop, Segments) else (stop,)) for part in one.parts]
+    shapes = stop.shapes if isinstance(stop, Segments) else (stop,)
+    parts = [part for one in shapes for part in one.parts if part != Disc()]  # but the rim itself
     kinds = {"discs": (Disc, CatEye), "ellipses": (Ellipse,), "polygons": (Polygon,)}
     return {
         "segments": len(stop.shapes) if isinstance(stop, Segments) else 0,

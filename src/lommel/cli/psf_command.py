@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -14,12 +15,13 @@ import click
 
 from lommel.base.units import format_length
 from lommel.base.validation import shown
+from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
 from lommel.cli.instruments import INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, STACK, instrument_of, microscope_of
 from lommel.cli.lens_report import distinct, summarize_lens
-from lommel.cli.options import FILE, JSON, WINDOW, Option, command, documented, plot_option, under
-from lommel.cli.output import Facts, Report, figure_format, require_folder, save_figure, written
+from lommel.cli.options import FILE, JSON, LENGTH, WINDOW, Option, command, documented, plot_option, under
+from lommel.cli.output import Facts, Report, Wrapped, figure_format, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
@@ -74,6 +76,14 @@ class _Product(Generic[Made]):
     JSON,
     *STACK,
     *under(
+        "Telescopes on the ground",
+        Option("--seeing", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+               help="FWHM of long-exposure seeing (Kolmogorov) at 500 nm, in arcseconds."),
+        Option("--outer-scale", type=LENGTH, help="Outer scale of the turbulence, such as 25m; by default infinite."),
+        Option("--jitter", type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
+               help="Image motion during the exposure, arcseconds rms along each axis."),
+    ),
+    *under(
         "Computation",
         Option("-m", "--method", "method_name", default="auto", metavar="METHOD",
                type=click.Choice(("auto", *METHODS)),
@@ -100,6 +110,9 @@ def psf(
     mtf: bool,
     method_name: str,
     settings: tuple[str, ...],
+    seeing: float | None,
+    outer_scale: float | None,
+    jitter: float | None,
     **given: object,
 ) -> Report:
     """Compute the PSF of a lens or a microscope.
@@ -111,6 +124,7 @@ def psf(
     --------
       lommel psf hubble-1990.toml -o hubble.tif -o hubble.png
       lommel psf newtonian-off-axis.toml --plot star.png --stretch log
+      lommel psf newtonian-off-axis.toml --seeing 1.2 --jitter 0.3 --plot seen.png
       lommel psf phone.toml --object-distance 1.2m --tol 1e-9 -o phone.npz
       lommel psf phone.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
       lommel psf camera-field.toml --field 5x7 --plot field.png -o field.tif
@@ -122,18 +136,49 @@ def psf(
     options["method"] = build_method(method_name, settings)
     if options["tol"] is not None and any(setting.startswith("tol=") for setting in settings):
         raise ValueError("tol is given twice, by --tol and by --set")
-    microscope = microscope_of(lens, field=field, colour=colour or None, mtf=mtf or None, **given)
+    air = {"seeing": seeing, "outer_scale": outer_scale, "jitter": jitter}
+    microscope = microscope_of(lens, field=field, colour=colour or None, mtf=mtf or None, **air, **given)
     if microscope is not None:
         return _write(_of_microscope(microscope, options), outputs, figure, stretch)
     lens_only = {name: value for name, value in given.items() if name not in ("stack", "step", "depth")}
     instrument = instrument_of(lens, **lens_only)
     options |= instrument.sensor_options
+    if blur := _blur(instrument, seeing, outer_scale, jitter):
+        if field is not None or colour or mtf:
+            raise ValueError("--seeing and --jitter are for one PSF: leave out --field, --colour and --mtf")
+        options["blur"] = blur
+        # Of the light that seeing spreads most is within three times its width.
+        wide = 3.0 * _ARCSEC * ((seeing or 0.0) + 2.4 * (jitter or 0.0)) * instrument.lens.focal_length
+        side = min(2 * math.ceil(wide / min(instrument.pitch)) + 1, 1025)
+        instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
     channels = (instrument.channels or Channels.rgb()) if colour else None
     if field is not None:
         return _write(_of_field(instrument, field, channels, mtf, options), outputs, figure, stretch)
     if channels is not None:
         return _write(_in_colour(instrument, channels, mtf, options), outputs, figure, stretch)
-    return _write(_of_lens(instrument, mtf, options), outputs, figure, stretch)
+    said = _said(seeing, outer_scale, jitter)
+    return _write(_of_lens(instrument, mtf, options, said), outputs, figure, stretch)
+
+
+_ARCSEC = math.pi / 648000.0
+
+
+def _blur(
+    instrument: Instrument, seeing: float | None, outer_scale: float | None, jitter: float | None
+) -> tuple[Blur, ...]:
+    """Return the blur of the options in arcseconds; outer scale in metres."""
+    length = instrument.lens.focal_length
+    if seeing is None and outer_scale is not None:
+        raise ValueError("--outer-scale needs --seeing")
+    air = () if seeing is None else (Seeing.from_fwhm(seeing * _ARCSEC, length, outer_scale=outer_scale),)
+    return air if jitter is None else (*air, Jitter(jitter * _ARCSEC * length))
+
+
+def _said(seeing: float | None, outer_scale: float | None, jitter: float | None) -> list[str]:
+    outer = "" if outer_scale is None else f", outer scale {format_length(outer_scale)}"
+    air = "" if seeing is None else f"seeing of {seeing:g} arcsec at 500 nm{outer}"
+    motion = "" if jitter is None else f"jitter of {jitter:g} arcsec rms"
+    return [f"behind {' and '.join(filter(None, (air, motion)))}"] if air or motion else []
 
 
 _SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}
@@ -168,7 +213,10 @@ def _write(product: _Product[Made], outputs: tuple[Path, ...], figure: Path | No
     def note(path: Path) -> str:
         return product.drawn.format(_SCALES[stretch]) if path in drawn else product.note(made, path)
 
-    return report + written(files, note)
+    kept = written(files, note)
+    if not files:
+        kept += Report({}, ["", Wrapped("Nothing is written: -o psf.tif and --plot psf.png keep it.")])
+    return report + kept
 
 
 def _mtf(wanted: bool, *of: Any) -> Report:
@@ -176,14 +224,17 @@ def _mtf(wanted: bool, *of: Any) -> Report:
     return reports.describe_mtf(*of) if wanted else Report({}, [])
 
 
-def _of_lens(instrument: Instrument, mtf: bool, options: Facts) -> _Product[PSF]:
-    """Return the PSF of a lens on the axis."""
+def _of_lens(instrument: Instrument, mtf: bool, options: Facts, said: list[str]) -> _Product[PSF]:
+    """Return the PSF of a lens on the axis, with what is said of its blur."""
     return _Product(
         size=_size(instrument.window),
         find=psf_files.find,
         make=lambda: compute(instrument.pupil(), instrument.window, instrument.pixel, **options),
         report=lambda made, seconds: (
-            summarize_lens(instrument) + reports.describe_psf(made, seconds) + _mtf(mtf, instrument)
+            summarize_lens(instrument)
+            + Report({}, [Wrapped(line) for line in said])
+            + reports.describe_psf(made, seconds)
+            + _mtf(mtf, instrument)
         ),
         entitle=lambda axes: axes.set_title(_named(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,

@@ -58,10 +58,10 @@ def _is_number(word: str) -> bool:
 @command(
     click.Argument(["images"], type=FILE, nargs=-1, required=True),
     LENS,
-    Option("--defocus", default="0", metavar="NUMBERS",
-           help="Known defocus coefficient C_d of each image in radians, such as -4 0 4; positive where the sensor "
-           "was moved towards the lens. The phase is 2 C_d rho^2, rho = 1 at the "
-           "edge of the pupil, so that one wave of defocus is C_d = pi."),
+    Option("--defocus", metavar="NUMBERS",
+           help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
+           "image 0 by default. Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, "
+           "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi."),
     Option("--defocus-unit", type=click.Choice(("radians", "waves")), default="radians",
            help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
     Option("--terms", default="15",
@@ -97,7 +97,7 @@ def _is_number(word: str) -> bool:
 def retrieve(
     images: tuple[Path, ...],
     lens: Path,
-    defocus: str,
+    defocus: str | None,
     defocus_unit: str,
     terms: str,
     also: str,
@@ -134,6 +134,9 @@ def retrieve(
     with progress("reading") as started:
         files = _files(images)
         stars = read_images(files)
+        if defocus is None and len(stars) > 1:
+            raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
+        known = np.multiply(_numbers(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0)
         started("fitting")
         found = fit(
             stars,
@@ -142,7 +145,7 @@ def retrieve(
             noise=noise,
             terms=int(terms) if terms.strip().isdecimal() else _terms(terms),
             also=_names(also),
-            defocus=np.multiply(_numbers(defocus), math.pi if defocus_unit == "waves" else 1.0),
+            defocus=known,
             integrate=instrument.integrate,
             progress=lambda share, chi2: started(
                 f"start {int(starts * share) + 1} of at most {starts}, chi2 {chi2:.3g}", share

@@ -75,6 +75,11 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
         count = validation.integer("terms", terms, least=1, most=500)
         return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
     nuisance = ("center", *SHIFTS, *OF_PUPIL)
+    if isinstance(terms, Sequence) and not isinstance(terms, str) and any(isinstance(n, int) for n in terms):
+        raise ValueError(
+            f"terms must name the order of their indices, such as 'noll 5', or be their number from Noll 4 on, got "
+            f"{validation.shown(terms)}"
+        )
     for name in terms if isinstance(terms, Sequence) and not isinstance(terms, str) else ():
         if isinstance(name, str) and name in nuisance:
             raise ValueError(f"terms must be those of a wavefront, got {name!r}; pass nuisance parameters as also")

@@ -209,7 +209,7 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
     if pupil.phase_mask:
         raise ValueError(
             "mask must be real for measures of the wavefront, since the phase of a complex one is known up to whole "
-            "waves at its samples only; give that phase as Zernike terms (lommel.OPDMap), or take lommel.strehl"
+            "waves at its samples only; give that phase as Zernike terms (lommel.fit_opd), or take lommel.strehl"
         )
     terms = pupil.wavefront.nonradial
     degree = max(n for n, _ in pupil.wavefront.terms)

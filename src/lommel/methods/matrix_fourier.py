@@ -38,7 +38,8 @@ class MatrixFourier(Method[Pupil]):
         Number of samples across the diameter of the aperture, 8 to 8192; their cells fill it exactly. With the side
         of the mask of a pupil it takes the samples of the mask as they are.
     edge : {"grey", "binary"}, default "grey"
-        "grey": a sample is weighted by the clear fraction of its cell. "binary": it is 1 if its centre is clear, else 0.
+        "grey": a sample is weighted by the clear fraction of its cell. "binary": it is 1 if its centre is clear, else
+        0.
 
     Raises
     ------

@@ -67,7 +67,7 @@ class Mask(EqualByContent):
         validation.truth("squares", self.squares)
         if given.dtype.kind == "c":
             if not np.isfinite(given).all():
-                raise ValueError("values must be finite, got NaN or infinity")
+                raise ValueError("values must be finite, got NaN or infinity; put 0 where no light passes")
             self._keep(np.ascontiguousarray(given, dtype=np.complex128))
         else:
             real = validation.real_array("values", given)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
 import re
 
@@ -135,7 +136,7 @@ def test_what_cannot_be_computed_is_left_out_of_info_with_the_reason(call_lommel
 def test_the_axis_of_a_table_over_the_field_has_the_unit_of_the_others(call_lommel, lenses, tmp_path):
     shown = call_lommel("psf", lenses["camera-field"], "--field", "1x3", "--shape", "5", folder=tmp_path).stdout
     lines = shown.splitlines()
-    head, row = next(pair for pair in zip(lines, lines[1:], strict=False) if pair[0].split()[:2] == ["-12", "mm"])
+    head, row = next(pair for pair in itertools.pairwise(lines) if pair[0].split()[:2] == ["-12", "mm"])
     assert head.split() == ["-12", "mm", "0", "mm", "12", "mm"]
     assert row.split()[:2] == ["0", "mm"]
 

@@ -162,7 +162,10 @@ def test_the_figure_has_the_unit_and_the_files(folder, call_lommel, monkeypatch)
         (["nix-*.tif", "lens.toml", "--read", "2"], "nix-*.tif: No file matches"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "-4", "0"], "one for each of 3 images"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "x"], "defocus must be numbers, one for each image"),
-        (["pages.tif", "lens.toml", "--read", "2", "--defocus", "0 2 4", "--terms", "coma"], "terms must be one of 'defocus'"),
+        (
+            ["pages.tif", "lens.toml", "--read", "2", "--defocus", "0 2 4", "--terms", "coma"],
+            "terms must be one of 'defocus'",
+        ),
         (["pages.tif", "lens.toml", "--read", "2", "-o", "wave.txt"], "--output must end in .json, .toml, .csv"),
         (["pages.tif", "lens.toml", "--read", "2", "--plot", "fit.gif"], "a figure must end in .png"),
         (["lens.toml", "lens.toml", "--read", "2"], "lens.toml is not a NPY, TIF"),

@@ -52,7 +52,11 @@ def sampled_slopes(
 ) -> Images:
     """Return images and their derivatives; those by Zernike `terms`, which ChordalDebye has, are last."""
     by = rates(pupil)
-    most = debye.steepest(pupil.layers, pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel())
+    layers, model = pupil.layers, pupil.light.model
+    if pupil.aberrated:
+        most = (*projection.steepest(layers, model), 0.0)  # not by the wavelength
+    else:
+        most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
     # What derivatives are divided by, so that their transfer functions are at most twice that of the aperture.
     sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * float(np.abs(one.own).max(initial=0.0)) for one in by]
     sizes += [1.0] * len(terms)

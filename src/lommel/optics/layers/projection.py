@@ -49,7 +49,8 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     model = pupil.light.model
     rule, integrals = _integrals(pupil.layers, model, *_box(pupil.layers, depth, focus), degree, error)
     waves = rule.waves(depth, focus)
-    found = np.stack([waves @ integrals[k] for k in (0, *(1 + rate for rate in rates))])
+    # So small a matrix product takes a threaded BLAS as long as its threads take to wake up.
+    found = np.einsum("pq,kqt->kpt", waves, integrals[[0, *(1 + rate for rate in rates)]])
     return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * rule.rounding)
 
 

@@ -280,6 +280,15 @@ def test_derivatives_by_terms_of_axes_and_wavefronts_of_their_own():
             assert np.abs(one - other).max() <= 1e-6 * np.abs(other).max()
 
 
+@pytest.mark.parametrize("waves", np.linspace(0.08, 0.4, 9))
+def test_strong_aberrations_are_computed_or_declined(waves):
+    aberrations = lm.Wavefront.zernike({(8, 8): waves, (5, 1): waves}, unit="waves")
+    pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=aberrations)
+    made = lm.psf(pupil, 5, PIXEL, tol=1e-3, integrate=False)
+    assert made.error_bound <= 1e-3
+    assert np.isfinite(1e6 * chordal_debye._powers(0, chordal_debye._MOST_DEGREE).sum(axis=0)).all()
+
+
 def test_derivatives_by_terms_are_those_of_small_windows():
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
     with pytest.raises(ValueError, match="smaller shape"):

@@ -25,12 +25,12 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_B = np.geomspace(0.03, 3.0, 64)  # how far curves are from the real angles, each of which proves a bound
+_B = np.geomspace(0.03, 2.7, 64)  # how far curves are from the real angles, each of which proves a bound
 _SINH = np.sinh(_B)
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
-_MOST_NODES, _MOST_DEGREE = 256, 250
+_MOST_NODES, _MOST_DEGREE = 256, 250  # of which sums of exp(n b) are finite
 _ROUNDING = 2.0**-53
 # Of the error of a field, what the projection, the sum over chords and that over nodes may have.
 _SHARES = (0.25, 0.3, 0.3)

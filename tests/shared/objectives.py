@@ -1,4 +1,4 @@
-"""The objective that most tests of microscopes ask about."""
+"""Objectives that most tests of microscopes ask about, a wavefront of five terms, and emitters."""
 
 from __future__ import annotations
 
@@ -29,3 +29,18 @@ OIL_60X = lm.Objective(
     coverslip=lm.Layer(1.5255, 170e-6),
     sample=1.33,
 )
+WATER_40X = lm.Objective(
+    NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38
+)
+FIVE = lm.Wavefront.zernike({5: 0.1, 6: -0.05, 7: 0.1, 9: 0.08, 11: 0.1}, unit="waves", order="noll")
+EMITTERS = [
+    "isotropic",
+    lm.Dipole(0.7, 0.4),
+    lm.Dipole(1.2, -2.0, wobble=0.3),
+    lm.Scalar("aplanatic"),
+    lm.Beam(),
+    lm.Beam((0.3, 0.8 - 0.2j)),
+    lm.Beam("radial"),
+    lm.Beam("azimuthal"),
+    lm.Beam("vortex"),
+]

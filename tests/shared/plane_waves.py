@@ -9,6 +9,8 @@ import numpy as np
 import lommel as lm
 from lommel.optics.layers.emitter import Absorbed
 
+PIXEL = 6.5e-6
+
 
 def nodes(objective: lm.Objective, rings: int) -> tuple[np.ndarray, np.ndarray]:
     """Radii in the pupil and their weights, by angles in the sample, imaginary ones beyond the critical angle."""
@@ -94,3 +96,12 @@ def moments(emitter):
     moment = np.array([flat * math.cos(emitter.azimuth), flat * math.sin(emitter.azimuth), math.cos(emitter.polar)])
     dipoles = [math.sqrt(1.5 * (1.0 - emitter.wobble)) * moment]
     return dipoles + [math.sqrt(0.5 * emitter.wobble) * axis for axis in np.eye(3)]
+
+
+def worst(objective, pupil, made, size, center=(None, None)):
+    """Return the largest error of a PSF over the peak of each plane, from direct sums at its pixels."""
+    y, x = (np.arange(size) - (size // 2 if c is None else c) for c in center)
+    y, x = np.meshgrid(y * PIXEL, x * PIXEL, indexing="ij")
+    exact = intensity(objective, pupil, x.ravel(), y.ravel(), 70, 128) / pupil.power[:, None]
+    found = made.values.reshape(exact.shape) / np.asarray(made.scale).reshape(-1, 1)
+    return (np.abs(found - exact).max(axis=1) / exact.max(axis=1)).max()

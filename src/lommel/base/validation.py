@@ -61,20 +61,9 @@ def line(text: object) -> str:
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text))
 
 
-# Of types, what makes one of them of other things that are given.
-_INSTEAD = {
-    ("Wavefront", "OPDMap"): "fit_opd(...).wavefront is one",
-    (
-        "Wavefront",
-        "ndarray",
-    ): "fit_opd(OPDMap(...)).wavefront, or mask=Mask(np.exp(1j * phase)) takes a map of phases",
-    ("Mask", "ndarray"): "Mask(amplitude) and Mask(np.exp(1j * phase)) are",
-    ("Mask", "OPDMap"): "Mask(np.exp(2j * np.pi * waves)) is one",
-}
-
-
 def _instead(value: object, *kinds: type[object]) -> str:
-    found = (_INSTEAD.get((kind.__name__, type(value).__name__)) for kind in kinds)
+    """Return what makes one of `kinds` of a value of this type, as the `made_of` of a kind says it."""
+    found = (getattr(kind, "made_of", {}).get(type(value).__name__) for kind in kinds)
     return "".join(f"; {hint}" for hint in found if hint)
 
 

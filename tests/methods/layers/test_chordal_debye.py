@@ -11,36 +11,14 @@ from lommel.methods.layers import chordal_debye
 from lommel.optics.layers import debye, projection
 from lommel.optics.layers.quadrature_bounds import Model
 from lommel.special import zernike
-from objectives import OIL
-from plane_waves import intensity
+from objectives import EMITTERS as ALL
+from objectives import FIVE, OIL
+from objectives import WATER_40X as WATER
+from plane_waves import PIXEL, worst
 
-WAVE, PIXEL = 520e-9, 6.5e-6
-WATER = lm.Objective(
-    NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38
-)
-FIVE = lm.Wavefront.zernike({5: 0.1, 6: -0.05, 7: 0.1, 9: 0.08, 11: 0.1}, unit="waves", order="noll")
+WAVE = 520e-9
 CUT = lm.Scalar(supercritical=False)
-EMITTERS = [
-    "isotropic",
-    lm.Dipole(0.7, 0.4),
-    lm.Dipole(1.2, -2.0, wobble=0.3),
-    lm.Scalar("aplanatic"),
-    CUT,
-    lm.Beam(),
-    lm.Beam((0.3, 0.8 - 0.2j)),
-    lm.Beam("radial"),
-    lm.Beam("azimuthal"),
-    lm.Beam("vortex"),
-]
-
-
-def worst(objective, pupil, made, size, center=(None, None)):
-    """The largest error of a PSF over the peak of each plane, from direct sums at its pixels."""
-    y, x = (np.arange(size) - (size // 2 if c is None else c) for c in center)
-    y, x = np.meshgrid(y * PIXEL, x * PIXEL, indexing="ij")
-    exact = intensity(objective, pupil, x.ravel(), y.ravel(), 70, 128) / pupil.power[:, None]
-    found = made.values.reshape(exact.shape) / np.asarray(made.scale).reshape(-1, 1)
-    return (np.abs(found - exact).max(axis=1) / exact.max(axis=1)).max()
+EMITTERS = [*ALL, CUT]
 
 
 @pytest.mark.parametrize("emitter", [e for e in EMITTERS if e != CUT], ids=repr)

@@ -10,34 +10,16 @@ from lommel import _core
 from lommel.methods.layers import debye_rings
 from lommel.methods.layers.debye_rings import DebyeRings
 from lommel.optics.layers import azimuthal_orders, debye, quadrature_bounds
-from objectives import OIL
-from plane_waves import intensity
+from objectives import EMITTERS, FIVE, OIL
+from objectives import WATER_40X as WATER
+from plane_waves import PIXEL, intensity, worst
 
-WAVE, PIXEL = 520e-9, 6.5e-6
-WATER = lm.Objective(
-    NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38
-)
-FIVE = lm.Wavefront.zernike({5: 0.1, 6: -0.05, 7: 0.1, 9: 0.08, 11: 0.1}, unit="waves", order="noll")
-EMITTERS = [
-    "isotropic",
-    lm.Dipole(0.7, 0.4),
-    lm.Dipole(1.2, -2.0, wobble=0.3),
-    lm.Scalar("aplanatic"),
-    lm.Beam(),
-    lm.Beam((0.3, 0.8 - 0.2j)),
-    lm.Beam("radial"),
-    lm.Beam("azimuthal"),
-    lm.Beam("vortex"),
-]
+WAVE = 520e-9
 
 
-def worst(objective, pupil, made, size, center=(None, None)):
-    """The largest error of a PSF over the peak of each plane, from direct sums at its pixels."""
-    y, x = (np.arange(size) - (size // 2 if c is None else c) for c in center)
-    y, x = np.meshgrid(y * PIXEL, x * PIXEL, indexing="ij")
-    exact = intensity(objective, pupil, x.ravel(), y.ravel(), 70, 128) / pupil.power[:, None]
-    found = made.values.reshape(exact.shape) / np.asarray(made.scale).reshape(-1, 1)
-    return (np.abs(found - exact).max(axis=1) / exact.max(axis=1)).max()
+def rings(*of, **options):
+    """Return a PSF by circles, also where chords are the default."""
+    return lm.psf(*of, method=DebyeRings(), **options)
 
 
 @pytest.mark.parametrize("emitter", EMITTERS, ids=repr)
@@ -59,7 +41,7 @@ def test_no_error_is_above_its_bound_nor_that_above_the_tolerance(seed):
     given = {"depth": 10.0 ** rng.uniform(-8, -5), "z": rng.uniform(-1e-6, 1e-6, 2), "emitter": emitter}
     pupil = objective.pupil(**given, wavelength=WAVE, aberrations=lm.Wavefront.zernike(terms))
     center = tuple(rng.uniform(-1.0, 5.0, 2))
-    made = lm.psf(pupil, 5, PIXEL, tol=tol, center=center, integrate=False, dtype=np.float64)
+    made = rings(pupil, 5, PIXEL, tol=tol, center=center, integrate=False, dtype=np.float64)
     assert worst(objective, pupil, made, 5, center) <= made.error_bound + 1e-11
     assert made.error_bound <= tol
 
@@ -71,7 +53,7 @@ def test_wide_windows_are_within_the_bound_whatever_the_instructions(level, tol)
     pupil = OIL.pupil(depth=2e-6, z=z, wavelength=WAVE, aberrations=FIVE)
     _core.limit_instructions(level)
     try:
-        made = lm.psf(pupil, (81, 97), PIXEL, tol=tol, integrate=False, threads=2)
+        made = rings(pupil, (81, 97), PIXEL, tol=tol, integrate=False, threads=2)
     finally:
         _core.limit_instructions("avx512")
     assert made.error_bound <= tol
@@ -87,9 +69,9 @@ def test_a_stack_of_wavefronts_is_each_of_them():
     wave = lm.Wavefront.zernike({(2, 2): [0.2, -0.4], (3, 1): 0.3, (1, 1): [0.5, 0.0]})
     pupil = OIL.pupil(depth=1e-6, z=[[0.0], [0.2e-6]], wavelength=WAVE, aberrations=wave)
     assert pupil.shape == (2, 2)
-    made = lm.psf(pupil, 7, PIXEL, tol=1e-9, integrate=False)
+    made = rings(pupil, 7, PIXEL, tol=1e-9, integrate=False)
     for k in np.ndindex(2, 2):
-        alone = lm.psf(pupil[k], 7, PIXEL, tol=1e-9, integrate=False)
+        alone = rings(pupil[k], 7, PIXEL, tol=1e-9, integrate=False)
         assert alone.values == pytest.approx(made.values[k], abs=2e-9 * alone.values.max())
     flat = pupil.broadcast((3, 2, 2))[0]
     assert flat == pupil
@@ -100,25 +82,25 @@ def test_a_stack_of_wavefronts_is_each_of_them():
 def test_each_plane_is_over_the_light_of_its_own_depth():
     pupil = OIL.pupil(depth=[0.0, 1e-6], wavelength=WAVE, aberrations=FIVE)
     assert pupil.collected[0] > 1.1 * pupil.collected[1]
-    made = lm.psf(pupil, 5, PIXEL, integrate=False, normalize="emitted")
+    made = rings(pupil, 5, PIXEL, integrate=False, normalize="emitted")
     for k in range(2):
-        alone = lm.psf(pupil[k], 5, PIXEL, integrate=False, normalize="emitted")
+        alone = rings(pupil[k], 5, PIXEL, integrate=False, normalize="emitted")
         assert made.values[k] == pytest.approx(alone.values, abs=3e-6 * float(alone.values.max()))
 
 
 def test_a_stack_in_parts_is_the_stack(monkeypatch):
     wave = lm.Wavefront.zernike({(2, 2): np.linspace(-0.4, 0.3, 19), (3, 1): 0.3})
     pupil = OIL.pupil(depth=np.linspace(0.0, 1e-6, 19), wavelength=WAVE, aberrations=wave)
-    whole = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
+    whole = rings(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
     monkeypatch.setattr(debye_rings, "_PARTS", 1)
-    made = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
+    made = rings(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
     assert made == pytest.approx(whole, abs=2e-9 * whole.max())
 
 
 def test_values_over_their_peak_are_the_same_ones():
     pupil = OIL.pupil(depth=0.0, z=[-2e-7, 1e-7], wavelength=WAVE, aberrations=FIVE)
-    made = lm.psf(pupil, 9, PIXEL, integrate=False, normalize="peak")
-    plain = lm.psf(pupil, 9, PIXEL, integrate=False, tol=1e-9)
+    made = rings(pupil, 9, PIXEL, integrate=False, normalize="peak")
+    plain = rings(pupil, 9, PIXEL, integrate=False, tol=1e-9)
     assert made.values.max(axis=(1, 2)) == pytest.approx(np.ones(2), abs=2e-7)
     expected = plain.values / plain.values.max(axis=(1, 2), keepdims=True)
     assert made.values == pytest.approx(expected, abs=made.error_bound + 1e-8)
@@ -130,10 +112,10 @@ def test_each_plane_may_have_its_own_axis(integrate):
     pupil = OIL.pupil(depth=0.0, z=[[-2e-7], [1e-7]], wavelength=WAVE, aberrations=FIVE)
     rows, columns = np.array([2.0, 2.5, 1.0]), np.array([1.5, 2.0, 2.25])
     asked = {"integrate": integrate, "tol": 1e-7, "dtype": np.float64}
-    made = lm.psf(pupil, 5, PIXEL, center=(rows, columns), **asked)
+    made = rings(pupil, 5, PIXEL, center=(rows, columns), **asked)
     assert made.values.shape == (2, 3, 5, 5)
     for k in np.ndindex(2, 3):
-        alone = lm.psf(pupil[k[0], 0], 5, PIXEL, center=(rows[k[1]], columns[k[1]]), **asked)
+        alone = rings(pupil[k[0], 0], 5, PIXEL, center=(rows[k[1]], columns[k[1]]), **asked)
         assert made.values[k] == pytest.approx(alone.values, abs=3e-7 * alone.values.max())
 
 
@@ -143,11 +125,11 @@ def test_tilt_moves_the_image_and_a_turn_turns_it():
     step = np.pi * PIXEL / plain.scale
     moved = OIL.pupil(**given, aberrations=lm.Wavefront(nonradial={(1, 1): 2.0 * step, (1, -1): -step}))
     still = lm.psf(plain, 13, PIXEL, tol=1e-9, integrate=False).values
-    made = lm.psf(moved, 13, PIXEL, tol=1e-9, integrate=False).values
+    made = rings(moved, 13, PIXEL, tol=1e-9, integrate=False).values
     assert made[:-1, 2:] == pytest.approx(still[1:, :-2], abs=2e-9 * still.max())
     coma = lm.Wavefront.zernike({(3, 1): 0.5})
     one, other = (OIL.pupil(**given, aberrations=wave) for wave in (coma, coma.rotated(np.pi / 2)))
-    one, other = (lm.psf(pupil, 13, PIXEL, tol=1e-9, integrate=False).values for pupil in (one, other))
+    one, other = (rings(pupil, 13, PIXEL, tol=1e-9, integrate=False).values for pupil in (one, other))
     assert other == pytest.approx(np.rot90(one, -1), abs=2e-9 * one.max())
 
 

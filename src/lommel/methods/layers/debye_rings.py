@@ -12,11 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted, not_met
+from lommel.core.answers import Images, Wanted, not_met
 from lommel.core.engine import Ringed, Rings, Window, fft_length, ringed_images
-from lommel.methods.layers.debye_wolf import LEAST, LayeredMethod, likely_peak
+from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
-from lommel.methods.pixels.averaging import averaged_images
 from lommel.optics.grid import Grid
 from lommel.optics.layers import azimuthal_orders, debye
 from lommel.optics.layers.emitter import Waves
@@ -49,7 +48,7 @@ class Accuracy(NamedTuple):
 
 
 @dataclass(frozen=True)
-class DebyeRings(LayeredMethod):
+class DebyeRings(AberratedMethod):
     r"""Debye-Wolf integral of an objective with aberrations, for any emitter, by quadrature over angles.
 
     Supports the pupils of :meth:`lommel.Objective.pupil` with `aberrations` only.
@@ -84,20 +83,6 @@ class DebyeRings(LayeredMethod):
     """
 
     tol: float = 1e-6
-
-    def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return why `pupil` is not supported, or None if it is."""
-        return None if pupil.aberrated else "supports aberrations only; without these use Stratified or DebyeWolf"
-
-    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I on the pixels of `grid`."""
-        return self.images(pupil, grid, Wanted(threads=threads)).intensities
-
-    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
-        if wanted.powers or wanted.terms:
-            raise ValueError("derivatives by phases are not available of the pupils of an Objective")
-        return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         return self.refined(pupil, grid, tol, wanted)[0]

@@ -58,6 +58,29 @@ class LayeredMethod(Method[ObjectivePupil]):
     apodized = nonradial = True
 
 
+class AberratedMethod(LayeredMethod):
+    """One for those with aberrations, by samples: averages over pixels are made of these."""
+
+    tol: float
+
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
+        """Return why `pupil` is not supported, or None if it is."""
+        return None if pupil.aberrated else "supports aberrations only; without these use Stratified or DebyeWolf"
+
+    def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I on the pixels of `grid`."""
+        return self.images(pupil, grid, Wanted(threads=threads)).intensities
+
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
+        if wanted.powers or wanted.terms:
+            raise ValueError("derivatives by phases are not available of the pupils of an Objective")
+        return averaged_images(self._samples, pupil, grid, self.tol, wanted)
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        raise NotImplementedError
+
+
 @dataclass(frozen=True)
 class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     r"""Debye-Wolf integral of an objective by Gauss-Legendre quadrature over angles, at every radius.

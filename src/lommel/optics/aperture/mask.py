@@ -8,7 +8,7 @@ import sys
 import zlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -53,6 +53,11 @@ class Mask(EqualByContent):
     >>> Mask.sample(lambda x, y: x > 0, side=4).values[0]
     array([0., 0., 1., 1.])
     """
+
+    made_of: ClassVar = {
+        "ndarray": "Mask(amplitude) and Mask(np.exp(1j * phase)) are",
+        "OPDMap": "Mask(np.exp(2j * np.pi * waves)) is one",
+    }
 
     values: Values
     squares: bool = False

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Never, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Never, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -134,6 +134,11 @@ class Wavefront(EqualByContent, display.Shown):
     >>> Wavefront(defocus=1.0, nonradial={(3, 1): 2.0})
     Wavefront(defocus=1.0, spherical=0.0, nonradial={(3, 1): 2.0})
     """
+
+    made_of: ClassVar = {
+        "OPDMap": "fit_opd(...).wavefront is one",
+        "ndarray": "fit_opd(OPDMap(...)).wavefront, or mask=Mask(np.exp(1j * phase)) takes a map of phases",
+    }
 
     pupil_hint = "a Wavefront; Pupil(wavefront) has a circular aperture"
 

@@ -104,6 +104,26 @@ def test_what_the_file_has_besides_is_told(folder, call_lommel):
         assert told in out
 
 
+def test_the_measured_wavefront_is_told_and_shapes_the_image(folder, call_lommel):
+    file = ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil-astigmatic.toml"
+    out = call_lommel("info", file, folder=folder).stdout
+    assert "rms wavefront error 0.15 waves over the pupil" in " ".join(out.split())
+    assert "+0.15" in next(line for line in out.splitlines() if "(2, 2)" in line)
+    facts = json.loads(call_lommel("info", file, "--json", folder=folder).stdout)
+    assert facts["rms_waves"] == pytest.approx(0.15)
+    assert [(term["n"], term["m"]) for term in facts["zernike"]] == [(2, 2)]
+    plain = call_lommel("info", "objective.toml", folder=folder).stdout
+    assert "wavefront error" not in plain
+    assert "Zernike" not in plain
+    made = call_lommel("psf", file, "--stack", 3, "--step", "400nm", "--shape", 9, "-o", "a.npz", folder=folder)
+    assert made.returncode == 0, made.stderr
+    near, _, far = lm.PSF.load(folder / "a.npz").values
+    tall, wide = (abs(np.mgrid[-4:5, -4:5]) * near).sum(axis=(1, 2))
+    other_tall, other_wide = (abs(np.mgrid[-4:5, -4:5]) * far).sum(axis=(1, 2))
+    assert (tall > 1.2 * wide) != (other_tall > 1.2 * other_wide)
+    assert (wide > 1.2 * tall) != (other_wide > 1.2 * other_tall)
+
+
 @pytest.mark.parametrize("columns", [60, 200])
 def test_no_digit_is_left_out_of_narrow_tables(columns, folder, call_lommel, monkeypatch):
     from lommel.cli import output

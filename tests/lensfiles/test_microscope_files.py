@@ -98,10 +98,13 @@ def test_every_example_loads_and_says_where_its_figures_come_from(path):
     assert lm.load_microscope(str(path)) == found
 
 
-def test_there_are_three_examples():
-    found = {lm.load_microscope(path).objective.NA for path in EXAMPLES}
-    assert found == {1.3, 1.4}
-    assert len(EXAMPLES) == 3
+def test_there_are_four_examples_one_with_astigmatism():
+    found = {path.stem: lm.load_microscope(path) for path in EXAMPLES}
+    assert len(found) == 4
+    assert {one.objective.NA for one in found.values()} == {1.3, 1.4}
+    (astigmatic,) = (one for one in found.values() if one.aberrations is not None)
+    assert astigmatic.aberrations == lm.Wavefront.zernike({6: 0.15}, order="noll", unit="waves")
+    assert astigmatic is found["zeiss-63x-1.4-oil-astigmatic"]
 
 
 def test_a_file_without_a_stack_has_one_plane_at_the_brightest_focus(load):
@@ -257,3 +260,85 @@ def test_a_lens_is_no_microscope_and_either_reader_names_the_other(load, lenses,
 
 def test_what_is_no_toml_is_told(load):
     assert fault(load, ("[stack]", "[stack")).startswith("not valid TOML: ")
+
+
+ZERNIKE = """\
+[aberrations.zernike]
+order = "noll"
+unit = "nm"
+normalization = "rms"
+
+[aberrations.zernike.terms]
+6 = 52.0
+11 = -10.4
+"""
+ADDED = len(PLAIN.splitlines())
+MEASURED = lm.Wavefront.zernike({6: 0.1, 11: -0.02}, order="noll", unit="waves")
+
+
+def same(one: lm.Wavefront | None, two: lm.Wavefront) -> bool:
+    assert one is not None
+    return all(np.all(np.abs(c) < 1e-12) for c in (one - two).to_zernike().values())
+
+
+def test_zernike_terms_are_those_of_a_lens_file_at_the_wavelength_of_the_emission(load, tmp_path):
+    found = load(more=ZERNIKE)
+    assert same(found.aberrations, MEASURED)
+    assert found.pupil() == dataclasses.replace(load(), aberrations=found.aberrations).pupil()
+    assert same(found.pupil().aberrations, MEASURED)
+    in_waves = ZERNIKE.replace('"nm"', '"waves"').replace("52.0", "0.1").replace("-10.4", "-0.02")
+    assert same(load(more=in_waves).aberrations, MEASURED)
+    elsewhere = in_waves.replace("\n\n", '\nwavelength = "1040 nm"\n\n')
+    assert same(load(more=elsewhere).aberrations, 2.0 * MEASURED)
+    assert load().aberrations is None
+    assert load(more="[aberrations]\n").aberrations is None
+
+
+@pytest.mark.parametrize("name", ["a.csv", "a.toml", "a.json"])
+def test_a_table_that_lommel_wrote_may_stand_beside_the_file(load, tmp_path, name):
+    table = lm.ZernikeTable({6: 0.1, 11: -0.02}, "noll", "waves", "rms", wavelength=520e-9)
+    lm.save_zernike(tmp_path / name, table)
+    beside = f'[aberrations.zernike]\nfile = "{name}"\n'
+    assert same(load(more=beside).aberrations, MEASURED)
+    (tmp_path / "objective.toml").write_text(PLAIN + beside.replace("a.", "../a."), encoding="utf-8")
+    with pytest.raises(LensFileError, match="must lie in the folder of the lens file"):
+        lm.load_microscope(tmp_path / "objective.toml", folder_only=True)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told", "line"),
+    [
+        ('order = "noll"\n', "", "aberrations.zernike.order (line {}): is missing; it is one of nm, noll", 1),
+        ('"nm"', '"kg"', "aberrations.zernike.unit (line {}): must be one of radians, waves", 3),
+        ("6 = 52.0", "0 = 1.0", "aberrations.zernike.terms.0 (line {}): a Zernike index in the order 'noll'", 7),
+        ("6 = 52.0", "6 = nan", "aberrations.zernike.terms.6 (line {}): the coefficient must be finite, got nan", 7),
+        (ZERNIKE, "[aberrations]\nzernike = 5\n", "aberrations.zernike (line {}): must be a section", 2),
+        (ZERNIKE, "[aberrations]\nW040 = 0.5\n", "aberrations.W040 (line {}): unknown key", 2),
+        (
+            ZERNIKE,
+            '[aberrations.zernike]\nfile = "nowhere.csv"\n',
+            "aberrations.zernike.file (line {}): 'nowhere.csv' cannot be read: No such file",
+            2,
+        ),
+    ],
+)
+def test_a_fault_among_zernike_terms_is_told_with_its_key_and_line(load, old, new, told, line):
+    assert old in ZERNIKE
+    message = fault(load, more=ZERNIKE.replace(old, new))
+    assert message.startswith(told.format(ADDED + line)), message
+
+
+def test_faults_among_zernike_terms_are_told_with_all_others(load):
+    message = fault(load, ("NA = 1.3", "NA = -1"), more=ZERNIKE.replace('"nm"', '"kg"'))
+    told = [line.strip().split(":")[0] for line in message.strip("\n").split("\n")]
+    assert sorted(told) == [f"aberrations.zernike.unit (line {ADDED + 3})", "objective.NA (line 5)"]
+
+
+def test_terms_of_too_high_a_degree_are_told(load):
+    high = ZERNIKE.replace('"noll"', '"nm"').replace("6 =", '"32,2" =').replace("11 =", '"2,2" =')
+    assert "aberrations must have terms up to degree 30, got (n, m) = (32, 2)" in fault(load, more=high)
+
+
+def test_the_notebook_names_the_size_of_the_wavefront(load):
+    assert "0.102 waves rms" in load(more=ZERNIKE)._repr_html_()
+    assert "waves rms" not in load()._repr_html_()

@@ -40,6 +40,7 @@ from lommel.special import zernike
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
+    from rich.table import Table
 
 _OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
             "model", "corrected_for")  # fmt: skip
@@ -190,7 +191,7 @@ def describe_lens(instrument: Instrument) -> Report:
         "higher": [float(c) for c in pupil.wavefront.higher],
         "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
         "balancing_W020": tried(lambda: _balancing(pupil)),
-        "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
+        "zernike": listed_terms(pupil.wavefront.to_zernike(unit="waves")),
         "airy_radius": airy,
         "dark_ring_radius": _dark_ring(pupil),
         "geometric_radius": blur,
@@ -416,13 +417,7 @@ def _wavefront_parts(facts: Facts) -> list[RenderableType]:
     ]
     parts: list[RenderableType] = ["", list_of(lines, title="Wavefront")]
     if any(term["m"] for term in facts["zernike"]):
-        rows = [(t["name"], f"({t['n']}, {t['m']})", f"{t['waves_rms']:+.4g}") for t in facts["zernike"]]
-        parts += [
-            "",
-            table_of(
-                ("Zernike term", "(n, m)", f"waves rms at {format_length(facts['wavelength'])}, full disc"), rows
-            ),
-        ]
+        parts += ["", zernike_table(facts)]
     unit = facts["wavelength"] * facts["working_f_number"]
     models = [
         ("model", _model(facts)),
@@ -534,7 +529,7 @@ def _field(instrument: Instrument, tried: Callable[[Callable[[], Any]], Any]) ->
                 "rms_waves": tried(partial(_rms, pupil)),
                 "strehl_at_peak": tried(partial(_brightest, pupil)),
                 "rms_waves_without_tilt": tried(partial(_rms_without_tilt, pupil)),
-                "zernike": _terms({term: c for term, c in terms.items() if term[0] > 1}),
+                "zernike": listed_terms({term: c for term, c in terms.items() if term[0] > 1}),
             }
         )
     seidel = {name: waves for name, waves in field.seidel.items() if waves}
@@ -562,7 +557,14 @@ def _field_parts(field: Facts) -> list[RenderableType]:
     return ["", table_of(names, rows, left=3, title=f"Field{seidel}"), note]
 
 
-def _terms(terms: dict[tuple[int, int], Any]) -> list[Facts]:
+def zernike_table(facts: Facts) -> Table:
+    """Return the table of the Zernike terms at a wavelength."""
+    rows = [(t["name"], f"({t['n']}, {t['m']})", f"{t['waves_rms']:+.4g}") for t in facts["zernike"]]
+    return table_of(("Zernike term", "(n, m)", f"waves rms at {format_length(facts['wavelength'])}, full disc"), rows)
+
+
+def listed_terms(terms: dict[tuple[int, int], Any]) -> list[Facts]:
+    """Return Zernike terms in waves rms, in Noll's order."""
     return [
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
         for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(item[0][0], item[0][1], "noll")))

@@ -13,8 +13,19 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.channel_psf import ColourPSF
-from lommel.cli.lens_report import magnifies
-from lommel.cli.output import Facts, Report, Wrapped, known, list_of, per_mm, pitch_in_words, refused, table_of
+from lommel.cli.lens_report import listed_terms, magnifies, zernike_table
+from lommel.cli.output import (
+    Facts,
+    Report,
+    Wrapped,
+    known,
+    list_of,
+    number,
+    per_mm,
+    pitch_in_words,
+    refused,
+    table_of,
+)
 from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.lensfiles.microscope_files import Microscope
@@ -289,7 +300,8 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
     rows, refused = _foci(microscope) if foci else ([], [])
     step = abs(microscope.step) if microscope.planes > 1 else None
     coarse = {"pixel": microscope.pixel > nyquist.pixel, "step": step is not None and step > nyquist.axial}
-    design = objective.design
+    design, measured = objective.design, microscope.aberrations
+    terms = [] if measured is None else listed_terms(measured.to_zernike(unit="waves"))
     as_designed = design.immersion == objective.immersion and design.coverslip == glass
     facts = {
         "name": microscope.name,
@@ -303,6 +315,8 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
         "rim_angle": math.asin(objective.NA / objective.immersion),
         "wavelength": wavelength,
         "emitter": of_emitter(microscope.emitter),
+        "rms_waves": math.hypot(*(term["waves_rms"] for term in terms)),
+        "zernike": terms,
         "depth": microscope.depth,
         "planes": microscope.planes,
         "step": step,
@@ -314,7 +328,8 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
         "focus": rows,
         "refused": refused,
     }
-    return Report(facts, [*_microscope_parts(facts), *(_focus_parts(facts) if rows else ())])
+    tables: list[RenderableType] = ["", zernike_table(facts)] if terms else []
+    return Report(facts, [*_microscope_parts(facts), *tables, *(_focus_parts(facts) if rows else ())])
 
 
 def _microscope_parts(facts: Facts) -> list[RenderableType]:
@@ -339,6 +354,7 @@ def _microscope_parts(facts: Facts) -> list[RenderableType]:
         ("critical angle", f"{critical}; {rim}"),
         ("wavelength", format_length(facts["wavelength"])),
         ("emitter", facts["emitter"]),
+        ("rms wavefront error", f"{number(facts['rms_waves'])} waves over the pupil" if facts["zernike"] else None),
         ("planes", f"{several} {_ORIGINS[facts['origin']]}"),
         ("pixel", f"{format_length(facts['pixel'])}, {format_length(facts['pixel_in_sample'])} in the sample"),
         ("Nyquist sampling", f"pixel {format_length(nyquist['pixel'])}, "

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from os import PathLike
@@ -15,9 +14,8 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, fie
 from lommel.base import validation
 from lommel.base.units import parse_radius
 from lommel.field.maps import FieldMap, Shading, Vignetting
-from lommel.io import text_files, zernike_tables
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import tables, toml_files
+from lommel.lensfiles import tables, toml_files, zernike_section
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.tables import FieldTable, load_channels
@@ -91,7 +89,7 @@ class _Aberrations(_Seidel):
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: Toml | None = None  # checked by `_zernike`
+    zernike: Toml | None = None  # checked by `zernike_section.read`
 
 
 class VignettingSection(MadeSection):
@@ -346,33 +344,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
             "lommel.load_microscope reads it, and the commands info and psf take it"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = _zernike(raw, text, context)
+    table, found = zernike_section.read(raw, text, context)
     make = partial(_instrument, table=table, stem=source.stem)
     return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
-
-
-def _zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the table of [aberrations.zernike], if there is one, and its errors."""
-    above = raw.get("aberrations")
-    section = above.get("zernike") if isinstance(above, dict) else None
-    if not isinstance(section, dict):
-        return None, []  # absent, or an error that pydantic reports
-
-    def where(keys: Sequence[str]) -> str:
-        return text_files.place(text, ["aberrations", "zernike", *keys])
-
-    if "file" not in section:
-        return zernike_tables.build_section(section, where)
-    try:
-        if others := [key for key in section if key != "file"]:
-            raise ValueError(f"the file states everything; leave out {', '.join(others)}")
-        table = read_beside(context, section["file"], "the path of a table", zernike_tables.load_zernike)
-        if table.wavelength is None and table.unit in ("radians", "waves"):
-            raise ValueError(f"{validation.line(section['file'])}: must state the wavelength of its {table.unit}")
-        return table, []
-    except ValueError as error:
-        # One line for each error of the table.
-        return None, [f"{where(['file'])}: {'; '.join(part.strip() for part in str(error).splitlines())}"]
 
 
 def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:
@@ -383,8 +357,7 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
     aberrations = Wavefront(a.defocus, a.spherical) + Wavefront.from_seidel(**seidel)
     aberrations += Wavefront.balanced_spherical(rms, file.lens.obscuration)
     if table is not None:
-        own = wavelength if table.wavelength is None else table.wavelength
-        aberrations += replace(table, wavelength=own).wavefront(wavelength)
+        aberrations += zernike_section.wavefront(table, wavelength)
     given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.made()}
     # As a diameter, since a length with a unit is certainly meant.
     diameter = aperture(file.lens.focal_length, given.pop("f_number"), given.pop("aperture_diameter"))

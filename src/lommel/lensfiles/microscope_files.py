@@ -14,9 +14,11 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import format_length, parse_length
-from lommel.lensfiles import toml_files
+from lommel.io.zernike_tables import ZernikeTable
+from lommel.lensfiles import toml_files, zernike_section
 from lommel.lensfiles.toml_files import (
     Angle,
+    Context,
     Length,
     LensFileError,
     MadeSection,
@@ -30,6 +32,7 @@ from lommel.optics.layers.emitter import Beam, Dipole, Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST, Design, Layer, length, refractive_index
+from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 from lommel.show import notebook
 from lommel.show.labels import length_in_words, of_emitter
@@ -70,6 +73,8 @@ class Microscope:
         Height and width of the window in pixels, if the file states them; see :attr:`window`.
     integrate : bool or None
         Pixel-integrated or point-sampled values, as of :func:`lommel.psf`; None if the file does not say.
+    aberrations : Wavefront, or None
+        Measured phase at `wavelength`, added to that of the layers.
 
     Raises
     ------
@@ -91,6 +96,7 @@ class Microscope:
     origin: str = "brightest"
     shape: tuple[int, int] | None = None
     integrate: bool | None = None
+    aberrations: Wavefront | None = None
 
     def __post_init__(self) -> None:
         validation.integer("planes", self.planes, least=1, most=PLANES_MOST)
@@ -109,12 +115,15 @@ class Microscope:
         layer = one.coverslip
         glass = "none" if layer is None else f"{words(layer.thickness)} of index {layer.index:.4g}"
         planes = f"{self.planes}, {words(abs(self.step))} apart" if self.planes > 1 else "1"
+        terms = {} if self.aberrations is None else self.aberrations.to_zernike(unit="waves")
+        measured = math.hypot(*map(float, terms.values()))
         rows: list[notebook.Row] = [
             ("objective", f"NA {one.NA:.4g}, {one.magnification:.4g}x, immersion {one.immersion:.4g}"),
             ("cover glass", glass),
             ("sample", f"index {one.sample:.4g}"),
             ("emitter", f"{notebook.emitter(self.emitter)}, {words(self.depth)} deep"),
             ("wavelength", words(self.wavelength)),
+            ("aberrations", f"{measured:.4g} waves rms" if measured else None),
             ("pixels", f"{words(self.pixel / one.magnification)} in the sample ({words(self.pixel)} on the camera)"),
             ("planes", planes),
             ("Nyquist sampling", f"{words(nyquist.lateral)} in the sample, {words(nyquist.axial)} of the stage"),
@@ -160,6 +169,7 @@ class Microscope:
             wavelength=self.wavelength,
             origin=self.origin,
             emitter=self.emitter,
+            aberrations=self.aberrations,
         )
 
 
@@ -219,6 +229,10 @@ class _Emission(MadeSection):
         return emitter_of(self.emitter) if self.beam is None else Beam(self.beam.polarization)
 
 
+class _Aberrations(Section):
+    zernike: Toml | None = None  # checked by `zernike_section.read`
+
+
 class _Stack(Section):
     planes: Annotated[int, Field(strict=True, ge=1, le=PLANES_MOST)]
     step: Annotated[SignedLength, AfterValidator(stage_step)]
@@ -234,6 +248,7 @@ class _File(Section):
     design: _Design | None = None
     sample: _Sample
     emission: _Emission
+    aberrations: _Aberrations = _Aberrations()
     stack: _Stack | None = None
     sensor: Sensor
 
@@ -251,7 +266,7 @@ def describes_microscope(path: str | PathLike[str]) -> bool:
     return "objective" in raw and "lens" not in raw
 
 
-def load_microscope(path: str | PathLike[str]) -> Microscope:
+def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> Microscope:
     """Read a microscope file.
 
     Lengths are texts with a unit (``"170 um"``), angles also numbers of radians. Sections and keys: ``name`` (by
@@ -261,13 +276,17 @@ def load_microscope(path: str | PathLike[str]) -> Microscope:
     and ``[design.coverslip]``, if the objective was corrected for other media than it is used with; ``[sample]``
     index and depth, of the emitter from the glass; ``[emission]`` wavelength and emitter ("isotropic", which is the
     default, or "scalar"), or else a section ``[emission.dipole]`` with polar, azimuth and wobble, or
-    ``[emission.beam]`` with polarization, for light focused into the sample; ``[stack]`` planes, step and
+    ``[emission.beam]`` with polarization, for light focused into the sample; ``[aberrations.zernike]``, the
+    measured wavefront, at the wavelength of the emission unless it states its own, as in
+    :func:`lommel.load_instrument`; ``[stack]`` planes, step and
     origin ("brightest", the default, "paraxial" or "coverslip": where plane ``planes // 2`` is), without which there
     is one plane at the brightest focus; ``[sensor]`` pixel, on the camera, shape and integrate as of a lens.
 
     Parameters
     ----------
     path : path
+    folder_only : bool, default False
+        Refuse tables of aberrations outside the folder of the file, as :func:`lommel.load_instrument` does.
 
     Returns
     -------
@@ -293,10 +312,13 @@ def load_microscope(path: str | PathLike[str]) -> Microscope:
         raise LensFileError(
             f"{validation.line(source)}: describes a lens, [lens], not a microscope: lommel.load_instrument reads it"
         )
-    return toml_files.built(source, raw, text, _File, partial(_microscope, stem=source.stem))
+    context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
+    table, found = zernike_section.read(raw, text, context)
+    make = partial(_microscope, table=table, stem=source.stem)
+    return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
 
-def _microscope(file: _File, *, stem: str) -> Microscope:
+def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Microscope:
     used, design = None if file.coverslip is None else file.coverslip.layer(), None
     if file.design is not None:
         glass = file.design.coverslip
@@ -313,6 +335,7 @@ def _microscope(file: _File, *, stem: str) -> Microscope:
         file.emission.wavelength,
         file.sample.depth,
         emitter=file.emission.made(),
+        aberrations=None if table is None else zernike_section.wavefront(table, file.emission.wavelength),
         **stack,
         **dict(file.sensor),
     )

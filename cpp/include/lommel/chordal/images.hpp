@@ -61,8 +61,10 @@ class ChordalRenderer {
     void run();
 
     // The same where that is likely to take less time than the series; otherwise throws LimitExceeded before images are begun.
-    void run_if_cheaper() {
+    // Of windows asked `in_turn`, as samples for averages are, tables are made again where those of two are not kept.
+    void run_if_cheaper(bool in_turn) {
         weighed_ = true;
+        in_turn_ = in_turn;
         run();
     }
     // What both are likely to take, in nanoseconds, without images.
@@ -162,9 +164,9 @@ class ChordalRenderer {
         return groups;
     }
 
-    // Whether tables of these stay in their caches all at once, with those of another attempt.
+    // Bytes of the tables of these, of terms and of the kernel.
     template <class Real>
-    bool kept(const std::vector<Group>& groups) const {
+    std::pair<double, double> bytes(const std::vector<Group>& groups) const {
         double terms = 0.0, kernels = 0.0;
         ChordCount last[2];
         bool lone = !groups.empty() && groups.front().lone;
@@ -180,6 +182,13 @@ class ChordalRenderer {
                 }
             }
         }
+        return {terms, kernels};
+    }
+
+    // Whether tables of these stay in their caches all at once, with those of another attempt.
+    template <class Real>
+    bool kept(const std::vector<Group>& groups) const {
+        const auto [terms, kernels] = bytes<Real>(groups);
         return 2.5 * terms < static_cast<double>(TermTable::most_bytes) &&
                2.5 * kernels < static_cast<double>(KernelTable<Real>::most_bytes);
     }
@@ -272,8 +281,9 @@ class ChordalRenderer {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
         const double pixels = static_cast<double>(rows_.count * columns_.at.size());
-        double sum = 0.0;
-        for (const Group& group : grouped<Real>(pending, pupils)) {
+        const auto groups = grouped<Real>(pending, pupils);
+        double sum = in_turn_ && !kept<Real>(groups) ? 3.7 * bytes<Real>(groups).first : 0.0;
+        for (const Group& group : groups) {
             for (const ChordCount& count : {group.far, group.near}) {
                 const double chords = static_cast<double>(count.chords), nodes = count.size();
                 if (chords > 0.0 && group.lone) {
@@ -356,7 +366,7 @@ class ChordalRenderer {
     double area_;
     ChordLines lines_;
     std::vector<State> states_;
-    bool weighed_ = false, only_costs_ = false;  // whether to weigh, and no more than that
+    bool weighed_ = false, in_turn_ = false, only_costs_ = false;  // whether to weigh, and no more than that
     std::pair<double, double> costs_;
 };
 

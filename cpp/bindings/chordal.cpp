@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "lommel/chordal/field_gradient.hpp"
 #include "lommel/chordal/fields.hpp"
 #include "lommel/chordal/gradient.hpp"
 #include "lommel/chordal/images.hpp"
@@ -95,12 +96,11 @@ void sums_gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
         center_y, center_x);
 }
 
-std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<std::int32_t, 1> ends,
-                                                       In<complex, 3> coefficients, In<std::int32_t, 2> shares,
-                                                       In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
-                                                       In<std::int32_t, 1> parities, In<complex, 4> waves,
-                                                       In<std::int32_t, 1> wave, double center_y, double center_x,
-                                                       std::size_t height, std::size_t width, double step, int threads) {
+// What the core is given about fields at the nodes of a quadrant, checked.
+lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_t, 1>& ends, const In<complex, 3>& coefficients,
+                               const In<std::int32_t, 2>& shares, const In<complex, 3>& factors,
+                               const In<std::int32_t, 2>& sets, const In<double, 3>& terms, const In<std::int32_t, 1>& parities,
+                               const In<complex, 4>& waves, const In<std::int32_t, 1>& wave) {
     const auto within = [](const std::int32_t* which, std::size_t size, std::size_t most, std::int32_t least = 0) {
         return std::all_of(which, which + size,
                            [&](std::int32_t i) { return i >= least && (i < 0 || static_cast<std::size_t>(i) < most); });
@@ -145,13 +145,46 @@ std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<
                 "sets must be of series and terms");
         given.sets.push_back({of[0], of[1]});
     }
+    return given;
+}
+
+std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<std::int32_t, 1> ends,
+                                                       In<complex, 3> coefficients, In<std::int32_t, 2> shares,
+                                                       In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
+                                                       In<std::int32_t, 1> parities, In<complex, 4> waves,
+                                                       In<std::int32_t, 1> wave, double center_y, double center_x,
+                                                       std::size_t height, std::size_t width, double step, int threads) {
+    const lommel::NodeSeries given =
+        node_series(radial, ends, coefficients, shares, factors, sets, terms, parities, waves, wave);
     require_image(height, width);
     require_center(center_y, center_x);
     require_request(step, 1.0, threads);
-    auto values = new_array<double, 4>({given.sets.size(), planes, height, width});
-    auto largest = new_array<double, 3>({given.sets.size(), planes, given.fields});
+    auto values = new_array<double, 4>({given.sets.size(), given.planes, height, width});
+    auto largest = new_array<double, 3>({given.sets.size(), given.planes, given.fields});
     released(
         [&] { lommel::node_light(given, {height, width, center_y, center_x, step}, threads, values.data(), largest.data()); });
+    return {values, largest};
+}
+
+std::pair<Out<double, 2>, Out<double, 2>> series_gradient(In<double, 3> radial, In<std::int32_t, 1> ends,
+                                                          In<complex, 3> coefficients, In<std::int32_t, 2> shares,
+                                                          In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
+                                                          In<std::int32_t, 1> parities, In<complex, 4> waves,
+                                                          In<std::int32_t, 1> wave, double center_y, double center_x,
+                                                          double step, In<double, 3> weights, int threads) {
+    const lommel::NodeSeries given =
+        node_series(radial, ends, coefficients, shares, factors, sets, terms, parities, waves, wave);
+    const std::size_t height = weights.shape(1), width = weights.shape(2), rates = given.sets.size() - 1;
+    require(weights.shape(0) == given.planes, "one image of weights a plane");
+    require(std::all_of(given.sets.begin(), given.sets.end(), [](const lommel::FieldSet& set) { return set.term < 0; }),
+            "sets must be without terms");
+    require_image(height, width);
+    require_center(center_y, center_x);
+    require_request(step, 1.0, threads);
+    auto values = new_array<double, 2>({given.planes, 1 + rates + terms.shape(0)});
+    auto largest = new_array<double, 2>({given.planes, 1 + given.fields});
+    const lommel::NodeGradient wanted{terms.shape(0), weights.data(), values.data(), largest.data()};
+    released([&] { lommel::node_gradient(given, {height, width, center_y, center_x, step}, threads, wanted); });
     return {values, largest};
 }
 
@@ -222,6 +255,10 @@ void bindings::define_chordal(nb::module_& m) {
           "terms"_a, "parities"_a, "waves"_a, "wave"_a, "center_y"_a, "center_x"_a, "height"_a, "width"_a, "step"_a,
           "threads"_a,
           "Sums of squares of fields whose amplitudes are series at the nodes of a quadrant, derivatives, and largest fields.");
+    m.def("chordal_series_gradient", &series_gradient, "radial"_a, "ends"_a, "coefficients"_a, "shares"_a, "factors"_a,
+          "sets"_a, "terms"_a, "parities"_a, "waves"_a, "wave"_a, "center_y"_a, "center_x"_a, "step"_a, "weights"_a,
+          "threads"_a,
+          "Of weighted sums of these: they, their derivatives by further series and by all terms; and the largest of each.");
     m.def("chordal_sums_gradient", &sums_gradient, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "chords"_a, "nodes"_a, "threads"_a, "weights"_a, "values"_a.noconvert(),
           "Of the sum of weights times these, the derivatives by the coefficients of all terms.");

@@ -97,10 +97,10 @@ def psf(
         :meth:`Lens.pupil`. Per 1: "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by
         `ChordalGauss`, of radially symmetric pupils all but other terms and the obscuration by `NijboerZernike`; of
         any aperture all but the obscuration, and the wavelength where segments have phases, by `NonuniformFFT`; or
-        by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified` or, with aberrations,
-        `ChordalDebye` and `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and, without
-        aberrations, "wavelength" (the stage, all indices and the pixel in metres as they are); "row", "column"; and
-        by `ChordalDebye` Zernike terms.
+        by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified`, `ChordalDebye` or, with
+        aberrations, `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and, without aberrations,
+        "wavelength" (the stage, all indices and the pixel in metres as they are); "row", "column"; and by
+        `ChordalDebye`, in small windows, Zernike terms.
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         C-contiguous, writable array for the values.
     threads : int, optional
@@ -514,8 +514,9 @@ class PSF(Measured, PSFLike):
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
         """Return the gradient of a loss from its derivative `g` with respect to the values (reverse mode).
 
-        Gradients by the wavefront and the axis cost about two images, for any number of parameters; see `derivatives`
-        of :func:`psf` and :func:`lommel.measures.pullback.pullback`.
+        Gradients by the wavefront and the axis cost about two images, for any number of parameters, and so do those
+        by stage and depth of an Objective with aberrations; see `derivatives` of :func:`psf` and
+        :func:`lommel.measures.pullback.pullback`.
         """
         return measures.pullback.pullback(self, g, of)
 

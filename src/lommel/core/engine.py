@@ -296,6 +296,26 @@ def chordal_series_light(
     return light(*tables[:2], coefficients, *tables[2:], sets, *terms, *waves, *rows)
 
 
+def chordal_series_gradient(
+    tables: NodeTables,
+    coefficients: NDArray[np.complex128],
+    waves: NodeWaves,
+    window: Window,
+    sets: NDArray[np.int32],
+    terms: NodeTerms,
+    weights: Array,
+    threads: int = 0,
+) -> tuple[Array, Array]:
+    """Return sums of the light of :func:`chordal_series_light` times `weights`, (planes, height, width).
+
+    In each plane the sum, then its derivatives by sets but the first, none with a term, then by all `terms`, and as a
+    second array the largest light and the largest modulus of each field.
+    """
+    gradient: Callable[..., tuple[Array, Array]] = _core.chordal_series_gradient
+    rows = *window.center, window.step, weights, threads
+    return gradient(*tables[:2], coefficients, *tables[2:], sets, *terms, *waves, *rows)
+
+
 def _disk_images(
     compute: Callable[..., float],
     over: str,

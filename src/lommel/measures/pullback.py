@@ -14,17 +14,21 @@ from lommel.measures.psf_like import PSFLike
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivative_names import Name, Parts, checked, parts
 from lommel.methods.derivatives import differentiated, engines, single_light, translated
+from lommel.methods.layers.gradients import layered_gradient
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.base_pupil import BasePupil
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import checked as lens_pupil
 
 
 def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, Array]:
     """Return the gradient ``sum g * derivative`` over pixels (reverse mode); see :meth:`lommel.PSF.pullback`.
 
-    Derivatives by phase coefficients and shifts are computed in reverse mode, by a transform to the pupil; all
-    others, and those of radially symmetric pupils, in forward mode.
+    Derivatives by phase coefficients and shifts are computed in reverse mode, by a transform to the pupil, and so are
+    those of an Objective with aberrations by the stage and the depth, in windows that :class:`lommel.ChordalDebye`
+    takes; all others, and those of radially symmetric pupils, in forward mode.
 
     Parameters
     ----------
@@ -32,6 +36,7 @@ def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> di
     g : array_like
         Of the shape of the values.
     of : sequence, optional
+        By default the names of `psf.derivatives`, or the terms of the wavefront.
 
     Returns
     -------
@@ -47,14 +52,19 @@ def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> di
     """
     if psf.blur or not psf.grid.square:
         raise ValueError("psf must have square pixels without fill and blur for its derivatives, got others")
-    names = tuple(psf.derivatives) or lens_pupil(psf.pupil).wavefront.terms if of is None else checked(of, "of")
+    names = tuple(psf.derivatives) or _terms(psf.pupil) if of is None else checked(of, "of")
     weights = validation.real_array("g", g)
     if weights.shape != psf.shape:
         raise ValueError(f"g must have the shape of the values, {psf.shape}, got {weights.shape}")
     energy, tol, scale = psf.normalize == "energy", psf.method.tol, float(psf.scale.flat[0])
     if psf.normalize == "peak":
         raise ValueError('of a PSF with normalize="peak" there are no derivatives, since it has kinks; use "energy"')
-    pupil, grid, weights = lens_pupil(psf.pupil), psf.grid, weights.reshape(-1, *psf.grid.shape)
+    weights = weights.reshape(-1, *psf.grid.shape)
+    if isinstance(psf.pupil, ObjectivePupil):
+        layers, scales, far = psf.pupil, np.asarray(psf.scale).ravel(), psf.normalize == "emitted"
+        made = layered_gradient(psf.method, layers, psf.grid, names, weights, scales, energy=energy, far=far)
+        return {name: made[name].reshape(layers.shape) for name in names}
+    pupil, grid = lens_pupil(psf.pupil), psf.grid
     sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
     free = _unnamed(psf.method)
     way, engine = engines(free, pupil, names, list(sums.values()), tol)
@@ -73,6 +83,12 @@ def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> di
         for name, slope in zip(others, slopes, strict=True):
             found[name] = np.einsum("nij,nij->n", weights, slope.values)
     return {name: found[name].reshape(pupil.shape) for name in names}
+
+
+def _terms(pupil: BasePupil) -> tuple[Name, ...]:
+    """Return the terms of the wavefront, which an objective has where it has aberrations."""
+    measured = pupil.aberrations if isinstance(pupil, ObjectivePupil) else lens_pupil(pupil).wavefront
+    return tuple(term for term in measured.terms if term != (0, 0)) if measured else ()
 
 
 def _by_phase(each: Parts) -> bool:

@@ -117,6 +117,13 @@ def _made(rule: Rule, tol: float) -> tuple[Method, ...]:
     return tuple(method(tol) for method in rule.methods)
 
 
+def with_terms(ways: tuple[Method, ...]) -> tuple[Method, ...]:
+    """Return the methods for an objective with that which derivatives by Zernike terms are left to."""
+    from lommel.methods.layers.chordal_debye import ChordalDebye
+
+    return (*ways, ChordalDebye(ways[0].tol))
+
+
 def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
     """Return the first of some methods that neither declines nor misses its tolerance, and its answer."""
     # The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light

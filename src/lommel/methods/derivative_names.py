@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -69,7 +70,7 @@ def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
         found, term = name, term_of(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
         try:
-            found = term = zernike.term(name, "nm")
+            found = term = _pair(*name) if type(name[0]) is int is type(name[1]) else zernike.term(name, "nm")
         except (TypeError, ValueError) as error:
             raise type(error)(f"{argument}: {error}") from None
     else:
@@ -83,6 +84,12 @@ def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
             f"{argument} must not hold {validation.shown(name)}: no intensity depends on the constant phase"
         )
     return found
+
+
+@lru_cache(maxsize=1024)
+def _pair(n: int, m: int) -> Term:
+    """Return a term, checked once: gradients name hundreds."""
+    return zernike.term((n, m), "nm")
 
 
 def term_of(name: Name) -> Term | None:

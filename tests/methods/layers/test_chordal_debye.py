@@ -74,6 +74,50 @@ def test_all_instructions_and_axes_give_the_same(level):
     assert lm.peak_error(made, exact) <= 2e-9
 
 
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize("emitter", EMITTERS, ids=repr)
+def test_without_aberrations_it_agrees_with_sums_over_rings(emitter, integrate):
+    pupil = OIL.pupil(depth=[0.0, 0.1e-6, 3e-6], z=[-0.3e-6, 0.0, 0.5e-6], emitter=emitter, wavelength=WAVE)
+    made, exact = (
+        lm.psf(pupil, 9, PIXEL, method=method, integrate=integrate, dtype=np.float64)
+        for method in (lm.ChordalDebye(1e-9), lm.Stratified(1e-11))
+    )
+    assert lm.peak_error(made, exact) <= 1e-11
+    assert made.error_bound <= 1e-9
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize("emitter", [e for e in EMITTERS if e != lm.Beam("vortex")], ids=repr)
+def test_without_aberrations_derivatives_agree_with_those_over_rings(emitter, integrate):
+    pupil = OIL.pupil(depth=[0.1e-6, 3e-6], z=[-0.3e-6, 0.5e-6], emitter=emitter, wavelength=WAVE)
+    names = ("z", "depth", "row", "column")
+    asked = {"integrate": integrate, "dtype": np.float64, "derivatives": names}
+    made, exact = (lm.psf(pupil, 9, PIXEL, method=way(1e-9), **asked) for way in (lm.ChordalDebye, lm.Stratified))
+    for name in names:
+        off = np.abs(made.derivatives[name] - exact.derivatives[name]).max()
+        assert off <= (made.derivative_bounds[name] + exact.derivative_bounds[name]) * exact.values.max()
+        assert off <= 1e-8 * np.abs(exact.derivatives[name]).max()
+
+
+def test_the_doughnut_has_derivatives_by_chords():
+    pupil = OIL.pupil(depth=0.5e-6, z=0.2e-6, emitter=lm.Beam("vortex"), wavelength=WAVE)
+    with pytest.raises(ValueError, match="use method=ChordalDebye"):
+        lm.psf(pupil, 9, PIXEL, derivatives=("z",))
+    up, down = (
+        lm.psf(OIL.pupil(depth=0.5e-6, z=0.2e-6 + h, emitter=lm.Beam("vortex"), wavelength=WAVE), 9, PIXEL, tol=1e-10)
+        for h in (1e-9, -1e-9)
+    )
+    exact = (up.values - down.values) / 2e-9
+    found = lm.psf(pupil, 9, PIXEL, derivatives=("z",), method=lm.ChordalDebye(1e-9)).derivatives["z"]
+    assert np.abs(found - exact).max() <= 1e-5 * np.abs(exact).max()
+    measured = OIL.pupil(depth=0.5e-6, z=0.2e-6, emitter=lm.Beam("vortex"), wavelength=WAVE, aberrations=FIVE)
+    one, other = (
+        lm.psf(measured, 9, PIXEL, derivatives=("z",), method=way(1e-9)).derivatives["z"]
+        for way in (lm.ChordalDebye, lm.DebyeRings)
+    )
+    assert np.abs(one - other).max() <= 1e-7 * np.abs(one).max()
+
+
 def test_peak_of_one_and_float32_keep_their_bounds():
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
     made = lm.psf(pupil, 9, PIXEL, method=lm.ChordalDebye(1e-6), normalize="peak", dtype=np.float32)
@@ -91,8 +135,9 @@ def test_few_samples_are_taken_by_chords_and_many_by_circles():
     assert isinstance(lm.psf(stack, 25, PIXEL).method, lm.DebyeRings)
     with pytest.raises(ValueError, match="smaller windows"):
         lm.psf(pupil, 301, PIXEL, method=lm.ChordalDebye())
-    with pytest.raises(ValueError, match="aberrations only"):
-        lm.psf(OIL.pupil(depth=0.0, wavelength=WAVE), 9, PIXEL, method=lm.ChordalDebye())
+    plain = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE)
+    assert lm.psf(plain, 15, PIXEL, derivatives=("z",)).method == lm.Stratified(1e-6)
+    assert lm.psf(plain, 15, PIXEL, derivatives=("z", (2, 2))).method == lm.ChordalDebye(1e-6)
 
 
 def fine(function):

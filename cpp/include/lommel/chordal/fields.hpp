@@ -47,6 +47,7 @@ struct NodeSeries {
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
     std::size_t jobs() const { return planes * sets.size() * fields; }
+    std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
 // Parts of the amplitudes of one plane by one series: to[part][re, im][node].
@@ -66,6 +67,19 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
             }
         }
     });
+}
+
+// Of all planes by all series: [series][plane], each as above.
+inline Doubles all_parts(Level level, const NodeSeries& given, int threads) {
+    std::size_t series = 0;
+    for (const FieldSet& set : given.sets) {
+        series = std::max(series, static_cast<std::size_t>(set.series) + 1);
+    }
+    Doubles parts(series * given.planes * given.parts_size());
+    parallel_for(series * given.planes, threads, [&](std::size_t, std::size_t p) {
+        sum_series(level, given, given.coefficients + p * given.total, parts.data() + p * given.parts_size());
+    });
+    return parts;
 }
 
 // The pupil function of one field in a lane, at a pair of chords: [even, odd in y][node][even, odd in x][re, im]. `parts` as above.
@@ -121,19 +135,11 @@ inline void place_field(Level level, const NodeSeries& given, std::size_t plane,
 inline void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
-    const std::size_t lanes = Kernels::lanes(level), pixels = window.height * window.width, nodes = given.nodes();
-    const std::size_t sets = given.sets.size(), fields = given.fields, jobs = given.jobs(),
-                      each = 2 * given.ends.size() * nodes;
+    const std::size_t lanes = Kernels::lanes(level), pixels = window.height * window.width;
+    const std::size_t sets = given.sets.size(), fields = given.fields, jobs = given.jobs(), each = given.parts_size();
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
-    std::size_t series = 0;
-    for (const FieldSet& set : given.sets) {
-        series = std::max(series, static_cast<std::size_t>(set.series) + 1);
-    }
-    Doubles parts(series * given.planes * each);
-    parallel_for(series * given.planes, threads, [&](std::size_t, std::size_t p) {
-        sum_series(level, given, given.coefficients + p * given.total, parts.data() + p * each);
-    });
+    const Doubles parts = all_parts(level, given, threads);
     // Of all fields of a plane, [plane][set][field].
     std::vector<std::complex<double>> u(jobs * pixels);
     parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {

@@ -3,18 +3,27 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Wanted, not_met
-from lommel.core.engine import NodeTables, NodeTerms, NodeWaves, Window, chordal_series_light
+from lommel.core.engine import (
+    NodeTables,
+    NodeTerms,
+    NodeWaves,
+    Window,
+    chordal_series_gradient,
+    chordal_series_light,
+)
 from lommel.methods.layers.debye_rings import squares
 from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
 from lommel.methods.method import normalized_error, stored, storing
+from lommel.methods.pixels.averaging import averaged_gradient
 from lommel.optics.grid import Grid
 from lommel.optics.layers import projection
 from lommel.optics.layers.emitter import Emitter
@@ -44,13 +53,16 @@ class By(NamedTuple):
 
 
 _NONE = By()
+_FLAT = Wavefront()
+_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True)
 class ChordalDebye(AberratedMethod):
-    r"""Debye-Wolf integral of an objective with aberrations in small windows, for any emitter, by sums over chords.
+    r"""Debye-Wolf integral of an objective in small windows, with or without aberrations, by sums over chords.
 
-    Supports the pupils of :meth:`lommel.Objective.pupil` with `aberrations` only.
+    Supports the pupils of :meth:`lommel.Objective.pupil` only, with any emitter. Those without aberrations take less
+    time by :class:`Stratified`, which has no derivatives by Zernike terms.
 
     Parameters
     ----------
@@ -79,6 +91,10 @@ class ChordalDebye(AberratedMethod):
     """
 
     tol: float = 1e-6
+
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
+        """Return None: all are supported."""
+        return None
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         return self.differentiated(pupil, grid, tol, wanted)[0]
@@ -114,27 +130,74 @@ class ChordalDebye(AberratedMethod):
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
     ) -> tuple[Images, Array, Array]:
         """Return the same around one axis, I being within `tol` of its largest value."""
+
+        def made(field: float) -> tuple[tuple[Array, Array], Array, Array]:
+            values, error = intensities(pupil, grid, field, wanted.threads, by)
+            return (values, error), values[0].reshape(len(values[0]), -1).max(axis=1), error[0]
+
+        (values, error), top, relative = self._proven(pupil, tol, wanted, made)
+        scales = 1.0 / top if wanted.scale is None else np.array(np.broadcast_to(wanted.scale, top.shape))
+        assert wanted.out is not None
+        np.multiply(values[0], scales[:, None, None], out=wanted.out, casting="same_kind")
+        least = top - error[0]
+        return Images(wanted.out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:]
+
+    def _proven(
+        self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Made, Array, Array]]
+    ) -> tuple[_Made, Array, Array]:
+        """Return what is `made` of fields that are off by little enough, the largest I, and the error over it.
+
+        The largest I and its error are made beside it; ToleranceError where that is above `tol` as it is `wanted`.
+        """
         # What is divided by its own largest value is off by twice as much, and stored twice.
         twice = 2.0 if wanted.scale is None else 1.0
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
         while True:
             field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
-            values, error = intensities(pupil, grid, field, wanted.threads, by)
-            top = values[0].reshape(len(values[0]), -1).max(axis=1)
-            least = top - error[0]
-            relative = np.divide(error[0], least, out=np.full(least.shape, np.inf), where=least > 0.0)
+            found, top, error = made(field)
+            least = top - error
+            relative = np.divide(error, least, out=np.full(least.shape, np.inf), where=least > 0.0)
             if wanted.scale is None:
                 relative = normalized_error(relative)
             if (worst := float(stored(relative, wanted.dtype).max())) <= tol:
-                break
+                return found, top, relative
             if field <= LEAST or (not worst < np.inf and peak < 1e-12):
                 raise not_met(self.tol, worst, "the largest value in the window")
             peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
-        scales = 1.0 / top if wanted.scale is None else np.array(np.broadcast_to(wanted.scale, top.shape))
-        assert wanted.out is not None
-        np.multiply(values[0], scales[:, None, None], out=wanted.out, casting="same_kind")
-        return Images(wanted.out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:]
+
+    def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
+        """Return weighted sums of I over the pixels of `grid` and their derivatives `by` parameters, (n, 1 + k).
+
+        The transpose of :meth:`differentiated`: it costs little more than an image, for any number of terms.
+
+        Parameters
+        ----------
+        pupil : ObjectivePupil
+        grid : Grid
+        weights : ndarray, shape (n, height, width)
+            Of the pixels of each image of the flattened stack.
+        by : By
+        threads : int, default 0
+            Maximum number of threads; 0 for the number of processors.
+
+        Raises
+        ------
+        ToleranceError, ValueError
+            If images cannot meet the tolerance, or take too many nodes.
+        """
+        wanted = Wanted(1.0, np.dtype(np.float64), threads=threads)
+
+        def sampled(pupil: ObjectivePupil, grid: Grid, tol: float, weights: Array) -> Array:
+            if grid.stack:
+                places = enumerate(np.ndindex(pupil.shape))
+                return np.concatenate([sampled(pupil[k], grid[k], tol, weights[i : i + 1]) for i, k in places])
+            return self._proven(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[0]
+
+        weights = np.ascontiguousarray(weights, dtype=np.float64)
+        if not grid.integrate:
+            return sampled(pupil, grid, self.tol, weights)
+        return averaged_gradient(sampled, pupil, grid, self.tol, weights)
 
 
 _MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
@@ -165,13 +228,17 @@ class Rule(NamedTuple):
     degree: int
 
 
-def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE) -> tuple[Array, Array]:
-    """Return I at the centres of pixels around one axis and its derivatives, (1 + k, n, height, width), and bounds.
+class Fields(NamedTuple):
+    """What the core makes the fields of some planes of, and what these are off by."""
 
-    By fields that are off by about `field`.
-    """
-    assert pupil.aberrations is not None
-    wavefront, step, model = pupil.aberrations.flattened(), grid.step(pupil), pupil.light.model
+    given: tuple[NodeTables, Complex, NodeWaves, Window]
+    terms: NodeTerms
+    wrong: Callable[[int, int], Array]  # of one of the series and one of the terms, or -1, to (planes, fields)
+
+
+def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
+    """Return fields around one axis that are off by about `field`, and those of derivatives `by` parameters."""
+    wavefront, step, model = (pupil.aberrations or _FLAT).flattened(), grid.step(pupil), pupil.light.model
     axis, shape, planes = np.array(grid.axis), np.array(grid.shape), pupil.depth.size
     plain = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step)
     size = plain.times(max((n for n, _ in by.terms), default=0))
@@ -186,16 +253,6 @@ def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, b
     nodes = count_for(most + size.along + _OVER_NODES, _SHARES[2] * field)
     rule = Rule(chords, nodes, degree)
     own = np.arange(planes) if len(wavefront.edge) > 1 else np.zeros(planes)
-    sets = [(k, -1) for k in range(1 + len(by.rates))] + [(0, k) for k in range(len(by.terms))]
-    values, largest = chordal_series_light(
-        _tables(rule, model.orders, pupil.emitter),
-        found.coefficients,
-        NodeWaves(_folded(wavefront, rule), own.astype(np.int32)),
-        Window(grid.shape, grid.axis, step),
-        np.array(sets, dtype=np.int32),
-        _terms(chords, nodes, by.terms),
-        threads,
-    )
     reach = step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     lost = 2.0 * chords + 2.0 * nodes + 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
@@ -204,18 +261,52 @@ def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, b
     sizes, parts = np.abs(_rows(pupil.emitter)), list(pupil.light.waves.parts)
 
     def wrong(which: int, term: int) -> Array:
-        """Return what the fields of a set are off by, (planes, fields)."""
         n = 0 if term < 0 else by.terms[term][0]
         here = plain.times(n)
         off = np.stack([sums_error(each[which], here, rule) for each in series])
         off += norm * left_out(here.around, degree) + (lost + 6.0 * n * n) * _ROUNDING * light[:, which]
         return np.asarray((sizes @ off[parts]).T + sizes.sum(axis=1) * found.error)
 
-    off = np.stack([wrong(*each) for each in sets])
+    tables = _tables(rule, model.orders, pupil.emitter)
+    waves = NodeWaves(_folded(wavefront, rule), own.astype(np.int32))
+    window = Window(grid.shape, grid.axis, step)
+    return Fields((tables, found.coefficients, waves, window), _terms(chords, nodes, by.terms), wrong)
+
+
+def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE) -> tuple[Array, Array]:
+    """Return I at the centres of pixels around one axis and its derivatives, (1 + k, n, height, width), and bounds.
+
+    By fields that are off by about `field`.
+    """
+    made = fields(pupil, grid, field, by)
+    sets = [*_series(by), *((0, k) for k in range(len(by.terms)))]
+    values, largest = chordal_series_light(*made.given, np.array(sets, dtype=np.int32), made.terms, threads)
+    off = np.stack([made.wrong(*each) for each in sets])
     error = 2.0 * (off[0] * largest + off * largest[0] + off[0] * off).sum(axis=2)
-    error[0] = (off[0] * (2.0 * largest[0] + off[0])).sum(axis=1)
-    error += 16.0 * _ROUNDING * 2.0 * (largest[0] * largest).sum(axis=2)
+    error[0] = error_of_light(off[0], largest[0])
+    error[1:] += 16.0 * _ROUNDING * 2.0 * (largest[0] * largest[1:]).sum(axis=2)
     return values / pupil.power[:, None, None], error / pupil.power * (1.0 + 1e-12)
+
+
+def sums(
+    pupil: ObjectivePupil, grid: Grid, field: float, weights: Array, threads: int, by: By
+) -> tuple[Array, Array, Array]:
+    """Return weighted sums of I around one axis and their derivatives, (n, 1 + k); the largest I, and its error."""
+    made = fields(pupil, grid, field, by)
+    asked = np.array(_series(by), dtype=np.int32)
+    found, largest = chordal_series_gradient(*made.given, asked, made.terms, weights, threads)
+    top, error = largest[:, 0], error_of_light(made.wrong(0, -1), largest[:, 1:])
+    return found / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
+
+
+def _series(by: By) -> list[tuple[int, int]]:
+    """Return the sets of fields that have series of their own."""
+    return [(k, -1) for k in range(1 + len(by.rates))]
+
+
+def error_of_light(off: Array, largest: Array) -> Array:
+    """Bound the error of a sum of squares of fields, at most so large, that are `off` by little: (n,)."""
+    return np.asarray((off * (2.0 * largest + off) + 32.0 * _ROUNDING * largest**2).sum(axis=-1))
 
 
 @lru_cache(maxsize=64)

@@ -15,7 +15,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core import engine
-from lommel.core.answers import Images, Slopes, Wanted
+from lommel.core.answers import Declined, Images, Slopes, Wanted
 from lommel.methods.derivative_names import term_of
 from lommel.methods.derivatives import Slope, scaling_derivative, tilted
 from lommel.methods.layers import chordal_debye
@@ -53,7 +53,7 @@ def sampled_slopes(
     """Return images and their derivatives; those by Zernike `terms`, which ChordalDebye has, are last."""
     by = rates(pupil)
     layers, model = pupil.layers, pupil.light.model
-    if pupil.aberrated:
+    if not isinstance(method, Stratified):
         most = (*projection.steepest(layers, model), 0.0)  # not by the wavelength
     else:
         most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
@@ -169,6 +169,11 @@ def _by_chords(
     return made._replace(slopes=Slopes(values, error))
 
 
+TERMS_BY_CHORDS = (
+    "derivatives by Zernike terms are those of ChordalDebye, which takes small windows and aberrations; ask for a "
+    "smaller shape"
+)
+LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods that have derivatives
 _AXIS = ("row", "column")
 _OWN = ("z", "depth", "wavelength")
 
@@ -177,25 +182,24 @@ def layered_slopes(
     method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, energy: bool
 ) -> tuple[Method, Images, list[Slope]]:
     """Return the method, images and their derivatives by checked names."""
-    if not known(pupil.light):
-        raise ValueError(f"derivatives are not available of the light of {pupil.emitter!r}")
-    if not isinstance(method, Stratified | DebyeRings | ChordalDebye):
+    if not isinstance(method, LAYERED):
         raise ValueError(
-            f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified, or "
-            "ChordalDebye or DebyeRings with aberrations"
+            f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified, "
+            "ChordalDebye or, with aberrations, DebyeRings"
         )
-    by_name = {name: term for name in names if (term := term_of(name)) is not None}
-    terms = tuple(dict.fromkeys(by_name.values()))
-    if terms and isinstance(method, DebyeRings):
+    named = {name: term for name in names if (term := term_of(name)) is not None}
+    terms = tuple(dict.fromkeys(named.values()))
+    if unknown := [name for name in names if name not in (*_OWN, *_AXIS, *named)]:
         raise ValueError(
-            "derivatives by Zernike terms are those of ChordalDebye, which takes small windows; ask for a smaller "
-            "shape or fewer planes"
+            "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row', 'column' and "
+            f"Zernike terms, got {unknown[0]!r}"
         )
-    has = (*_OWN, *_AXIS, *(by_name if isinstance(method, ChordalDebye) else ()))
-    if unknown := [name for name in names if name not in has]:
+    if terms and not isinstance(method, ChordalDebye):
+        raise Declined(TERMS_BY_CHORDS)
+    if isinstance(method, Stratified) and not known(pupil.light):
         raise ValueError(
-            "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row' and 'column', and "
-            f"with aberrations by Zernike terms, got {unknown[0]!r}"
+            f"derivatives are not available of the light of {pupil.emitter!r} from Stratified; use "
+            "method=ChordalDebye(), in small windows"
         )
     if "wavelength" in names and pupil.aberrated:
         raise ValueError(
@@ -206,9 +210,9 @@ def layered_slopes(
     axis = any(name in _AXIS for name in names)
 
     def rates(planes: ObjectivePupil) -> list[By]:
-        return [_by(name, planes, far=isinstance(wanted.scale, np.ndarray), energy=energy) for name in kinds]
+        return [by_name(name, planes, far=isinstance(wanted.scale, np.ndarray), energy=energy) for name in kinds]
 
-    if pupil.radial:
+    if pupil.radial and isinstance(method, Stratified):
         made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
     elif kinds or terms:
         made = sampled_slopes(method, pupil, grid, rates, wanted, terms)
@@ -217,7 +221,7 @@ def layered_slopes(
     each: dict[Name, Slope] = {}
     if made.slopes is not None:  # by the axis or without
         each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
-    grows = "wavelength" in kinds and not pupil.radial
+    grows = "wavelength" in kinds and not (pupil.radial and isinstance(method, Stratified))
     if (axis and "row" not in each) or grows:
         # What is left out of the phase moves fields and their gradients by as much.
         left = 4.0 * pupil.left_out[0]
@@ -228,7 +232,7 @@ def layered_slopes(
             values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
             of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
             each["wavelength"] = _sum(each["wavelength"], of_place, made, wanted)
-    return method.reported, made, [each[by_name.get(name, name)] for name in names]
+    return method.reported, made, [each[named.get(name, name)] for name in names]
 
 
 def _radial(
@@ -257,7 +261,7 @@ def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Im
     return method.images(pupil, grid, wanted)
 
 
-def _by(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
+def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
     """Return a derivative of the values, over their scale, from those of I at fixed power and a fixed pixel in v.
 
     What is over the light `far` from the glass does not change with the light that is collected near it.

@@ -86,6 +86,12 @@ SECTIONS = [
         more="methods.Confocal methods.TwoPhoton methods.Sted methods.Bead",
     ),
     Section(
+        "Localisation of molecules",
+        "Read movies, find molecules, fit their positions in 3-D, and write tables of them.",
+        "See [](../localize.md).",
+        package="localize",
+    ),
+    Section(
         "PSFs over the field",
         "Wavefronts, vignetting and PSFs at every position of the sensor.",
         "See [](../field.md).",

@@ -31,7 +31,7 @@ ORDER = [
     {"psf"},
     {"channel_psf"},
     {"estimation", "field", "stacks"},
-    {"imaging"},
+    {"imaging", "localize"},
     {"lensfiles", "microscopy"},
     {"adapters", "page", "paper"},
     {"cli"},

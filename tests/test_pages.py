@@ -24,6 +24,7 @@ from PIL import Image
 import api
 import drawn
 import lommel as lm
+import simulated_movies
 from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
 from lommel.cli.main import main
@@ -113,6 +114,10 @@ def folder(tmp_path, monkeypatch) -> Path:
     listing = "Listing of Zernike Fringe Coefficient Data\nWavelength : 0.6328 µm\nRMS (to chief) : 0.1 waves\n"
     Path("zemax.txt").write_text(f"{listing}Z   4\t 0.25\nZ   9\t -0.1\n", encoding="utf-16")
     lm.save_zernike("table.csv", lm.Wavefront(defocus=1.0, nonradial={(3, 1): 0.4}))
+    molecules = simulated_movies.spread(3, 48, each=1, apart=20, seed=1)
+    mean = simulated_movies.light(molecules, 3, 48, 5.0)
+    camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
+    tifffile.imwrite("movie.tif", simulated_movies.recorded(mean, camera, 1), photometric="minisblack")
     lens = lm.load_instrument("lens.toml")
     light = lens.pupil()
     aberrated = light.wavefront + lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.5})

@@ -9,6 +9,7 @@ from lommel import (
     imaging as imaging,
     io as io,
     lensfiles as lensfiles,
+    localize as localize,
     measures as measures,
     methods as methods,
     microscopy as microscopy,

@@ -10,6 +10,7 @@ import errno
 import io
 import logging
 import math
+import mmap
 import re
 import stat
 import struct
@@ -57,7 +58,9 @@ _HEADER = 2**16  # bytes; that of an array is a line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
 _TIFF_PAGE = 2**12  # bytes that tifffile takes for a page
-_DEFLATE = (8, 32946)
+DEFLATE = (8, 32946)
+"""The compressions of TIFF files that deflate."""
+
 _BEST = 1032  # times as much comes out of what deflate makes
 # Of these the size of what comes out is known.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
@@ -266,6 +269,13 @@ def tiff(data: bytes) -> Iterator[Any]:
         yield file
 
 
+def check_first_page(data: bytes | mmap.mmap) -> None:
+    """Refuse a TIFF file whose first page claims too much; of one that is mapped, nothing else is read."""
+    if (tags := next(_tiff_pages(data), None)) is None:
+        raise ValueError("it has no page")
+    _tiff_page(data, tags)
+
+
 def is_raw(data: bytes) -> bool:
     """Return whether a TIFF file is a raw photograph: a DNG, or its first page a mosaic or a preview of a larger."""
     first = next(_tiff_pages(data), {})
@@ -281,7 +291,7 @@ def _larger_below(data: bytes, first: Tags) -> bool:
     return any(_one(page, 256, 0) * _one(page, 257, 0) > _one(first, 256, 0) * _one(first, 257, 0) for page in below)
 
 
-def _tiff_pages(data: bytes) -> Iterator[Tags]:
+def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
     """Yield of each page the integers that its tags hold."""
     order = {b"II": "<", b"MM": ">"}.get(data[:2])
     if order is None or len(data) < 16:
@@ -297,7 +307,7 @@ def _tiff_pages(data: bytes) -> Iterator[Tags]:
         yield tags
 
 
-def _tiff_tags(data: bytes, at: int, order: str, big: bool) -> tuple[Tags, int]:
+def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple[Tags, int]:
     """Return the integers that the tags of a page hold, and where the next page is."""
     tags: Tags = {}
     head, entry, word = ("Q", "HHQ", "Q") if big else ("H", "HHI", "I")
@@ -325,7 +335,7 @@ def _one(tags: Tags, tag: int, default: int) -> int:
     return int(tags[tag][0]) if tag in tags and tags[tag].size else default
 
 
-def _tiff_page(data: bytes, tags: Tags) -> int:
+def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
     """Refuse a page that claims more than there is; return how much memory it takes to decode if it is compressed."""
     one, nothing = partial(_one, tags), np.zeros(0, np.uint8)
     width, height, samples = one(256, 0), one(257, 0), one(277, 1)
@@ -348,7 +358,7 @@ def _tiff_page(data: bytes, tags: Tags) -> int:
     if len(places) < parts or (compression != 1 and len(sizes) < parts):
         raise ValueError(f"it has {min(len(places), len(sizes))} parts; {width} x {height} pixels take {parts}")
     for place, size in zip(places[:parts].tolist(), sizes[:parts].tolist(), strict=False):
-        if compression in _DEFLATE and not inflates_within(data[place : place + size], most):
+        if compression in DEFLATE and not inflates_within(data[place : place + size], most):
             raise ValueError(f"a part of it inflates to more than its {most} bytes")
     return 0 if compression == 1 else width * height * (13 + 2 * samples * ((bits + 7) // 8))
 
@@ -408,15 +418,17 @@ def hdf5_values(found: Any, size: int) -> NDArray[np.generic]:
 
 
 @contextmanager
-def quietly() -> Iterator[None]:
-    """Keep to itself what tifffile logs of damaged files, which an error tells."""
-    log = logging.getLogger("tifffile")
+def quietly() -> Iterator[list[str]]:
+    """Keep to itself what tifffile logs of damaged files, which an error tells; yield the list of its errors."""
+    log, errors = logging.getLogger("tifffile"), list[str]()
 
-    def nothing(_: logging.LogRecord) -> bool:
+    def nothing(record: logging.LogRecord) -> bool:
+        if record.levelno >= logging.ERROR:
+            errors.append(record.getMessage())
         return False
 
     log.addFilter(nothing)  # one for each who reads
     try:
-        yield
+        yield errors
     finally:
         log.removeFilter(nothing)

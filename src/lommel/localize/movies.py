@@ -1,0 +1,228 @@
+"""Movies of cameras: TIFF and OME-TIFF files of any length, read in blocks of frames."""
+
+from __future__ import annotations
+
+import math
+import mmap
+import re
+from collections.abc import Iterator
+from os import PathLike
+from pathlib import Path
+from types import TracebackType
+from typing import Any, NoReturn, Self
+
+import numpy as np
+
+from lommel.base import optional, reading, validation
+from lommel.base.arrays import Values
+from lommel.io.photos import TIFF
+
+_BLOCK = 2**22  # pixels: 32 MB of them in float64
+
+
+class MovieError(ValueError):
+    """A file that cannot be read as a movie; the message names it and says why."""
+
+
+class Movie:
+    """The frames of a TIFF file, which stay on the disk; made by :func:`open_movie`, closed by ``with`` or `close`.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Frames, rows, columns.
+    dtype : dtype
+        Integers or floats, as they are stored, in the byte order of this machine.
+    path : Path
+
+    Raises
+    ------
+    MovieError
+        By all methods, where the file is damaged.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._file: Any = None
+        try:
+            self._open()
+        except BaseException:
+            self.close()
+            raise
+
+    def _open(self) -> None:
+        import tifffile
+
+        try:
+            _check_first_page(self.path)
+            with reading.quietly() as errors:
+                self._file = tifffile.TiffFile(self.path)
+                series = self._file.series
+        except OSError:
+            raise
+        except Exception as error:  # of tifffile's parser among others
+            self._refuse(reading.reason(error), error)
+        if errors:  # tifffile goes on with the pages before
+            self._refuse(f"it is cut off or damaged: {validation.brief(re.sub('^<.*?> ', '', errors[0]))}")
+        if len(series) != 1:
+            shapes = " and ".join(" x ".join(map(str, one.shape)) for one in series[:3])
+            self._refuse(f"it holds {len(series)} series of images, {shapes}; save the movie alone")
+        (self._series,) = series
+        axes, shape = self._series.axes, self._series.shape
+        if "S" in axes or axes[-2:] != "YX" or len(axes) > 3:
+            self._refuse(f"its axes are {axes} ({' x '.join(map(str, shape))}), not frames, rows and columns in grey")
+        self.dtype = np.dtype(self._series.dtype).newbyteorder("=")
+        if self.dtype.kind not in "iuf":
+            self._refuse(f"it holds {self.dtype}, neither integers nor floats")
+        self.shape: tuple[int, int, int] = (shape[0] if len(shape) == 3 else 1, *shape[-2:])
+        self._mapped: Values | None = None
+        start, size = self._series.dataoffset, math.prod(self.shape) * self.dtype.itemsize
+        if start is not None:
+            if start + size > reading.size(self.path):
+                self._refuse(f"{size} bytes of {self.shape[0]} frames are more than the file holds")
+            kind = self.dtype.newbyteorder(self._file.byteorder)
+            self._mapped = np.memmap(self.path, kind, "r", start, self.shape)
+
+    def __repr__(self) -> str:
+        count, rows, columns = self.shape
+        return f"<Movie {self.path.name!r}: {count} frames of {rows} x {columns}, {self.dtype}>"
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the file."""
+        self._mapped = None
+        if self._file is not None:
+            self._file.close()
+
+    def frames(self, first: int, last: int) -> Values:
+        """Return frames from `first` until before `last`, shape ``(last - first, rows, columns)``.
+
+        Parameters
+        ----------
+        first, last : int
+            Counted from 0.
+
+        Returns
+        -------
+        ndarray
+            A copy.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there are no such frames; MovieError if one is damaged or missing.
+        """
+        begin = validation.integer("first", first, least=0, most=len(self))
+        end = validation.integer("last", last, least=begin, most=len(self))
+        if self._mapped is not None:
+            return np.array(self._mapped[begin:end], self.dtype)
+        found = np.empty((end - begin, *self.shape[1:]), self.dtype)
+        for k in range(begin, end):
+            found[k - begin] = self._frame(k)
+        return found
+
+    def blocks(self, size: int | None = None) -> Iterator[Values]:
+        """Yield all frames in blocks of consecutive ones.
+
+        Parameters
+        ----------
+        size : int, optional
+            Frames of a block, of which the last may have fewer; by default as many as have four million pixels.
+
+        Yields
+        ------
+        ndarray, shape (size, rows, columns)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `size` is out of range; MovieError if a frame is damaged or missing.
+        """
+        count, rows, columns = self.shape
+        each = max(1, _BLOCK // (rows * columns)) if size is None else size
+        validation.integer("size", each, least=1, most=validation.MAX_VALUES)
+        for first in range(0, count, each):
+            yield self.frames(first, min(first + each, count))
+
+    def _frame(self, k: int) -> Values:
+        """Return one frame of a file in pieces."""
+        if (page := self._series.pages[k]) is None:
+            self._refuse(f"frame {k} is missing; are all files of this OME-TIFF in one folder?")
+        try:
+            with reading.quietly():
+                self._check(page)
+                found: Values = page.asarray().reshape(self.shape[1:])
+        except OSError:
+            raise
+        except Exception as error:  # of tifffile, zlib and others
+            self._refuse(f"frame {k} cannot be read: {reading.reason(error)}", error)
+        return found
+
+    def _check(self, page: Any) -> None:
+        """Refuse a page that takes more memory than a frame."""
+        size = math.prod(self.shape[1:]) * self.dtype.itemsize
+        if page.keyframe.compression == 1 and sum(page.databytecounts) < size:
+            raise ValueError(f"its {size} bytes are {sum(page.databytecounts)} in the file")
+        if page.keyframe.compression in reading.DEFLATE:
+            handle = page.parent.filehandle
+            for place, count in zip(page.dataoffsets, page.databytecounts, strict=True):
+                handle.seek(place)
+                if not reading.inflates_within(
+                    handle.read(count), max(size, math.prod(page.chunks) * self.dtype.itemsize)
+                ):
+                    raise ValueError(f"a part of it inflates to more than {size} bytes")
+
+    def _refuse(self, why: str, error: BaseException | None = None) -> NoReturn:
+        raise MovieError(f"{validation.line(self.path)} cannot be read as a movie: {why}") from error
+
+
+def _check_first_page(path: Path) -> None:
+    """Refuse what is no TIFF file, or one whose first page claims too much."""
+    if not reading.start(path, 16).startswith(TIFF):
+        raise ValueError("it is not a TIFF file")
+    with path.open("rb") as file:
+        reading.check_first_page(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
+
+
+def open_movie(path: str | PathLike[str]) -> Movie:
+    """Open a movie: a TIFF or OME-TIFF file of grey frames, of which only those asked for are read.
+
+    Files of any length, also BigTIFF and the one long image of ImageJ, uncompressed or with deflate, PackBits or
+    (where imagecodecs is installed) LZW; frames of integers or floats. Frames in one piece are mapped into memory.
+
+    Parameters
+    ----------
+    path : path
+
+    Returns
+    -------
+    Movie
+
+    Raises
+    ------
+    MovieError
+        If the file is no TIFF file or damaged, or holds colours or several series of images.
+    OSError
+        If it cannot be read.
+    ImportError
+        If tifffile is missing.
+
+    Examples
+    --------
+    >>> with open_movie("movie.tif") as movie:  # doctest: +SKIP
+    ...     for block in movie.blocks(100):
+    ...         print(block.shape)
+    """
+    source = validation.path("path", path)
+    optional.require("tifffile", "movies need", "images")
+    return Movie(source)

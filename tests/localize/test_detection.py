@@ -1,0 +1,191 @@
+"""Spots above the background: how many of them are noise, where boxes are, and what is left out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+import simulated_movies as simulated
+from lommel.localize import find
+from lommel.localize.detection import _density, _heights, _moments, _smooth
+
+
+@pytest.mark.parametrize(
+    ("background", "read"), [(0.2, 0.0), (1.0, 0.0), (1.0, 1.5), (5.0, 0.0), (50.0, 2.0), (1000.0, 0.0)]
+)
+def test_no_more_spots_are_noise_than_stated(background, read):
+    draw = np.random.default_rng(3)
+    frames = draw.poisson(background, (20, 192, 192)) + draw.normal(0.0, read, (20, 192, 192))
+    for threshold in (3.0, 3.5, 4.0):
+        found = find(frames, 9, noise=lm.Noise(read=read), threshold=threshold, width=1.5)
+        stated = 20 * found.false_spots
+        inside = 1.0 - (184 / 192) ** 2
+        told = len(found) + found.borders + found.overlapping
+        assert told < stated + 4.0 * np.sqrt(stated)
+        assert found.borders < 2.0 * inside * stated + 5.0
+        if background >= 50.0:  # and of many electrons not many fewer: the statement is no wild one
+            assert told > 0.6 * stated - 3.0 * np.sqrt(stated)
+
+
+def test_noise_alone_makes_no_spot_at_the_default_threshold():
+    frames = np.random.default_rng(4).poisson(20.0, (40, 256, 256))
+    found = find(frames)
+    assert len(found) == found.borders == found.overlapping == 0
+    assert 40 * found.false_spots < 0.01
+
+
+def test_thresholds_hold_for_pixels_of_unlike_read_noise():
+    draw = np.random.default_rng(5)
+    read = np.where(draw.random((128, 128)) < 0.05, 12.0, 1.2)
+    frames = draw.poisson(3.0, (20, 128, 128)) + draw.normal(0.0, 1.0, (20, 128, 128)) * read
+    told = find(frames, noise=lm.Noise(read=read), threshold=4.0)
+    blind = find(frames, noise=lm.Noise(read=1.2), threshold=4.0)
+    assert len(told) + told.borders + told.overlapping < 20 * told.false_spots + 5.0 * np.sqrt(20 * told.false_spots)
+    assert len(blind) > 10 * len(told) + 10
+
+
+def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges():
+    pixels = np.eye(23 * 31).reshape(-1, 23, 31)
+    kernel = _smooth(pixels, 1.2) - _smooth(pixels, 3.0)  # one response of each pixel to each other
+    squares, cubes = _moments(23, 31, 1.2, 3.0)
+    np.testing.assert_allclose(squares, (kernel**2).sum(axis=0), rtol=1e-12)
+    np.testing.assert_allclose(cubes, (kernel**3).sum(axis=0), rtol=1e-10)
+
+
+def test_heights_are_standard_deviations_where_there_are_many_electrons():
+    draw = np.random.default_rng(6)
+    heights = _heights(draw.poisson(400.0, (10, 128, 128)).astype(float), 5.0, 1.5, 5.0)
+    above = heights[heights > 0.0]
+    assert np.sqrt((above**2).mean()) == pytest.approx(1.0, abs=0.03)
+    assert above.size == pytest.approx(heights.size / 2, rel=0.03)
+
+
+def test_the_density_of_maxima_is_that_of_a_smooth_normal_field():
+    # Of one Gaussian the correlation is exp(-r^2 / (4 s^2)), whose curvature is 1 / (2 s^2).
+    expected = 4.5 * np.exp(-(4.5**2) / 2.0) / (2.0 * np.pi) ** 1.5 / (2.0 * 1.5**2)
+    assert _density(4.5, 1.5, 1e4) == pytest.approx(expected, rel=1e-6)
+
+
+def test_every_molecule_is_found_in_the_middle_of_its_box():
+    molecules = simulated.spread(8, 112, each=6, apart=20, seed=7)
+    noise = lm.Noise(white=0.46, read=1.6, offset=100.0)
+    counts = simulated.recorded(simulated.light(molecules, 8, 112, 8.0), noise, 8)
+    found = find(counts, 15, noise=noise, first=100)
+    assert found.borders == 0
+    assert found.overlapping < 10  # parts of the longest images
+    assert len(found) == molecules.frame.size
+    assert set(found.frame) == set(range(100, 108))
+    assert np.all(np.diff(found.frame) >= 0)
+    off = np.abs(found.row[:, None] + 7 - molecules.row) + np.abs(found.column[:, None] + 7 - molecules.column)
+    off[found.frame[:, None] - 100 != molecules.frame] = np.inf
+    assert sorted(off.argmin(axis=1)) == list(range(molecules.frame.size))
+    assert off.min(axis=1).max() < 3.5
+    for k in (0, 17, 40):
+        down, across = slice(found.row[k], found.row[k] + 15), slice(found.column[k], found.column[k] + 15)
+        expected = noise.electrons(counts[found.frame[k] - 100])[down, across]
+        np.testing.assert_array_equal(found.images[k], expected)
+    assert found.read == 1.6
+    left = f"0 at borders and {found.overlapping} overlapping left out"
+    assert repr(found) == f"<Spots: 48 in boxes of 15 x 15; {left}>"
+
+
+def test_maps_of_the_camera_are_used_and_cut_as_the_images_are():
+    draw = np.random.default_rng(9)
+    shape = (40, 50)
+    noise = lm.Noise(
+        white=draw.uniform(0.4, 0.6, shape), read=draw.uniform(1.0, 3.0, shape), offset=draw.uniform(90, 110, shape)
+    )
+    mean = np.full(shape, 4.0)
+    mean[18:21, 22:25] += 100.0
+    found = find(noise.record(mean, 1), (11, 9), noise=noise)
+    assert (len(found), found.images.shape, found.read.shape) == (1, (1, 11, 9), (1, 11, 9))
+    down, across = slice(found.row[0], found.row[0] + 11), slice(found.column[0], found.column[0] + 9)
+    np.testing.assert_array_equal(found.read[0], noise.read[down, across])
+    assert (found.row[0] + 5, found.column[0] + 4) == (19, 23)
+    assert found.images[0].sum() == pytest.approx(mean[down, across].sum(), rel=0.1)
+
+
+def spots(*places: tuple[int, int, float], shape: tuple[int, int] = (60, 80)) -> np.ndarray:
+    """A frame with squares of light around places, of some height above 2."""
+    frame = np.full(shape, 2.0)
+    for row, column, height in places:
+        frame[row - 1 : row + 2, column - 1 : column + 2] += height
+    return frame
+
+
+@pytest.mark.parametrize(("apart", "beside"), [(14, True), (15, False)])
+@pytest.mark.parametrize("along", ["rows", "columns"])
+def test_of_boxes_that_overlap_the_brighter_is_kept(apart, beside, along):
+    step = (apart, 0) if along == "rows" else (0, apart)
+    frame = spots((20, 30, 50.0), (20 + step[0], 30 + step[1], 80.0))
+    kept = find(frame)
+    assert (len(kept), kept.overlapping) == ((1, 1) if beside else (2, 0))
+    assert (kept.row[-1] + 7, kept.column[-1] + 7) == (20 + step[0], 30 + step[1])
+
+
+def test_a_spot_beside_one_that_is_left_out_is_kept():
+    frame = spots((30, 20, 80.0), (30, 32, 50.0), (30, 44, 30.0))
+    found = find(frame)
+    assert found.overlapping == 1
+    assert list(found.column + 7) == [20, 44]
+
+
+def test_spots_of_other_frames_do_not_overlap():
+    frames = np.stack([spots((30, 30, 50.0)), spots((30, 32, 50.0)), spots((31, 31, 50.0))])
+    found = find(frames)
+    assert (list(found.frame), list(found.column + 7), found.overlapping) == ([0, 1, 2], [30, 32, 31], 0)
+
+
+@pytest.mark.parametrize(
+    ("place", "inside"),
+    [
+        ((7, 40), 1),
+        ((6, 40), 0),
+        ((52, 40), 1),
+        ((53, 40), 0),
+        ((30, 7), 1),
+        ((30, 6), 0),
+        ((30, 72), 1),
+        ((30, 73), 0),
+    ],
+)
+def test_boxes_beyond_the_frame_are_left_out_and_counted(place, inside):
+    found = find(spots((*place, 60.0)))
+    assert (len(found), found.borders) == ((1, 0) if inside else (0, 1))
+
+
+def test_boxes_of_even_sides_have_their_centre_where_windows_have_it():
+    found = find(spots((30, 40, 60.0)), (14, 12))
+    assert (found.row[0] + 7, found.column[0] + 6) == (30, 40)
+    assert found.images.shape == (1, 14, 12)
+    assert np.unravel_index(found.images[0].argmax(), (14, 12)) in {(a, b) for a in (6, 7, 8) for b in (5, 6, 7)}
+
+
+def test_empty_movies_and_dark_frames_have_no_spots():
+    assert len(find(np.zeros((0, 20, 20)))) == 0
+    found = find(np.zeros((2, 20, 20)))
+    assert (len(found), found.images.shape, found.read) == (0, (0, 15, 15), 0.0)
+    assert len(find(np.full((2, 20, 20), -3.0), noise=lm.Noise(read=1.0))) == 0
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"frames": np.zeros(5)}, r"frames must have the shape \(frames, rows, columns\), at least the box"),
+        ({"frames": np.zeros((2, 14, 20))}, r"at least the box of 15 x 15, got \(2, 14, 20\)"),
+        ({"frames": np.full((20, 20), np.nan)}, "frames must be finite, got nan"),
+        ({"box": 0}, "shape must be"),
+        ({"box": 5}, "width must be >= 0.5 and <= 1.25, got 1.5"),
+        ({"threshold": 2.0}, "threshold must be >= 3"),
+        ({"threshold": "high"}, "threshold must be a real number"),
+        ({"width": 0.1}, "width must be >= 0.5"),
+        ({"first": -1}, "first must be"),
+        ({"noise": 1.6}, "noise must be"),
+        ({"noise": lm.Noise(read=np.ones((5, 5)))}, r"read, of shape \(5, 5\), must have a value for each pixel"),
+        ({"noise": lm.Noise(read=1.0, offset=np.ones((5, 5)))}, r"offset, of shape \(5, 5\), must have a value"),
+    ],
+)  # fmt: skip
+def test_bad_arguments_are_told(changes, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        find(**({"frames": np.zeros((20, 20))} | changes))

@@ -1,0 +1,208 @@
+"""Movies: TIFF files as cameras and programs write them, in blocks, and what is refused."""
+
+from __future__ import annotations
+
+import struct
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tifffile
+
+import lommel as lm
+from lommel.localize import MovieError, open_movie
+
+COUNTS = np.random.default_rng(1).integers(0, 4000, (7, 5, 6))
+
+
+def pages(path: Path, frames: np.ndarray, **options) -> None:
+    """A page for each frame, with others between their pixels, as cameras write while they record."""
+    with tifffile.TiffWriter(
+        path, bigtiff=options.pop("bigtiff", False), byteorder=options.pop("byteorder", "<")
+    ) as file:
+        for frame in frames:
+            file.write(frame, contiguous=False, metadata=None, **options)
+
+
+WRITERS = {
+    "pages": pages,
+    "stack": lambda path, frames: tifffile.imwrite(path, frames, photometric="minisblack"),
+    "ome": lambda path, frames: tifffile.imwrite(path, frames, ome=True, metadata={"axes": "TYX"}),
+    "ome-z": lambda path, frames: tifffile.imwrite(path, frames, ome=True, metadata={"axes": "ZYX"}),
+    "imagej": lambda path, frames: tifffile.imwrite(path, frames, imagej=True, metadata={"axes": "TYX"}),
+    "big": lambda path, frames: pages(path, frames, bigtiff=True),
+    "turned": lambda path, frames: pages(path, frames, byteorder=">"),
+    "deflate": lambda path, frames: pages(path, frames, compression="zlib"),
+    "strips": lambda path, frames: pages(path, frames, compression="zlib", rowsperstrip=2),
+    "tiles": lambda path, frames: pages(path, frames, compression="zlib", tile=(16, 16)),
+    "predictor": lambda path, frames: pages(path, frames, compression="zlib", predictor=True),
+}
+
+
+@pytest.mark.parametrize("way", WRITERS)
+def test_every_way_to_write_a_movie_is_read_in_blocks(way, tmp_path):
+    path, frames = tmp_path / "movie.tif", COUNTS.astype(np.uint16)
+    WRITERS[way](path, frames)
+    with open_movie(path) as movie:
+        assert (movie.shape, movie.dtype, len(movie)) == ((7, 5, 6), np.uint16, 7)
+        blocks = list(movie.blocks(3))
+        assert [len(block) for block in blocks] == [3, 3, 1]
+        np.testing.assert_array_equal(np.concatenate(blocks), frames)
+        np.testing.assert_array_equal(movie.frames(2, 4), frames[2:4])
+        assert movie.frames(7, 7).shape == (0, 5, 6)
+        (whole,) = movie.blocks()
+        assert whole.dtype == movie.dtype
+        whole[:] = 0  # its own copy
+
+
+@pytest.mark.parametrize("kind", ["uint8", "uint16", "uint32", "uint64", "int16", "float16", "float32", "float64"])
+@pytest.mark.parametrize("way", ["pages", "stack"])
+def test_frames_hold_integers_or_floats_of_any_width(way, kind, tmp_path):
+    frames = (COUNTS // 20).astype(kind)
+    WRITERS[way](tmp_path / "movie.tif", frames)
+    with open_movie(str(tmp_path / "movie.tif")) as movie:
+        (found,) = movie.blocks()
+        assert found.dtype == movie.dtype == np.dtype(kind)
+        np.testing.assert_array_equal(found, frames)
+
+
+def test_one_frame_is_a_movie_too(tmp_path):
+    tifffile.imwrite(tmp_path / "movie.tif", COUNTS[0].astype(np.uint16))
+    with open_movie(tmp_path / "movie.tif") as movie:
+        assert movie.shape == (1, 5, 6)
+        np.testing.assert_array_equal(movie.frames(0, 1), COUNTS[:1])
+        assert repr(movie) == "<Movie 'movie.tif': 1 frames of 5 x 6, uint16>"
+
+
+@pytest.mark.parametrize("way", ["pages", "stack"])
+def test_a_movie_is_never_in_memory_as_a_whole(way, tmp_path):
+    frames = np.zeros((200, 128, 128), np.uint16)
+    WRITERS[way](tmp_path / "movie.tif", frames)
+    tracemalloc.start()
+    try:
+        with open_movie(tmp_path / "movie.tif") as movie:
+            for _ in movie.blocks(10):
+                pass
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 0.4 * frames.nbytes
+
+
+def refused(path: Path) -> str:
+    with pytest.raises(MovieError) as caught, open_movie(path) as movie:
+        for _ in movie.blocks(2):
+            pass
+    assert str(path) in str(caught.value)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def test_what_is_no_movie_is_told(tmp_path):
+    path = tmp_path / "movie.tif"
+    path.write_bytes(b"")
+    assert "it is not a TIFF file" in refused(path)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
+    assert "it is not a TIFF file" in refused(path)
+    path.write_bytes(b"II*\0" + bytes(12))
+    assert "it has no page" in refused(path)
+    tifffile.imwrite(path, np.zeros((4, 8, 8, 3), np.uint8), photometric="rgb")
+    assert "its axes are QYXS (4 x 8 x 8 x 3), not frames, rows and columns in grey" in refused(path)
+    tifffile.imwrite(path, np.zeros((2, 3, 8, 8), np.uint8), ome=True, metadata={"axes": "TZYX"})
+    assert "its axes are TZYX" in refused(path)
+    tifffile.imwrite(path, np.zeros((4, 8, 8), np.complex64), photometric="minisblack")
+    assert "holds complex64" in refused(path) or "neither integers nor floats" in refused(path)
+    with tifffile.TiffWriter(path) as file:
+        file.write(np.zeros((3, 8, 8), np.uint8), photometric="minisblack")
+        file.write(np.zeros((3, 9, 9), np.uint8), photometric="minisblack")
+    assert "it holds 2 series of images, 3 x 8 x 8 and 3 x 9 x 9; save the movie alone" in refused(path)
+    with pytest.raises(FileNotFoundError, match="nowhere"):
+        open_movie(tmp_path / "nowhere.tif")
+    with pytest.raises(IsADirectoryError):
+        open_movie(tmp_path)
+    with pytest.raises(TypeError, match="path must be"):
+        open_movie(5)
+
+
+@pytest.mark.parametrize("way", ["stack", "imagej", "ome", "pages", "deflate"])
+def test_a_movie_that_was_cut_off_is_told(way, tmp_path):
+    path = tmp_path / "movie.tif"
+    WRITERS[way](path, np.random.default_rng(0).integers(0, 60000, (50, 40, 40)).astype(np.uint16))
+    data = path.read_bytes()
+    for kept in (40 * 40 * 2 * 20, 40 * 40 * 2 * 20 + 1500, len(data) // 2):
+        path.write_bytes(data[:kept])
+        refused(path)
+
+
+@pytest.mark.parametrize("way", ["pages", "deflate"])
+def test_damaged_frames_are_told_with_their_number(way, tmp_path):
+    path = tmp_path / "movie.tif"
+    noise = np.random.default_rng(0).integers(0, 60000, (5, 40, 40)).astype(np.uint16)
+    WRITERS[way](path, noise)
+    with tifffile.TiffFile(path) as file:
+        place, size = file.pages[3].dataoffsets[0], file.pages[3].databytecounts[0]
+        count = file.pages[3].tags["StripByteCounts"].valueoffset
+    data = bytearray(path.read_bytes())
+    if way == "deflate":
+        data[place : place + size] = bytes(size)
+    else:
+        data[count : count + 4] = struct.pack("<I", size // 2)
+    path.write_bytes(bytes(data))
+    assert "frame 3 cannot be read" in refused(path)
+
+
+def test_frames_that_inflate_to_more_than_they_are_take_no_memory(tmp_path):
+    path = tmp_path / "movie.tif"
+    pages(path, np.zeros((3, 64, 64), np.uint8), compression="zlib", rowsperstrip=64)
+    big = tmp_path / "big.tif"
+    pages(big, np.zeros((3, 4000, 4000), np.uint8), compression="zlib", rowsperstrip=4000)
+    with tifffile.TiffFile(big) as file:
+        place, size = file.pages[1].dataoffsets[0], file.pages[1].databytecounts[0]
+        bomb = big.read_bytes()[place : place + size]
+    with tifffile.TiffFile(path) as file:
+        page = file.pages[1]
+        where = page.tags["StripOffsets"].valueoffset, page.tags["StripByteCounts"].valueoffset
+        first = file.pages[0].tags["StripOffsets"].valueoffset
+    data = bytearray(path.read_bytes())
+    for at, value in zip(where, (len(data), len(bomb)), strict=True):
+        data[at : at + 4] = struct.pack("<I", value)
+    path.write_bytes(bytes(data) + bomb)
+    assert first != where[0]
+    tracemalloc.start()
+    try:
+        assert "frame 1 cannot be read: a part of it inflates to more than" in refused(path)
+        assert tracemalloc.get_traced_memory()[1] < 4e6
+    finally:
+        tracemalloc.stop()
+
+
+def test_a_first_page_that_claims_too_much_is_refused_before_it_is_read(tmp_path):
+    path = tmp_path / "movie.tif"
+    pages(path, np.zeros((2, 8, 8), np.uint8))
+    with tifffile.TiffFile(path) as file:
+        at = file.pages[0].tags["ImageLength"].valueoffset
+    data = bytearray(path.read_bytes())
+    data[at : at + 2] = struct.pack("<H", 60000)
+    path.write_bytes(bytes(data))
+    assert "more than the file holds" in refused(path)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda movie: movie.frames(0, 8), "last must be"),
+        (lambda movie: movie.frames(4, 2), "last must be"),
+        (lambda movie: movie.frames(-1, 2), "first must be"),
+        (lambda movie: movie.frames(0.5, 2), "first must be an integer"),
+        (lambda movie: list(movie.blocks(0)), "size must be"),
+    ],
+)
+def test_frames_that_are_not_there_are_refused(call, message, tmp_path):
+    WRITERS["stack"](tmp_path / "movie.tif", COUNTS.astype(np.uint16))
+    with open_movie(tmp_path / "movie.tif") as movie, pytest.raises((TypeError, ValueError), match=message):
+        call(movie)
+
+
+def test_the_module_is_public():
+    assert lm.localize.open_movie is open_movie

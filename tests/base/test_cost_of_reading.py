@@ -53,6 +53,7 @@ ARGUED = {
     ("io/psf_formats.py", "File"): "to write, in memory",
     ("io/psf_formats.py", "ZipFile"): "to write, in memory",
     ("io/field_files.py", "open"): "an array of a folder whose files were looked at",
+    ("localize/movies.py", "memmap"): "frames that the file is long enough for",
     ("stacks/compute.py", "open"): "a store, by its own reader",
     ("stacks/stack.py", "open"): "a store, by its own reader",
     ("stacks/store.py", "open"): "a file whose parts are no longer than it, or an array of a folder of known files",

@@ -102,9 +102,9 @@ def refused(path: Path) -> str:
 def test_what_is_no_movie_is_told(tmp_path):
     path = tmp_path / "movie.tif"
     path.write_bytes(b"")
-    assert "it is not a TIFF file" in refused(path)
+    assert "its header is not that of a TIFF file" in refused(path)
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
-    assert "it is not a TIFF file" in refused(path)
+    assert "its header is not that of a TIFF file" in refused(path)
     path.write_bytes(b"II*\0" + bytes(12))
     assert "it has no page" in refused(path)
     tifffile.imwrite(path, np.zeros((4, 8, 8, 3), np.uint8), photometric="rgb")

@@ -197,6 +197,10 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
     def stars(path: Path) -> object:
         return read_images([path])
 
+    def movie(path: Path) -> object:
+        with lm.localize.open_movie(path) as opened:
+            return next(opened.blocks())
+
     def field(path: Path) -> object:
         return read_csv(path, "noll")
 
@@ -395,6 +399,17 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             stars,
         ),
         "stars, pages of tif": (".tif", lambda: many_pages(12000), stars),
+        "movie, deflated tif": (
+            ".tif",
+            lambda: tiff(np.zeros((40, 2**11, 2**11), np.uint16), compression="zlib"),
+            movie,
+        ),
+        "movie, pages of tif": (".tif", lambda: many_pages(12000), movie),
+        "movie, description of tif": (
+            ".tif",
+            lambda: tiff(np.zeros((9, 9), np.uint16), description="<OME>" + "<a/>" * 2**20 + "</OME>"),
+            movie,
+        ),
         "stars, fits": (
             ".fits",
             lambda: fits(

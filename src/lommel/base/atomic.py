@@ -74,11 +74,22 @@ def together(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memor
 
 def write_by(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
     """Write a file through `fill`, which gets a temporary path; FileExistsError if `new` and there is one."""
+    with told_as(target), placed(target, new=new) as temporary:
+        fill(temporary)
+
+
+@contextmanager
+def placed(target: Path, *, new: bool = False) -> Iterator[Path]:
+    """Yield a temporary path, whose file gets the name of `target` at the end; after an error there is none.
+
+    FileExistsError if `new` and there is a file of that name.
+    """
     with told_as(target):
         place = _place(target)
         temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
-        try:
-            fill(temporary)
+    try:
+        yield temporary
+        with told_as(target):
             if mode is not None:
                 temporary.chmod(mode)
             _settle(temporary)
@@ -87,8 +98,8 @@ def write_by(target: Path, fill: Callable[[Path], None], *, new: bool = False) -
             else:
                 temporary.replace(place)
             _settle(place.parent)
-        finally:
-            temporary.unlink(missing_ok=True)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def _link(temporary: Path, place: Path) -> None:

@@ -269,11 +269,28 @@ def tiff(data: bytes) -> Iterator[Any]:
         yield file
 
 
-def check_first_page(data: bytes | mmap.mmap) -> None:
-    """Refuse a TIFF file whose first page claims too much; of one that is mapped, nothing else is read."""
-    if (tags := next(_tiff_pages(data), None)) is None:
+def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
+    """Return a TIFF file of any size as tifffile opens it, and what this tells of it; its first page is checked.
+
+    The pages that follow are like the first one; :func:`inflates_within` tells whether their parts are.
+    """
+    import tifffile
+
+    if size(path) < 16:
+        raise ValueError("its header is not that of a TIFF file")
+    with path.open("rb") as file:
+        mapped = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+    if (tags := next(_tiff_pages(mapped), None)) is None:
         raise ValueError("it has no page")
-    _tiff_page(data, tags)
+    _tiff_page(mapped, tags)
+    with quietly() as errors:
+        found = tifffile.TiffFile(path)
+        try:
+            found.series  # noqa: B018 (finds the pages)
+        except BaseException:
+            found.close()
+            raise
+    return found, errors
 
 
 def is_raw(data: bytes) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import mmap
 import re
 from collections.abc import Iterator
 from os import PathLike
@@ -15,7 +14,6 @@ import numpy as np
 
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Values
-from lommel.io.photos import TIFF
 
 _BLOCK = 2**22  # pixels: 32 MB of them in float64
 
@@ -51,13 +49,9 @@ class Movie:
             raise
 
     def _open(self) -> None:
-        import tifffile
-
         try:
-            _check_first_page(self.path)
-            with reading.quietly() as errors:
-                self._file = tifffile.TiffFile(self.path)
-                series = self._file.series
+            self._file, errors = reading.tiff_on_disk(self.path)
+            series = self._file.series
         except OSError:
             raise
         except Exception as error:  # of tifffile's parser among others
@@ -184,14 +178,6 @@ class Movie:
 
     def _refuse(self, why: str, error: BaseException | None = None) -> NoReturn:
         raise MovieError(f"{validation.line(self.path)} cannot be read as a movie: {why}") from error
-
-
-def _check_first_page(path: Path) -> None:
-    """Refuse what is no TIFF file, or one whose first page claims too much."""
-    if not reading.start(path, 16).startswith(TIFF):
-        raise ValueError("it is not a TIFF file")
-    with path.open("rb") as file:
-        reading.check_first_page(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
 
 
 def open_movie(path: str | PathLike[str]) -> Movie:

@@ -100,7 +100,7 @@ void sums_gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
 lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_t, 1>& ends, const In<complex, 3>& coefficients,
                                const In<std::int32_t, 2>& shares, const In<complex, 3>& factors,
                                const In<std::int32_t, 2>& sets, const In<double, 3>& terms, const In<std::int32_t, 1>& parities,
-                               const In<complex, 4>& waves, const In<std::int32_t, 1>& wave) {
+                               const In<complex, 5>& waves, const In<std::int32_t, 1>& wave) {
     const auto within = [](const std::int32_t* which, std::size_t size, std::size_t most, std::int32_t least = 0) {
         return std::all_of(which, which + size,
                            [&](std::int32_t i) { return i >= least && (i < 0 || static_cast<std::size_t>(i) < most); });
@@ -109,15 +109,15 @@ lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_
         return table.shape(axis) == radial.shape(1) && table.shape(axis + 1) == radial.shape(2);
     };
     const std::size_t planes = wave.shape(0), total = radial.shape(0);
-    require(at_nodes(factors, 1) && at_nodes(terms, 1) && at_nodes(waves, 2), "tables must be at the same nodes");
+    require(at_nodes(factors, 1) && at_nodes(terms, 1) && at_nodes(waves, 3), "tables must be at the same nodes");
     require(planes > 0 && coefficients.shape(1) == planes && coefficients.shape(2) == total,
             "one coefficient a plane and term");
-    require(waves.shape(1) == 4 && within(wave.data(), planes, waves.shape(0)), "waves have four parities and are one a plane");
+    require(waves.shape(2) == 4 && within(wave.data(), planes, waves.shape(1)), "waves have four parities and are one a plane");
     require(within(ends.data(), ends.size(), total + 1) && std::is_sorted(ends.data(), ends.data() + ends.size()),
             "terms must be those of parts");
     require(parities.size() == terms.shape(0) && within(parities.data(), parities.size(), 4), "one parity a term");
     require(shares.shape(0) > 0 && shares.shape(1) == 3 && factors.shape(0) == shares.shape(0), "one factor a share");
-    require(sets.shape(0) > 0 && sets.shape(1) == 2, "one set at the least");
+    require(sets.shape(0) > 0 && sets.shape(1) == 3, "one set at the least");
     lommel::NodeSeries given{count_of(2 * radial.shape(1), 2 * radial.shape(2)),
                              planes,
                              0,
@@ -130,6 +130,7 @@ lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_
                              {},
                              terms.data(),
                              parities.data(),
+                             waves.shape(1),
                              waves.data(),
                              wave.data()};
     given.ends.assign(ends.data(), ends.data() + ends.size());
@@ -140,10 +141,11 @@ lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_
         given.fields = std::max(given.fields, static_cast<std::size_t>(of[0]) + 1);
     }
     for (std::size_t i = 0; i < sets.shape(0); ++i) {
-        const std::int32_t* of = sets.data() + 2 * i;
-        require(within(of, 1, coefficients.shape(0)) && within(of + 1, 1, terms.shape(0), -1),
-                "sets must be of series and terms");
-        given.sets.push_back({of[0], of[1]});
+        const std::int32_t* of = sets.data() + 3 * i;
+        require(
+            within(of, 1, coefficients.shape(0)) && within(of + 1, 1, terms.shape(0), -1) && within(of + 2, 1, waves.shape(0)),
+            "sets must be of series, terms and kinds of waves");
+        given.sets.push_back({of[0], of[1], of[2]});
     }
     return given;
 }
@@ -151,7 +153,7 @@ lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_
 std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<std::int32_t, 1> ends,
                                                        In<complex, 3> coefficients, In<std::int32_t, 2> shares,
                                                        In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
-                                                       In<std::int32_t, 1> parities, In<complex, 4> waves,
+                                                       In<std::int32_t, 1> parities, In<complex, 5> waves,
                                                        In<std::int32_t, 1> wave, double center_y, double center_x,
                                                        std::size_t height, std::size_t width, double step, int threads) {
     const lommel::NodeSeries given =
@@ -169,7 +171,7 @@ std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<
 std::pair<Out<double, 2>, Out<double, 2>> series_gradient(In<double, 3> radial, In<std::int32_t, 1> ends,
                                                           In<complex, 3> coefficients, In<std::int32_t, 2> shares,
                                                           In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
-                                                          In<std::int32_t, 1> parities, In<complex, 4> waves,
+                                                          In<std::int32_t, 1> parities, In<complex, 5> waves,
                                                           In<std::int32_t, 1> wave, double center_y, double center_x,
                                                           double step, In<double, 3> weights, int threads) {
     const lommel::NodeSeries given =

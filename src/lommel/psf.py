@@ -98,9 +98,9 @@ def psf(
         `ChordalGauss`, of radially symmetric pupils all but other terms and the obscuration by `NijboerZernike`; of
         any aperture all but the obscuration, and the wavelength where segments have phases, by `NonuniformFFT`; or
         by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified`, `ChordalDebye` or, with
-        aberrations, `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and, without aberrations,
-        "wavelength" (the stage, all indices and the pixel in metres as they are); "row", "column"; and by
-        `ChordalDebye`, in small windows, Zernike terms.
+        aberrations, `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and "wavelength" (the
+        stage, all indices, the pixel in metres and path differences of aberrations as they are); "row", "column"; and
+        Zernike terms. The last, and with aberrations the wavelength, by `ChordalDebye` in small windows only.
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         C-contiguous, writable array for the values.
     threads : int, optional

@@ -13,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
+from objectives import OIL
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 CAMERA = {"shape": 15, "pixel": 3.45e-6, "photons": 1e4, "background": 5.0, "noise": lm.Noise(read=2.0)}
@@ -348,3 +349,23 @@ def test_images_of_a_microscope_tell_what_their_differences_do():
     found = lm.fisher(pupil, **camera, of=tuple(steps), photons=1e3, background=5)
     assert list(found.deviation.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-3)
     assert repr(found).splitlines()[1].endswith("nm")
+
+
+def test_bead_stacks_of_an_objective_tell_its_aberrations_as_their_differences_do():
+    given = {"depth": 1e-6, "z": [-0.4e-6, 0.0, 0.4e-6], "wavelength": 600e-9}
+    camera, start = {"shape": 9, "pixel": 6.5e-6}, {(2, 2): 0.4, (3, -1): -0.2}
+    steps = {"row": 1e-3, "wavelength": 5e-11, (2, 2): 1e-3, (3, -1): 1e-3, (4, 0): 1e-3}
+
+    def image(name=None, step=0.0):
+        terms = start | ({name: start.get(name, 0.0) + step} if isinstance(name, tuple) else {})
+        pupil = OIL.pupil(**given, aberrations=lm.Wavefront.zernike(terms, normalization="edge"))
+        pupil = pupil.in_light(600e-9 + step) if name == "wavelength" else pupil
+        center = (4.0 + (step if name == "row" else 0.0), 4.0)
+        return 1e3 * lm.psf(pupil, **camera, center=center, tol=1e-9).values + 5.0
+
+    slopes = [(image(name, h) - image(name, -h)) / (2.0 * h) for name, h in steps.items()]
+    information = np.array([[(a * b / image()).sum() for a in slopes] for b in slopes])
+    pupil = OIL.pupil(**given, aberrations=lm.Wavefront.zernike(start, normalization="edge"))
+    found = lm.fisher(pupil, **camera, of=tuple(steps), photons=1e3, background=5, together=True)
+    assert list(found.deviation.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-4)
+    assert [found.units[name] for name in steps] == ["pixels", "m", "rad", "rad", "rad"]

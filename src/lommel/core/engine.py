@@ -264,9 +264,9 @@ class NodeTables(NamedTuple):
 
 
 class NodeWaves(NamedTuple):
-    """Weighted sums of waves over the images of nodes, by parity, and which of them each plane has."""
+    """Weighted sums of waves over the images of nodes, by parity, of some kinds, and which wave each plane has."""
 
-    values: NDArray[np.complex128]  # (waves, 4, ...)
+    values: NDArray[np.complex128]  # (kinds, waves, 4, ...)
     which: NDArray[np.int32]  # (planes,)
 
 
@@ -289,7 +289,8 @@ def chordal_series_light(
     """Return the sum of squares of fields in each plane, and its derivatives, (sets, planes, height, width).
 
     And the largest modulus of each field, (sets, planes, fields). `coefficients` have the shape (series, planes,
-    terms); a set of fields has one of these series, and is multiplied by i times one of the `terms` or, for -1, none.
+    terms); a set of fields has one of these series, is multiplied by i times one of the `terms` or, for -1, none, and
+    has waves of a kind.
     """
     light: Callable[..., tuple[Array, Array]] = _core.chordal_series_light
     rows = *window.center, *window.shape, window.step, threads

@@ -11,7 +11,7 @@ from objectives import EMITTERS, FIVE, OIL
 from plane_waves import PIXEL, intensity
 
 WAVE = 520e-9
-NAMES = ("z", "depth", "row", "column", (2, 2), "noll 7", (4, 0), "fringe 2")
+NAMES = ("z", "depth", "row", "column", "wavelength", (2, 2), "noll 7", (4, 0), "fringe 2")
 OWN = lm.Wavefront.zernike({5: [[0.1], [0.2]], 8: [[0.0], [0.1]]}, order="noll", unit="waves")
 
 

@@ -240,8 +240,8 @@ def test_what_has_no_derivatives_says_so():
     with pytest.raises(ValueError, match="in windows up to"):
         lm.psf(pupil(), 3, PIXEL, center=(400.0, 2.0), derivatives=("depth",))
     measured = OIL.pupil(depth=DEPTH, z=Z, wavelength=WAVE, aberrations=lm.Wavefront.zernike({(2, 2): 0.1}))
-    with pytest.raises(ValueError, match=r"'wavelength' are not available .* with aberrations; take differences"):
-        lm.psf(measured, 9, PIXEL, derivatives=("z", "wavelength"))
+    with pytest.raises(ValueError, match=r"'wavelength' are not available from DebyeRings; .* take differences"):
+        lm.psf(measured, 9, PIXEL, method=lm.DebyeRings(), derivatives=("z", "wavelength"))
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 3), (2, 5), (5, 5)])

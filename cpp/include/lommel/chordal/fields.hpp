@@ -24,9 +24,9 @@ struct FieldShare {
     std::int32_t field, parity, part;
 };
 
-// A set of fields: which series their amplitudes have, and the term i Z that these are multiplied by, if any.
+// A set of fields: which series their amplitudes have, the term i Z that these are multiplied by, if any, and the kind of waves.
 struct FieldSet {
-    std::int32_t series, term;
+    std::int32_t series, term, kind;
 };
 
 // At the nodes of a quadrant, [chord][node] of so many chords and nodes. The first set has the fields E themselves, all others F
@@ -42,11 +42,16 @@ struct NodeSeries {
     std::vector<FieldSet> sets;
     const double* terms;                 // [term][node], of Z
     const std::int32_t* term_parity;
-    const std::complex<double>* waves;  // [wave][parity][node], weighted sums of a wave over the images of a node
+    std::size_t wave_count;
+    const std::complex<double>* waves;  // [kind][wave][parity][node], weighted sums of a wave over the images of a node
     const std::int32_t* wave;           // of each plane
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
     std::size_t jobs() const { return planes * sets.size() * fields; }
+    const double* waves_of(const FieldSet& set, std::size_t plane) const {
+        const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
+        return reinterpret_cast<const double*>(waves + at * 4 * nodes());
+    }
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
@@ -86,7 +91,7 @@ inline Doubles all_parts(Level level, const NodeSeries& given, int threads) {
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
-    const auto* waves = reinterpret_cast<const double*>(given.waves + static_cast<std::size_t>(given.wave[plane]) * 4 * all);
+    const double* waves = given.waves_of(set, plane);
     std::fill_n(room, 8 * within, 0.0);
     dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
         double *const re = room + 8 * within, *const im = re + within;

@@ -46,7 +46,7 @@ _QUADRATURE = 0.05
 
 
 class By(NamedTuple):
-    """Derivatives by depth (0) and focus (1), over the steepest phase, and by Zernike terms, 1 at the edge."""
+    """Derivatives by depth (0) and focus (1), over the steepest phase, or by ln k, and by Zernike terms."""
 
     rates: tuple[int, ...] = ()
     terms: tuple[tuple[int, int], ...] = ()
@@ -233,7 +233,8 @@ class Fields(NamedTuple):
 
     given: tuple[NodeTables, Complex, NodeWaves, Window]
     terms: NodeTerms
-    wrong: Callable[[int, int], Array]  # of one of the series and one of the terms, or -1, to (planes, fields)
+    wrong: Callable[[int, int, int], Array]  # of a series, a term or -1, and a kind of waves, to (planes, fields)
+    turns: tuple[float, float]  # what the two sets of derivatives by ln k are divided by, the second that of W
 
 
 def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
@@ -241,7 +242,9 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     wavefront, step, model = (pupil.aberrations or _FLAT).flattened(), grid.step(pupil), pupil.light.model
     axis, shape, planes = np.array(grid.axis), np.array(grid.shape), pupil.depth.size
     plain = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step)
-    size = plain.times(max((n for n, _ in by.terms), default=0))
+    by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
+    highest = max((n for n, _ in phases), default=0)
+    size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
     norm = projection.norm(pupil.layers, model)
     degree = degree_for(size.around, norm, _SHARES[0] * field)
     found = projection.amplitudes(pupil, degree, _QUADRATURE * field, by.rates)
@@ -260,17 +263,21 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     light = np.stack([np.abs(c).sum(axis=2) for c in each_part])
     sizes, parts = np.abs(_rows(pupil.emitter)), list(pupil.light.waves.parts)
 
-    def wrong(which: int, term: int) -> Array:
-        n = 0 if term < 0 else by.terms[term][0]
-        here = plain.times(n)
+    # Films change s and p waves, which add up to a part, by factors of their own.
+    norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
+
+    def wrong(which: int, term: int, kind: int) -> Array:
+        n = highest if kind else 0 if term < 0 else by.terms[term][0]
+        here, rounded = plain.times(n), lost + 6.0 * n * n + (of_terms.max() if kind else 0.0)
         off = np.stack([sums_error(each[which], here, rule) for each in series])
-        off += norm * left_out(here.around, degree) + (lost + 6.0 * n * n) * _ROUNDING * light[:, which]
+        off += norms[which] * left_out(here.around, degree) + rounded * _ROUNDING * light[:, which]
         return np.asarray((sizes @ off[parts]).T + sizes.sum(axis=1) * found.error)
 
     tables = _tables(rule, model.orders, pupil.emitter)
-    waves = NodeWaves(_folded(wavefront, rule), own.astype(np.int32))
-    window = Window(grid.shape, grid.axis, step)
-    return Fields((tables, found.coefficients, waves, window), _terms(chords, nodes, by.terms), wrong)
+    largest = sum(phases.values())
+    waves = NodeWaves(_folded(wavefront, rule, largest if by_k else 0.0), own.astype(np.int32))
+    given = tables, found.coefficients, waves, Window(grid.shape, grid.axis, step)
+    return Fields(given, _terms(chords, nodes, by.terms), wrong, (found.steepest, largest))
 
 
 def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE) -> tuple[Array, Array]:
@@ -279,12 +286,23 @@ def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, b
     By fields that are off by about `field`.
     """
     made = fields(pupil, grid, field, by)
-    sets = [*_series(by), *((0, k) for k in range(len(by.terms)))]
+    sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
+    turned = len(made.given[2].values) > 1
+    if turned:
+        sets.append((0, -1, 1))
     values, largest = chordal_series_light(*made.given, np.array(sets, dtype=np.int32), made.terms, threads)
     off = np.stack([made.wrong(*each) for each in sets])
     error = 2.0 * (off[0] * largest + off * largest[0] + off[0] * off).sum(axis=2)
     error[0] = error_of_light(off[0], largest[0])
     error[1:] += 16.0 * _ROUNDING * 2.0 * (largest[0] * largest[1:]).sum(axis=2)
+    if projection.WAVENUMBER in by.rates:
+        at = 1 + by.rates.index(projection.WAVENUMBER)
+        of_layers, measured = made.turns
+        for each in (values, error):
+            each[at] *= of_layers
+            if turned:
+                each[at] += measured * each[-1]
+        values, error = (each[: len(sets) - turned] for each in (values, error))
     return values / pupil.power[:, None, None], error / pupil.power * (1.0 + 1e-12)
 
 
@@ -295,13 +313,13 @@ def sums(
     made = fields(pupil, grid, field, by)
     asked = np.array(_series(by), dtype=np.int32)
     found, largest = chordal_series_gradient(*made.given, asked, made.terms, weights, threads)
-    top, error = largest[:, 0], error_of_light(made.wrong(0, -1), largest[:, 1:])
+    top, error = largest[:, 0], error_of_light(made.wrong(0, -1, 0), largest[:, 1:])
     return found / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
 
 
-def _series(by: By) -> list[tuple[int, int]]:
+def _series(by: By) -> list[tuple[int, int, int]]:
     """Return the sets of fields that have series of their own."""
-    return [(k, -1) for k in range(1 + len(by.rates))]
+    return [(k, -1, 0) for k in range(1 + len(by.rates))]
 
 
 def error_of_light(off: Array, largest: Array) -> Array:
@@ -439,11 +457,15 @@ def _terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> NodeT
 _SIGNS = np.array([[1, 1, 1, 1], [1, -1, 1, -1], [1, 1, -1, -1], [1, -1, -1, 1]], dtype=np.float64)
 
 
-def _folded(wavefront: Wavefront, rule: Rule) -> Complex:
-    """Return weighted sums of ``exp(i W)`` over the images of each node, by parity, (wavefronts, 4, ...)."""
+def _folded(wavefront: Wavefront, rule: Rule, largest: float) -> Complex:
+    """Return weighted sums of ``exp(i W)`` over the images of each node, by parity, (kinds, wavefronts, 4, ...).
+
+    The second kind, for a `largest` W above 0, is ``i W exp(i W)`` over it.
+    """
     at = _quadrant(rule.chords, rule.nodes)
     values, parity = _terms(rule.chords, rule.nodes, wavefront.terms)
     flat = values.reshape(len(values), -1)
-    phases = np.stack([wavefront.edge[:, parity == p] @ flat[parity == p] for p in range(4)], axis=1)
-    waves = np.exp(1j * (_SIGNS @ phases)) * at.weight.ravel()
-    return np.asarray(_SIGNS @ waves).reshape(-1, 4, *at.rho.shape)
+    phases = _SIGNS @ np.stack([wavefront.edge[:, parity == p] @ flat[parity == p] for p in range(4)], axis=1)
+    waves = np.exp(1j * phases) * at.weight.ravel()
+    kinds = waves[None] if largest == 0.0 else np.stack([waves, 1j / largest * phases * waves])
+    return np.asarray(_SIGNS @ kinds).reshape(len(kinds), -1, 4, *at.rho.shape)

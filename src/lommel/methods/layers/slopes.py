@@ -53,10 +53,14 @@ def sampled_slopes(
     """Return images and their derivatives; those by Zernike `terms`, which ChordalDebye has, are last."""
     by = rates(pupil)
     layers, model = pupil.layers, pupil.light.model
-    if not isinstance(method, Stratified):
-        most = (*projection.steepest(layers, model), 0.0)  # not by the wavelength
-    else:
+    if isinstance(method, Stratified):
         most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
+    else:
+        most = (*projection.steepest(layers, model), 0.0)
+        if any(one.which == engine.BY_WAVENUMBER for one in by):
+            most = (*most[:2], debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2])
+            if pupil.aberrations is not None:
+                most = (*most[:2], most[2] + sum(pupil.aberrations.flattened().amplitudes().values()))
     # What derivatives are divided by, so that their transfer functions are at most twice that of the aperture.
     sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * float(np.abs(one.own).max(initial=0.0)) for one in by]
     sizes += [1.0] * len(terms)
@@ -154,10 +158,10 @@ def _by_chords(
     """Return samples by ChordalDebye, with derivatives over a size each, those by Zernike terms last."""
     by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
     made, raw, wrong = method.differentiated(pupil, grid, tol, wanted, by)
-    steep = projection.steepest(pupil.layers, pupil.light.model)
+    steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
     values = np.empty((len(raw), *made.values.shape), wanted.dtype)
     error = np.empty(wrong.shape)
-    shares = [(one.factor * steep[one.which] / size, np.asarray(one.own) / size) for one, size in each]
+    shares = [(one.factor * steep[min(one.which, 2)] / size, np.asarray(one.own) / size) for one, size in each]
     shares += [(1.0, np.zeros(1))] * len(terms)
     for k, (share, given) in enumerate(shares):
         own = np.broadcast_to(given, made.scale.shape)
@@ -201,10 +205,10 @@ def layered_slopes(
             f"derivatives are not available of the light of {pupil.emitter!r} from Stratified; use "
             "method=ChordalDebye(), in small windows"
         )
-    if "wavelength" in names and pupil.aberrated:
-        raise ValueError(
-            "derivatives by 'wavelength' are not available of an Objective with aberrations; take differences of the "
-            "PSFs of pupil.in_light(w)"
+    if "wavelength" in names and isinstance(method, DebyeRings):
+        raise Declined(
+            "derivatives by 'wavelength' are not available from DebyeRings; ask for a window small enough for "
+            "ChordalDebye, or take differences of the PSFs of pupil.in_light(w)"
         )
     kinds = [str(name) for name in dict.fromkeys(names) if name in _OWN]
     axis = any(name in _AXIS for name in names)
@@ -230,6 +234,8 @@ def layered_slopes(
             each[name] = _stored(grid.step(pupil) * values, grid.step(pupil) * off, made, wanted)
         if grows:
             values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
+            # So does the phase that is left out, as the wavelength falls.
+            off = off + 2.0 * pupil.left_out[0]
             of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
             each["wavelength"] = _sum(each["wavelength"], of_place, made, wanted)
     return method.reported, made, [each[named.get(name, name)] for name in names]

@@ -173,7 +173,7 @@ def slope_errors(
         _, by_depth, by_focus = covered.rates
         # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
         rho = np.sqrt(covered.square.largest) / layers.NA
-        factors = by_depth.largest, by_focus.largest, rho, _phases(covered, model, depth, focus)
+        factors = by_depth.largest, by_focus.largest, rho, phases(covered, model, depth, focus)
         proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
         each.append([float(np.exp((proven + np.log(factor.max(axis=-1))).min())) for factor in factors])
     by_k = turning(found, layers, model)
@@ -195,11 +195,11 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
         row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].fit[0])
         covered, _ = enclosed(piece, model, (row,))
         rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
-        found = np.maximum(found, [*(each.max() for each in rates), _phases(covered, model, depth, focus).max()])
+        found = np.maximum(found, [*(each.max() for each in rates), phases(covered, model, depth, focus).max()])
     return float(found[0]), float(found[1]), float(found[2])
 
 
-def _phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:
+def phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:
     """Bound the derivatives by ln k over the integrands on each disc."""
     layers, psi = covered.piece.layers, np.zeros(covered.square.radius.shape)
     for d, f in extremes(depth, focus):

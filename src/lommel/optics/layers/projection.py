@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -18,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
+from lommel.core import engine
 from lommel.optics.layers import debye
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.quadrature_bounds import Complex, Model, Piece
@@ -27,11 +29,24 @@ from lommel.special import zernike
 _LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6
 
 
+WAVENUMBER = engine.BY_WAVENUMBER
+
+
 class Amplitudes(NamedTuple):
     """Series of the amplitudes of some planes, and a bound on what their errors add to a field."""
 
     coefficients: Complex  # (1 + rates, planes, terms), those of all parts
     error: float  # by the quadrature of coefficients, and rounding
+    steepest: float  # what the series of the derivative by ln k is divided by
+
+
+class _Integrals(NamedTuple):
+    """A rule for some depths and stages, and the weights that its angles have in coefficients."""
+
+    rule: debye.Rule
+    weights: Complex  # (3, angles, terms), those of derivatives by depth and focus last
+    changes: Complex | None  # (angles, terms), by ln k, where there are films
+    steepest: float  # the bound on derivatives by ln k, where these are asked for
 
 
 def degrees(order: int, degree: int) -> NDArray[np.int64]:
@@ -43,15 +58,24 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     """Return the amplitudes of the flattened planes of a `pupil`, half of the parts of its model times the wave.
 
     By integrals over the angles, the sum of which is off by `error` at most. Further series are those of derivatives,
-    0 for that by depth and 1 for that by focus, less a phase that all fields share, over :func:`steepest`.
+    0 for that by depth, 1 for that by focus and :data:`WAVENUMBER` for that by ln k at fixed v, less a phase that all
+    fields share, over :func:`steepest` or the bound that is returned.
     """
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
-    model = pupil.light.model
-    rule, integrals = _integrals(pupil.layers, model, *_box(pupil.layers, depth, focus), degree, error)
-    waves = rule.waves(depth, focus)
+    layers, model = pupil.layers, pupil.light.model
+    by_k = WAVENUMBER in rates
+    made = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
+    waves = made.rule.waves(depth, focus)
     # So small a matrix product takes a threaded BLAS as long as its threads take to wake up.
-    found = np.einsum("pq,kqt->kpt", waves, integrals[[0, *(1 + rate for rate in rates)]])
-    return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * rule.rounding)
+    found = np.einsum("pq,kqt->kpt", waves, made.weights[[0, *(1 + rate if rate < 2 else 0 for rate in rates)]])
+    if by_k:
+        fixed, by_depth, by_focus = debye.turning(made.rule, layers, model).rates
+        turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
+        total = np.einsum("pq,qt->pt", turned, made.weights[0])
+        if made.changes is not None:
+            total += np.einsum("pq,qt->pt", waves, made.changes)
+        found[1 + rates.index(WAVENUMBER)] = total / made.steepest
+    return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * made.rule.rounding, made.steepest)
 
 
 def by_part(coefficients: Complex, orders: tuple[int, ...], degree: int) -> list[Complex]:
@@ -85,12 +109,18 @@ def _integrals(
     focus: tuple[float, float],
     degree: int,
     error: float,
-) -> tuple[debye.Rule, Complex]:
+    *,
+    by_k: bool,
+) -> _Integrals:
     """Return a rule for a range of depths, and of focus less that of paraxial rays, and weights of its angles.
 
     These make coefficients of waves, of all parts side by side, and those of the derivatives by depth and by focus.
     """
     middle, steep = layers.middle_rates()[1:], steepest(layers, model)
+    # The phase is linear in both: the corners bound all.
+    corners = [(d, f + layers.immersion / layers.sample * d) for d in depth for f in focus]
+    d, f = np.array(corners).T
+    turns = max(1.0, debye.steepest(layers, model, d, f)[2]) if by_k else 1.0
 
     def growth(piece: Piece) -> Array:
         # R_n^m(rho) is a mean of U_n(rho cos(alpha)), at most n + 1 times exp(n b), rho within the ellipse of b.
@@ -100,21 +130,27 @@ def _integrals(
             (rate - least).largest / most
             for rate, least, most in zip(piece.covered.rates[1:], middle, steep, strict=True)
         ]
+        if by_k:
+            with np.errstate(invalid="ignore"):  # no disc covers some ellipses
+                phases = debye.phases(piece.covered, model, d, f) / turns
+            turned.append(np.where(np.isnan(phases), np.inf, phases))
         grown = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))
         return np.asarray(grown + np.log(np.maximum(1.0, np.max(turned, axis=0))))
 
-    # The phase is linear in both: the corners bound all.
-    corners = [(d, f + layers.immersion / layers.sample * d) for d in depth for f in focus]
-    d, f = np.array(corners).T
     rule = debye.rule(layers, model, d, f, 0.0, _each(error, degree), growth)
-    weights = [
-        (part * ((n + 1.0) * zernike.radial(int(n), order, rule.rho)))
-        for order, part in zip(model.orders, rule.parts, strict=True)
-        for n in degrees(order, degree)
-    ]
     factors = [1j * (rate - least) / most for rate, least, most in zip(rule.rates[1:], middle, steep, strict=True)]
-    plain = np.stack(weights, axis=1)
-    return rule, np.ascontiguousarray([plain, *(factor[:, None] * plain for factor in factors)])
+
+    def weighted(parts: Sequence[Complex]) -> Complex:
+        weights = [
+            part * ((n + 1.0) * zernike.radial(int(n), order, rule.rho))
+            for order, part in zip(model.orders, parts, strict=True)
+            for n in degrees(order, degree)
+        ]
+        return np.stack(weights, axis=1)
+
+    plain, changes = weighted(rule.parts), debye.turning(rule, layers, model).changes if by_k else None
+    weights = np.ascontiguousarray([plain, *(factor[:, None] * plain for factor in factors)])
+    return _Integrals(rule, weights, None if changes is None else weighted(tuple(changes)), turns)
 
 
 def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float], tuple[float, float]]:

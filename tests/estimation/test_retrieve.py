@@ -250,6 +250,20 @@ def test_the_uncertainty_of_a_wavefront_is_that_of_draws_from_the_covariance(ter
     assert error == pytest.approx(max(np.sqrt((each**2).mean()) for each in of_images), rel=0.08)
 
 
+@pytest.mark.parametrize("smallest", [1e-3, 1e-9, 1e-14])
+def test_a_covariance_is_the_inverse_whatever_the_scales_and_infinite_where_there_is_none(smallest):
+    draw = np.random.default_rng(0)
+    vectors, _ = np.linalg.qr(draw.normal(size=(30, 30)))
+    sizes = np.append(np.ones(29), smallest)
+    scales = 10.0 ** draw.uniform(-3.0, 3.0, 30)
+    found = covariance((vectors * sizes) @ vectors.T * np.outer(scales, scales))
+    if smallest < 1e-10:
+        assert np.isinf(np.diag(found)).any()
+        return
+    assert_allclose(found * np.outer(scales, scales), (vectors / sizes) @ vectors.T, atol=2e-6 / smallest)
+    assert_allclose(found, found.T, rtol=1e-12)
+
+
 def test_a_parameter_of_infinite_variance_is_held():
     made, x = model(3)
     inverse = covariance(made.scores(x).information[0])

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple, cast
@@ -407,7 +408,13 @@ def climb(
 def covariance(information: Array) -> Array:
     """Return the inverse (p, p) of an information matrix, with infinite variances of undetermined parameters."""
     scale = deviations(information[None])[0]
-    values, vectors = np.linalg.eigh(information / np.outer(scale, scale))
+    alike = information / np.outer(scale, scale)
+    # Eigenvectors of more than 25 parameters take ten times as long as the inverse, and all threads of BLAS.
+    with suppress(np.linalg.LinAlgError):
+        found = np.linalg.inv(alike)
+        if np.linalg.norm(found) < 1e8:  # so that no eigenvalue is below 1e-8
+            return np.asarray(0.5 * (found + found.T) / np.outer(scale, scale))
+    values, vectors = np.linalg.eigh(alike)
     # Derivatives in error by 1e-6 of the peak make of an eigenvalue 0 one as small as this.
     blind = values < 1e-10
     unknown = (np.abs(vectors[:, blind]) > 1e-3).any(axis=1)
@@ -431,7 +438,8 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
     """
     known = np.isfinite(np.diag(inverse))
     scale = np.sqrt(np.diag(inverse)[known])
-    values, vectors = np.linalg.eigh(inverse[np.ix_(known, known)] / np.outer(scale, scale))
+    # The singular vectors of a matrix that has no negative eigenvalue; eigh takes all threads of BLAS for them.
+    vectors, values, _ = np.linalg.svd(inverse[np.ix_(known, known)] / np.outer(scale, scale))
     # An eigenvector has no sign: its largest component is made positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
     axes = np.zeros((len(values), model.size))

@@ -150,10 +150,21 @@ template <class T>
 LOMMEL_INLINE void scatter_rows(const T* profile, const std::int32_t* index, const FoldedSide& rows, const FoldedSide& columns,
                                 std::size_t first, std::size_t last, T* out) {
     const std::size_t width = columns.count, right = width - columns.high, left = columns.low + 1, both = std::min(left, right);
+    constexpr std::size_t ahead = 6;  // rows: those of large images are in memory, not in a cache
     for (std::size_t dy = first; dy < last; ++dy) {
         const std::int32_t* from = index + dy * columns.distances();
         const bool above = dy <= rows.low, below = rows.high + dy < rows.count;
         T* row = out + (above ? rows.low - dy : rows.high + dy) * width;
+        if (dy + ahead < last && width * sizeof(T) >= 1024) {
+            for (std::size_t x = 0; x < width; x += 64 / sizeof(T)) {
+                if (dy + ahead <= rows.low) {
+                    prefetch(out + (rows.low - dy - ahead) * width + x);
+                }
+                if (rows.high + dy + ahead < rows.count) {
+                    prefetch(out + (rows.high + dy + ahead) * width + x);
+                }
+            }
+        }
         mirrored_row(profile, from, both, row + columns.high, row + columns.low);
         for (std::size_t dx = both; dx < right; ++dx) {
             row[columns.high + dx] = profile[from[dx]];

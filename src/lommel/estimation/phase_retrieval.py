@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,9 +15,20 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
 from lommel.estimation.noise import Noise, random_numbers
-from lommel.estimation.star_images import SURE, Scores, StarImages, Unknowns, changes, climb, covariance, uncertainty
+from lommel.estimation.star_images import (
+    SURE,
+    Scores,
+    StarImages,
+    Unknowns,
+    carrying,
+    changes,
+    climb,
+    covariance,
+    uncertainty,
+)
 from lommel.io import zernike_tables
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront, radians_per
 from lommel.psf import PSF, Plan
@@ -48,7 +59,7 @@ class Retrieval:
     ----------
     wavefront : Wavefront
         Estimated terms and the fixed ones of `pupil`, without tilts of images and known defoci.
-    pupil : Pupil
+    pupil : Pupil or ObjectivePupil
         With this wavefront, and the estimated f-number, wavelength or obscuration.
     coefficients : dict of name to float
         Parameters that all images share: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
@@ -91,7 +102,7 @@ class Retrieval:
     """
 
     wavefront: Wavefront
-    pupil: Pupil
+    pupil: Pupil | ObjectivePupil
     coefficients: dict[Name, float]
     deviation: dict[Name, Any]
     covariance: Array
@@ -203,7 +214,7 @@ class Retrieval:
 
 def retrieve(
     images: ArrayLike | Sequence[ArrayLike],
-    pupil: Pupil,
+    pupil: Pupil | ObjectivePupil,
     *,
     pixel: float,
     noise: Noise,
@@ -220,18 +231,19 @@ def retrieve(
     threads: int | None = None,
     progress: Callable[[float, float], object] | None = None,
 ) -> Retrieval:
-    """Estimate the wavefront of a lens from star images (phase retrieval, phase diversity).
+    """Estimate the wavefront of a lens from star images, or of a microscope from a stack of a bead (phase retrieval).
 
-    Several images with known defoci share the wavefront; each has a flux and a background of its own, which are
-    estimated jointly.
+    Several images with known defoci, or planes of a stack, share the wavefront (phase diversity); each has a flux and
+    a background of its own, which are estimated jointly.
 
     Parameters
     ----------
     images : array_like, shape (height, width) or (n, height, width), or a sequence of (height, width)
         As recorded, proportional to light but for the offset of `noise`. NaN, infinite and masked values are left
         out, and in images of integers the largest value of their type.
-    pupil : Pupil
-        Aperture, scale and initial wavefront, a single one. Phases of segments and masks are known and fixed.
+    pupil : Pupil or ObjectivePupil
+        Aperture, scale and initial wavefront, a single one. Phases of segments and masks are known and fixed. Of an
+        Objective depth, emitter and z of each image, in windows that :class:`lommel.ChordalDebye` takes.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
     noise : Noise
@@ -242,11 +254,11 @@ def retrieve(
         "rho^8" (radians, as of :class:`lommel.Wavefront`). May be empty. Other terms of `pupil` are fixed.
     defocus : float or array_like, shape (n,), default 0
         Known additional C_d of each image, radians; positive where the sensor was moved towards the lens. See
-        :attr:`lommel.Wavefront.defocus`.
+        :attr:`lommel.Wavefront.defocus`. Of an Objective 0: its planes differ in z.
     also : str or sequence of str, default ("center",)
         Nuisance parameters: "center" ("row" and "column", one of each image), and, shared by all images, "f_number",
-        "obscuration" and "wavelength" (at fixed path differences). Empty where the axis is known to be in the middle
-        of pixel ``(height // 2, width // 2)``.
+        "obscuration" and "wavelength" (at fixed path differences) of a lens. Empty where the axis is known to be in
+        the middle of pixel ``(height // 2, width // 2)``.
     mask : array_like of bool, shape (height, width) or (n, height, width), optional
         True where a pixel is to be left out.
     saturation : float, optional
@@ -310,14 +322,18 @@ def retrieve(
     (True, True)
     """
     unknowns = Unknowns(terms, also)
-    start = _supported(pupil, unknowns)
     validation.instance("noise", noise, Noise)
     values, valid = _images(images, mask, saturation)
+    start = _supported(pupil, unknowns, len(values))
     electrons, read = noise.electrons(values), noise.variance(np.zeros_like(values))
     known = validation.real_array("defocus", defocus)
     if known.shape not in ((), (len(values),)):
         raise ValueError(
             f"defocus must be a number, or one for each of {len(values)} images, got shape {known.shape}"
+        )
+    if isinstance(start, ObjectivePupil) and known.any():
+        raise ValueError(
+            f"defocus must be 0 for an Objective, whose planes differ in z, got {validation.shown(defocus)}"
         )
     count = validation.integer("starts", starts, least=1, most=10_000)
     most = validation.integer("steps", steps, least=1, most=10_000)
@@ -358,10 +374,16 @@ def retrieve(
     return _retrieval(model, lowest, best, fits and bool(settled[0]), values, noise, (taken + more, tries))
 
 
-def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
-    """Return the pupil if its wavefront can be retrieved; TypeError or ValueError otherwise."""
-    if getattr(pupil, "layered", False):
-        raise TypeError("retrieve does not support microscope pupils (ObjectivePupil) yet; pass a Pupil")
+def _supported(pupil: Pupil | ObjectivePupil, unknowns: Unknowns, images: int) -> Pupil | ObjectivePupil:
+    """Return the pupil if its wavefront can be retrieved from so many images; TypeError or ValueError otherwise."""
+    if isinstance(pupil, ObjectivePupil):
+        if pupil.shape not in ((), (images,)):
+            raise ValueError(f"pupil must have one plane, or one for each of {images} images, got {pupil.shape}")
+        if pupil.aberrations and pupil.aberrations.shape:
+            raise ValueError("pupil must have one set of aberrations, shared by all planes, got a stack")
+        if unknowns.pupil:
+            raise ValueError(f'also must be "center", "row" or "column" for an Objective, got {unknowns.pupil[0]!r}')
+        return pupil
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, shared by all images, got a stack of shape {pupil.shape}")
     if not pupil.circular and "obscuration" in unknowns.pupil:
@@ -476,7 +498,7 @@ def _retrieval(
     optics: dict[str, Any] = model.optics_of(x)
     per_pixel = model.tilt_of_pixel
     if "f_number" in optics:  # by which tilts move images farther
-        per_pixel /= optics["f_number"] / model.pupil.f_number
+        per_pixel /= optics["f_number"] / cast("float", model.pupil.f_number)
     own_errors: dict[Name, Numbers] = dict(
         zip((*unknowns.places, "flux", "background"), errors[model.own].reshape(-1, model.count), strict=True)
     )
@@ -513,7 +535,7 @@ def _retrieval(
         message += f"; the images do not determine {blind or 'all of their places, fluxes and backgrounds'}"
     return Retrieval(
         wavefront=wavefront,
-        pupil=replace(model.pupil, wavefront=wavefront, geometry=None, **optics),
+        pupil=carrying(model.pupil, wavefront, **optics),
         coefficients=dict(zip(names, x[0, :shared].tolist(), strict=True)),
         deviation=dict(zip(names, errors[:shared].tolist(), strict=True)) | own_errors,
         covariance=inverse[:shared, :shared],

@@ -22,6 +22,7 @@ from lommel.core.engine import star_likelihood
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront, symmetric_terms
 from lommel.psf import Plan
@@ -94,8 +95,25 @@ def _zernike_terms(name: Name) -> dict[Term, float]:
     return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
 
 
-def _point_symmetric(pupil: Pupil) -> bool:
-    """Return whether the aperture is the same after half a turn, without phases of its own."""
+def wavefront_of(pupil: Pupil | ObjectivePupil) -> Wavefront:
+    """Return the wavefront of a lens, or the aberrations of an objective."""
+    return (pupil.aberrations or Wavefront()) if isinstance(pupil, ObjectivePupil) else pupil.wavefront
+
+
+def carrying(pupil: Pupil | ObjectivePupil, wavefront: Wavefront, **optics: Any) -> Pupil | ObjectivePupil:
+    """Return a pupil with another wavefront and other numbers; planes of an objective broadcast with it."""
+    if isinstance(pupil, ObjectivePupil):
+        shape = np.broadcast_shapes(pupil.shape, wavefront.shape)
+        return replace(replace(pupil, aberrations=None).broadcast(shape), aberrations=wavefront)
+    if not optics:
+        return pupil.carrying(wavefront, None)
+    return replace(pupil, wavefront=wavefront, geometry=None, **optics)
+
+
+def _point_symmetric(pupil: Pupil | ObjectivePupil) -> bool:
+    """Return whether the aperture is the same after half a turn, without phases of its own, as layers have."""
+    if isinstance(pupil, ObjectivePupil):
+        return False
     if pupil.circular:
         return True
     if pupil.segmented or pupil.phase_mask:
@@ -137,7 +155,7 @@ class StarImages:
         electrons: Array,
         variance: Array,
         valid: NDArray[np.bool_],
-        pupil: Pupil,
+        pupil: Pupil | ObjectivePupil,
         defocus: Array,
         unknowns: Unknowns,
         plan: Plan,
@@ -158,7 +176,7 @@ class StarImages:
         brightest = max(float(self.counted.max()), 1.0)
         self.loosest = min(max(plan.tol, _PART * noise / brightest), max(plan.tol, _LOOSEST))
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
-        start = pupil.wavefront.edge_terms()
+        start = wavefront_of(pupil).edge_terms()
         every = {*start, *unknowns.edge, *SHIFTS.values()}
         radial = symmetric_terms(max(n // 2 for n, m in every if m == 0))
         self.terms = (*radial, *sorted(term for term in every if term[1]))
@@ -223,21 +241,21 @@ class StarImages:
     def wavefront(self, x: Array) -> Wavefront:
         """Return the wavefront for parameters `x`, shape (p,), without tilts and known defoci."""
         edge = self.fixed + x[self.waves] @ self.directions
-        return Wavefront.trusted(self.terms, self.ratio(self.optics_of(x[None])) * edge, self.pupil.wavefront.error)
+        return Wavefront.trusted(
+            self.terms, self.ratio(self.optics_of(x[None])) * edge, wavefront_of(self.pupil).error
+        )
 
-    def pupils(self, x: Array) -> Pupil:
+    def pupils(self, x: Array) -> Pupil | ObjectivePupil:
         """Return the pupils of all images for parameters `x`, shape (s, p)."""
         edge = self.base + (x[:, self.waves] @ self.directions)[:, None]
         own = self.per_image(x)
         for j, column in enumerate(self.tilts):
             edge[:, :, column] += own[:, j]
         optics: dict[str, Any] = self.optics_of(x)
-        if not optics:
-            return self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
         if "wavelength" in optics:
             # Path differences stay: they are the parameters, in radians at the wavelength to start with.
             edge *= self.ratio(optics)
-        return replace(self.pupil, wavefront=Wavefront.trusted(self.terms, edge), geometry=None, **optics)
+        return carrying(self.pupil, Wavefront.trusted(self.terms, edge), **optics)
 
     def optics_of(self, x: Array) -> dict[str, float]:
         """Return the estimated numbers of the pupil, of the first set of parameters."""

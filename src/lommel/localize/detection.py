@@ -23,12 +23,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
 from lommel.base import validation
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
 
 _LEAST = 1e-3  # electrons a pixel, of a background that is 0
@@ -48,9 +48,7 @@ class Spots:
     score : ndarray, shape (n,)
         Height above the background in standard deviations of the background noise.
     images : ndarray, shape (n, rows, columns)
-        Boxes cut from the frames, in electrons; read noise may make them negative.
-    read : float or ndarray, shape (n, rows, columns)
-        Read noise, rms electrons; cut alike where the noise has a map.
+        Boxes cut from the frames, in their unit and type.
     borders, overlapping : int
         Spots left out because their boxes extend beyond the frame, or overlap that of a brighter spot: another
         molecule, or another part of the same image.
@@ -58,15 +56,19 @@ class Spots:
         Expected number of spots in a frame from noise alone.
     """
 
-    frame: np.ndarray
-    row: np.ndarray
-    column: np.ndarray
+    frame: NDArray[np.int64]
+    row: NDArray[np.int64]
+    column: NDArray[np.int64]
     score: Array
-    images: Array
-    read: float | Array
+    images: Values
     borders: int
     overlapping: int
     false_spots: float
+
+    @property
+    def corners(self) -> NDArray[np.int64]:
+        """Row and column of the first pixel of each box, shape (n, 2): by them fits choose boxes of camera maps."""
+        return np.column_stack([self.row, self.column])
 
     def __len__(self) -> int:
         return self.frame.size
@@ -135,8 +137,8 @@ def find(
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
     validation.optional("noise", noise, Noise)
-    light = (noise or Noise(read=0.0)).electrons(_stack(frames, rows, columns))
-    read = 0.0 if noise is None else noise.read
+    camera, stored = noise or Noise(read=0.0), _stack(frames, rows, columns)
+    light, read = camera.electrons(stored), camera.read
     if not isinstance(read, float) and read.shape != light.shape[1:]:
         raise ValueError(
             f"read, of shape {read.shape}, must have a value for each pixel, got frames of {light.shape}"
@@ -161,17 +163,16 @@ def find(
         row,
         column,
         score[kept],
-        light[frame[:, None, None], down, across],
-        read if isinstance(read, float) else read[down, across],
+        stored[frame[:, None, None], down, across],
         borders,
         overlapping,
         _density(level, narrow, wide) * light.shape[1] * light.shape[2],
     )
 
 
-def _stack(frames: ArrayLike, rows: int, columns: int) -> Array:
-    """Return frames as floats, with an axis for them."""
-    found = validation.real_array("frames", frames)
+def _stack(frames: ArrayLike, rows: int, columns: int) -> Values:
+    """Return frames with an axis for them."""
+    found = validation.number_array("frames", frames)
     if found.ndim not in (2, 3) or found.shape[-2] < rows or found.shape[-1] < columns:
         shape = f"(frames, rows, columns), at least the box of {rows} x {columns}"
         raise ValueError(f"frames must have the shape {shape}, got {found.shape}")
@@ -234,7 +235,7 @@ def _density(threshold: float, narrow: float, wide: float) -> float:
     return slopes / squares * threshold * math.exp(-0.5 * threshold**2) / math.sqrt(2.0 * math.pi) ** 3
 
 
-def _apart(frame: np.ndarray, row: Array, column: Array, score: Array) -> np.ndarray:
+def _apart(frame: NDArray[np.int64], row: Array, column: Array, score: Array) -> NDArray[np.bool_]:
     """Return which spots are the brighter of those whose boxes overlap; places are in boxes."""
     kept = np.ones(score.size, bool)
     if score.size < 2:

@@ -53,6 +53,8 @@ ARGUED = {
     ("io/psf_formats.py", "File"): "to write, in memory",
     ("io/psf_formats.py", "ZipFile"): "to write, in memory",
     ("io/field_files.py", "open"): "an array of a folder whose files were looked at",
+    ("localize/molecule_files.py", "open"): "to write",
+    ("localize/molecule_files.py", "File"): "to write",
     ("localize/movies.py", "memmap"): "frames that the file is long enough for",
     ("stacks/compute.py", "open"): "a store, by its own reader",
     ("stacks/stack.py", "open"): "a store, by its own reader",

@@ -24,6 +24,7 @@ KINDS = {
     "images": "images",
     "zernike": "Zernike coefficients",
     "opd": "an OPD map",
+    "molecules": "a table of molecules",
 }
 """The kinds of contents, and their names in messages."""
 
@@ -54,7 +55,7 @@ class Format:
 
     Parameters
     ----------
-    kind : {"psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd"}
+    kind : {"psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd", "molecules"}
     suffixes : tuple of str
         Suffixes of its files, in lower case, each with its dot.
     write, read : callable, optional
@@ -91,6 +92,8 @@ class Format:
     - "depth map": values of float32 to bytes; (bytes, metres per level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
     - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_files.Measured``
+    - "molecules": (path, path beside it, if any) to a context manager, which yields what is called with rows and a
+      ``lommel.localize.Recording`` in turn
     - "zernike": (settings, terms), both by name, to text; bytes to (ZernikeTable or None, list of errors)
 
     Bytes are moved into place as a whole. Contents that a format cannot hold, or that are damaged, are a ValueError.

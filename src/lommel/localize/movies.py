@@ -15,7 +15,8 @@ import numpy as np
 from lommel.base import optional, reading, validation
 from lommel.base.arrays import Values
 
-_BLOCK = 2**22  # pixels: 32 MB of them in float64
+BLOCK = 2**22
+"""Pixels of a block of frames, unless it says otherwise: 32 MB of them in float64."""
 
 
 class MovieError(ValueError):
@@ -143,7 +144,7 @@ class Movie:
             If `size` is out of range; MovieError if a frame is damaged or missing.
         """
         count, rows, columns = self.shape
-        each = max(1, _BLOCK // (rows * columns)) if size is None else size
+        each = max(1, BLOCK // (rows * columns)) if size is None else size
         validation.integer("size", each, least=1, most=validation.MAX_VALUES)
         for first in range(0, count, each):
             yield self.frames(first, min(first + each, count))

@@ -1,0 +1,192 @@
+"""Tables of localisations of a movie: positions, light, standard deviations, with what files of them state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field, replace
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.io import registry
+from lommel.localize.molecule_files import Recording
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_ESTIMATES = ("x", "y", "z", "photons", "background")
+_COLUMNS = (*_ESTIMATES, *(f"{name}_deviation" for name in _ESTIMATES))
+_OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
+STATES = ("converged", "border", "steps", "undetermined")
+
+
+@dataclass(frozen=True, eq=False)
+class Localizations:
+    """Molecules of a movie, one row for each fit, by :func:`localize_movie`.
+
+    Attributes
+    ----------
+    table : structured ndarray, shape (n,)
+        ``frame``, from 0; ``x``, ``y`` in the sample from the outer corner of the first pixel, along columns and
+        rows, metres; ``z``, metres; ``photons``, electrons; ``background``, electrons a pixel; the Cramer-Rao
+        standard deviations of these five, ``x_deviation`` and so on; ``sigma_x``, ``sigma_y``, the standard
+        deviations of a Gaussian fitted to the PSF at this z, metres; ``discrepancy`` and ``log_likelihood`` of the
+        fit; ``score`` of the spot; ``state``, an index into :attr:`states`. ``pandas.DataFrame(found.table)`` makes
+        a data frame.
+    recording : Recording
+        Size of the movie, pixel pitch, direction of z.
+    spots, borders, overlapping : int
+        Spots found and fitted, and those left out; see :class:`Spots`.
+    states : tuple of str
+        "converged"; "border", "steps" and "undetermined", whose positions are no estimates.
+    """
+
+    table: NDArray[np.void]
+    recording: Recording
+    spots: int = 0
+    borders: int = 0
+    overlapping: int = 0
+    states: tuple[str, ...] = field(default=STATES, repr=False)
+
+    def __len__(self) -> int:
+        return self.table.size
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{n} {name}" for name, n in self.counts.items() if n)
+        return f"<Localizations: {len(self)} in {self.recording.frames} frames{': ' if counts else ''}{counts}>"
+
+    def __getitem__(self, which: Any) -> Localizations:
+        """Return some of them, by a slice, a mask or an array of indices."""
+        chosen = self.table[which]
+        if chosen.ndim != 1:
+            raise TypeError(f"which must be a slice, a mask or indices, got {validation.shown(which)}")
+        return replace(self, table=chosen)
+
+    @property
+    def converged(self) -> Localizations:
+        """Those whose fit converged."""
+        return self[self.table["state"] == 0]
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Number of fits in each state."""
+        found = np.bincount(self.table["state"], minlength=len(self.states))
+        return dict(zip(self.states, found.tolist(), strict=True))
+
+    def save(self, *paths: str | PathLike[str]) -> None:
+        """Write those that converged to files: ThunderSTORM's .csv or Picasso's .hdf5; see :func:`writer`.
+
+        Parameters
+        ----------
+        *paths : path
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there is no path, or a suffix is unknown.
+        OSError
+            If a file cannot be written.
+        ImportError
+            If h5py is missing, for .hdf5.
+        """
+        with writer(*paths) as write:
+            write(self)
+
+    def plot(self, *, pixel: float = 20e-9, ax: Axes | None = None) -> Axes:
+        """Draw those that converged as Gaussians of their standard deviations, coloured by z.
+
+        Parameters
+        ----------
+        pixel : float, default 20e-9
+            Pixel pitch of the picture, metres in the sample; larger where the picture would have more than 4096 a
+            side.
+        ax : matplotlib Axes, optional
+            Where to draw; by default a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `pixel` is out of range.
+        ImportError
+            If matplotlib is missing.
+        """
+        from lommel.show import molecules
+
+        side, one = validation.real("pixel", pixel, above=0.0, below=1e-3), self.recording
+        return molecules.picture(
+            self.converged.table, (one.rows * one.pixel, one.columns * one.pixel), side, one.along, ax
+        )
+
+
+def columns() -> np.dtype[np.void]:
+    """Return the type of a row of :attr:`Localizations.table`."""
+    return np.dtype(
+        [("frame", np.int64), *((name, np.float64) for name in (*_COLUMNS, *_OTHERS)), ("state", np.int32)]
+    )
+
+
+def joined(parts: Sequence[Localizations]) -> Localizations:
+    """Return the localisations of parts of one movie, at least one, together."""
+    sums = {name: sum(getattr(part, name) for part in parts) for name in ("spots", "borders", "overlapping")}
+    return replace(parts[0], table=np.concatenate([part.table for part in parts]), **sums)
+
+
+@contextmanager
+def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], None]]:
+    """Write files of localisations part by part, for movies of any length.
+
+    Parameters
+    ----------
+    *paths : path
+        Each ending in .csv (ThunderSTORM) or .hdf5 (Picasso, with a .yaml beside it, which needs h5py).
+
+    Yields
+    ------
+    callable
+        Called with :class:`Localizations` of one movie, in turn; those that did not converge are left out. Files
+        have temporary names until the end of the block, and there is none after an error.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there is no path, or a suffix is unknown.
+    OSError
+        If a file cannot be written.
+    ImportError
+        If h5py is missing, for .hdf5.
+
+    Notes
+    -----
+    The .csv has the columns of ThunderSTORM, which SMAP, Picasso and others read too: id, frame (from 1), x, y, z in
+    nanometres, sigma1 (x) and sigma2 (y) in nanometres, intensity, offset and bkgstd (photons, a pixel; the root of
+    the background), uncertainty_xy (rms of both) and uncertainty_z in nanometres; and discrepancy, that of the fit.
+    The .hdf5 has the data set ``locs`` of Picasso: frame (from 0), x, y, sx, sy, lpx, lpy in pixels of the camera, 0
+    being the middle of the first pixel; photons, bg; z and lpz in nanometres; log_likelihood. z is that of the
+    localisations in both: a position of the stage, or a depth.
+
+    Examples
+    --------
+    >>> with writer("molecules.csv", "molecules.hdf5") as write:  # doctest: +SKIP
+    ...     for part in localize_blocks(movie, table, noise=camera):
+    ...         write(part)
+    """
+    if not paths:
+        raise TypeError("paths must be one or more, got none")
+    with ExitStack() as files:
+        found = [(registry.find("molecules", path), validation.path("path", path)) for path in paths]
+        writes = [files.enter_context(form.write(*form.places(path))) for form, path in found]
+
+        def write(part: Localizations) -> None:
+            kept = validation.instance("part", part, Localizations).converged
+            for each in writes:
+                each(kept.table, kept.recording)
+
+        yield write

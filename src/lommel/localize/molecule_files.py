@@ -1,0 +1,157 @@
+"""Files of localisations, written part by part: ThunderSTORM's table and Picasso's HDF5."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import atomic
+from lommel.base.optional import library, version
+from lommel.io import registry
+from lommel.io.registry import Format
+
+Rows: TypeAlias = NDArray[np.void]
+"""Rows of the table of :class:`lommel.localize.Localizations`."""
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What localisations were made from.
+
+    Attributes
+    ----------
+    frames, rows, columns : int
+        Size of the movie.
+    pixel : float
+        Pixel pitch in the sample, metres.
+    box : tuple of int
+        Rows and columns of the boxes that were fitted.
+    along : {"z", "depth"}
+        What z is: position of the stage, or depth below the cover glass.
+    name : str
+        Name of the movie's file, or "".
+    """
+
+    frames: int
+    rows: int
+    columns: int
+    pixel: float
+    box: tuple[int, int]
+    along: str
+    name: str = ""
+
+
+Write: TypeAlias = Callable[[Rows, Recording], None]
+
+_THUNDERSTORM = {
+    "id": "%d",
+    "frame": "%d",
+    "x [nm]": "%.3f",
+    "y [nm]": "%.3f",
+    "z [nm]": "%.3f",
+    "sigma1 [nm]": "%.2f",
+    "sigma2 [nm]": "%.2f",
+    "intensity [photon]": "%.2f",
+    "offset [photon]": "%.4f",
+    "bkgstd [photon]": "%.4f",
+    "uncertainty_xy [nm]": "%.3f",
+    "uncertainty_z [nm]": "%.3f",
+    "discrepancy": "%.3f",
+}
+
+
+@contextmanager
+def thunderstorm(path: Path) -> Iterator[Write]:
+    """Yield what writes rows of ThunderSTORM's table: M. Ovesny et al., doi:10.1093/bioinformatics/btu202."""
+    line, done = ",".join(_THUNDERSTORM.values()) + "\n", 0
+    with atomic.placed(path) as temporary, _to_write(path, temporary) as file:
+        file.write(",".join(f'"{name}"' for name in _THUNDERSTORM) + "\n")
+
+        def write(rows: Rows, _: Recording) -> None:
+            nonlocal done
+            lengths = [1e9 * rows[name] for name in ("x", "y", "z", "sigma_x", "sigma_y")]
+            uncertainty = np.sqrt(0.5 * (rows["x_deviation"] ** 2 + rows["y_deviation"] ** 2))
+            columns = [
+                *(np.arange(done + 1, done + 1 + rows.size), rows["frame"] + 1),
+                *lengths,
+                *(rows["photons"], rows["background"], np.sqrt(rows["background"])),
+                *(1e9 * uncertainty, 1e9 * rows["z_deviation"], rows["discrepancy"]),
+            ]
+            done += rows.size
+            file.writelines(line % row for row in zip(*(each.tolist() for each in columns), strict=True))
+
+        yield write
+
+
+_LOCS = np.dtype(
+    [
+        ("frame", np.uint32),
+        *((name, np.float32) for name in ("x", "y", "z", "photons", "sx", "sy", "bg", "lpx", "lpy")),
+    ]
+    + [(name, np.float32) for name in ("lpz", "log_likelihood")]
+)
+
+
+@contextmanager
+def picasso(path: Path, beside: Path) -> Iterator[Write]:
+    """Yield what writes the data set of Picasso and its .yaml: J. Schnitzbauer et al., doi:10.1038/nprot.2017.024."""
+    h5py, last = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z")
+    with atomic.placed(path) as temporary, atomic.placed(beside) as temporary_beside:
+        with atomic.told_as(path):
+            temporary.touch()  # HDF5 tells in its own way of folders that are not there
+        with _to_write(beside, temporary_beside) as about, h5py.File(temporary, "w") as file:
+            locs = file.create_dataset("locs", (0,), _LOCS, maxshape=(None,), chunks=(2**14,))
+
+            def write(rows: Rows, recording: Recording) -> None:
+                nonlocal last
+                last = recording
+                found = np.empty(rows.size, _LOCS)
+                found["frame"], found["photons"], found["bg"] = rows["frame"], rows["photons"], rows["background"]
+                found["log_likelihood"] = rows["log_likelihood"]
+                for name in ("x", "y"):
+                    found[name] = rows[name] / recording.pixel - 0.5  # from the middle of the first pixel
+                    found[f"s{name}"] = rows[f"sigma_{name}"] / recording.pixel
+                    found[f"lp{name}"] = rows[f"{name}_deviation"] / recording.pixel
+                found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_deviation"]
+                first = locs.shape[0]
+                locs.resize((first + rows.size,))
+                locs[first:] = found
+
+            yield write
+            about.write(_yaml(last))
+
+
+def _yaml(recording: Recording) -> str:
+    """Return what Picasso reads of a movie."""
+    facts = {
+        "Frames": recording.frames,
+        "Height": recording.rows,
+        "Width": recording.columns,
+        "Pixelsize": 1e9 * recording.pixel,
+        "Box Size": max(recording.box),
+        "File": recording.name,
+        "Generated by": f"lommel {version()} localize",
+        "z": "depth" if recording.along == "depth" else "position of the stage",
+    }
+    return "".join(f"{name}: {json.dumps(value)}\n" for name, value in facts.items())
+
+
+@contextmanager
+def _to_write(path: Path, temporary: Path) -> Iterator[TextIO]:
+    with atomic.told_as(path):
+        file = temporary.open("w", encoding="utf-8", newline="")
+    with file:
+        yield file
+
+
+registry.register(
+    Format("molecules", (".csv",), thunderstorm, what="ThunderSTORM", readers="ThunderSTORM, SMAP, Picasso"),
+    Format("molecules", (".hdf5",), picasso, library="h5py", beside=".yaml", what="Picasso", readers="Picasso"),
+)

@@ -91,6 +91,7 @@ NB_MODULE(_core, m) {
     define_paper(m);
     define_imaging(m);
     define_estimation(m);
+    define_localize(m);
     define_stratified(m);
     define_radial_bounds(m);
     define_disk_bounds(m);

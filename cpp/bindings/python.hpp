@@ -34,6 +34,7 @@ void define_chordal(nb::module_& m);
 void define_paper(nb::module_& m);
 void define_imaging(nb::module_& m);
 void define_estimation(nb::module_& m);
+void define_localize(nb::module_& m);
 void define_stratified(nb::module_& m);
 void define_radial_bounds(nb::module_& m);
 void define_disk_bounds(nb::module_& m);

@@ -1,8 +1,22 @@
-"""Localisation of molecules in three dimensions: movies, detection, fits, tables of molecules."""
+"""Localisation of molecules in three dimensions: movies, detection, tables of the PSF, fits by maximum likelihood."""
 
 from lommel.localize.detection import Spots, find
+from lommel.localize.fitting import Molecules, fit
 from lommel.localize.localizations import Localizations, writer
 from lommel.localize.molecule_files import Recording
 from lommel.localize.movies import Movie, MovieError, open_movie
+from lommel.localize.table import Table
 
-__all__ = ["Localizations", "Movie", "MovieError", "Recording", "Spots", "find", "open_movie", "writer"]
+__all__ = [
+    "Localizations",
+    "Molecules",
+    "Movie",
+    "MovieError",
+    "Recording",
+    "Spots",
+    "Table",
+    "find",
+    "fit",
+    "open_movie",
+    "writer",
+]

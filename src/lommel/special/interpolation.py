@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 
@@ -19,21 +20,28 @@ TAPS_MOST = 16
 NEIGHBOURS_MOST = 30
 _DEGREE = 16
 _TURN = 2.0 * math.pi
+_ROOT = math.sqrt(2.0)
 
 
 class Taps(NamedTuple):
-    """A kernel: polynomials of ``2 t - 1`` (highest power first), an even number of taps, a bound on their sum.
+    """A kernel: polynomials of ``2 t - 1`` (highest power first), an even number of taps, bounds on sums of moduli.
 
-    t from 0 to 1 is the position between the two middle taps; columns beyond `size` are zero.
+    Of the taps and of their slopes; t from 0 to 1 is the position between the two middle taps; columns beyond `size`
+    are zero.
     """
 
     polynomials: Array
     size: int
     gain: float
+    slope_gain: float
 
     def at(self, t: Array) -> Array:
         """Return the weights at places t, shape ``(len(t), count)``."""
-        return np.asarray(np.polynomial.polynomial.polyval(2.0 * t - 1.0, self.polynomials[::-1, : self.size]).T)
+        return _values(self.polynomials[::-1, : self.size], t)
+
+    def slopes(self, t: Array) -> Array:
+        """Return their derivatives by t."""
+        return _values(np.asarray(2.0 * np.polynomial.polynomial.polyder(self.polynomials[::-1, : self.size])), t)
 
     @property
     def places(self) -> Array:
@@ -42,12 +50,17 @@ class Taps(NamedTuple):
 
 
 class Steps(NamedTuple):
-    """Taps after a symmetric filter, with bounds on the error of ``exp(i w t)`` and on the sum of the moduli."""
+    """Taps after a symmetric filter, with bounds on the error of ``exp(i w t)`` and on the sum of the moduli.
+
+    And the same of their derivatives by t.
+    """
 
     taps: Taps
     filter: Array
     error: float
     gain: float
+    slope_error: float
+    slope_gain: float
 
 
 class Orders(NamedTuple):
@@ -59,16 +72,18 @@ class Orders(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def steps(band: float, error: float) -> Steps:
+def steps(band: float, error: float, width: int = 0) -> Steps:
     """Return the fewest taps within `error` for a `band` below pi radians a step; ValueError if there are none.
+
+    Of averages over `width` steps instead of values, of which the filter takes care.
 
     The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in t
     and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours.
     """
     for count in range(4, TAPS_MOST + 1, 2):
-        if _filtered(count, band, NEIGHBOURS_MOST).error <= error:
+        if _filtered(count, band, NEIGHBOURS_MOST, width).error <= error:
             for neighbours in range(2, NEIGHBOURS_MOST + 1, 4):
-                if (made := _filtered(count, band, neighbours)).error <= error:
+                if (made := _filtered(count, band, neighbours, width)).error <= error:
                     return made
     raise ValueError(f"no {TAPS_MOST} taps are off by at most {error:.2g}: the band {band:.3g} is too wide")
 
@@ -80,27 +95,36 @@ def orders(most: int, steps: int, error: float) -> Orders:
     for count in range(4, TAPS_MOST + 1, 2):
         taps = _kernel(count, max(float(frequencies[-1]), 0.1))
         gains = 1.0 / _transform(taps, frequencies)
-        errors = _off(taps, frequencies, gains).max(axis=1)
+        errors = _off(taps, frequencies, gains, taps.at(_places()), np.ones(1)).max(axis=1)
         if errors.max() <= error:
             return Orders(taps, gains, errors)
     raise ValueError(f"no {TAPS_MOST} taps are off by at most {error:.2g} of the order {most} on {steps} steps")
 
 
 @lru_cache(maxsize=256)
-def _filtered(count: int, band: float, neighbours: int) -> Steps:
+def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps:
     """Return the least-squares filter of a kernel, at Chebyshev points of the band."""
     taps, each = _kernel(count, band), np.arange(neighbours + 1)
-    twice = np.where(each > 0, 2.0, 1.0)
-    fit = _chebyshev(4 * (count + 2 * neighbours), band)[: 2 * (count + 2 * neighbours)]
+    twice, reach = np.where(each > 0, 2.0, 1.0), count + 2 * neighbours + width
+
+    def response(w: Array) -> Array:
+        return np.sinc(w * (width / _TURN))
+
+    fit = _chebyshev(4 * reach, band)[: 2 * reach]
     factors = np.cos(np.outer(fit, each)) * twice
-    weights, *_ = np.linalg.lstsq(factors * _transform(taps, fit)[:, None], np.ones(fit.size), rcond=1e-15)
+    weights, *_ = np.linalg.lstsq(factors * _transform(taps, fit)[:, None], response(fit), rcond=1e-15)
     # Where the error is judged.
-    w = _chebyshev(2 * math.ceil(1.18 * (count + 2 * neighbours) * band + 48), band)
-    error = _off(taps, w, np.cos(np.outer(w, each)) @ (weights * twice)).max()
-    whole = np.concatenate([weights[:0:-1], weights])
-    sums = [np.abs(np.convolve(row, whole)).sum() for row in taps.at(_places())]
-    error += 2.0**-53 * (2 * neighbours + 8) * taps.gain * np.abs(whole).sum()
-    return Steps(taps, weights, math.sqrt(2.0) * float(error), math.sqrt(2.0) * float(max(sums)))
+    w = _chebyshev(2 * math.ceil(1.18 * reach * band + 48), band)
+    gains = np.cos(np.outer(w, each)) @ (weights * twice)
+    whole, places = np.concatenate([weights[:0:-1], weights]), _places()
+
+    def judged(of: Array, wanted: Array | NDArray[np.complex128]) -> tuple[float, float]:
+        sums = max(np.abs(np.convolve(row, whole)).sum() for row in of)
+        rounding = 2.0**-53 * (2 * neighbours + 8) * _ROOT * np.abs(of).sum(axis=1).max() * np.abs(whole).sum()
+        return _ROOT * float(_off(taps, w, gains, of, wanted).max() + rounding), _ROOT * float(sums)
+
+    error, gain = judged(taps.at(places), response(w))
+    return Steps(taps, weights, error, gain, *judged(taps.slopes(places), np.asarray(1j * w * response(w))))
 
 
 def _kernel(count: int, band: float) -> Taps:
@@ -112,8 +136,9 @@ def _kernel(count: int, band: float) -> Taps:
     series = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * t - 1.0, _DEGREE), values)
     powers = np.zeros((_DEGREE + 1, TAPS_MOST))
     powers[:, :count] = (_powers() @ series)[::-1]
-    made = Taps(powers, count, 0.0)
-    return made._replace(gain=math.sqrt(2.0) * float(np.abs(made.at(_places())).sum(axis=1).max()))
+    made = Taps(powers, count, 0.0, 0.0)
+    gains = (_ROOT * float(np.abs(of(_places())).sum(axis=1).max()) for of in (made.at, made.slopes))
+    return Taps(powers, count, *gains)
 
 
 @lru_cache(maxsize=1)
@@ -130,13 +155,16 @@ def _transform(taps: Taps, w: Array) -> Array:
     return np.asarray(np.einsum("wtk,tk->w", turned.real, taps.at(t)) / t.size)
 
 
-def _off(taps: Taps, w: Array, gains: Array) -> Array:
-    """Return the error bound of each frequency, shape ``(len(w), positions)``."""
-    t = _places()
-    waves = np.exp(1j * np.outer(w, taps.places)) @ taps.at(t).T
-    off = np.abs(np.exp(1j * np.outer(w, t)) - gains[:, None] * waves)
-    rounding = 2.0**-53 * (taps.size + _DEGREE) * taps.gain * np.abs(gains)
-    return np.asarray(math.sqrt(2.0) * (off + rounding[:, None]))
+def _off(taps: Taps, w: Array, gains: Array, weights: Array, wanted: Array | NDArray[np.complex128]) -> Array:
+    """Return the error bound of each frequency, shape ``(len(w), positions)``, for a `wanted` response."""
+    turned = np.exp(1j * np.outer(w, _places()))
+    off = np.abs(wanted[:, None] * turned - gains[:, None] * (np.exp(1j * np.outer(w, taps.places)) @ weights.T))
+    rounding = 2.0**-53 * (taps.size + _DEGREE) * _ROOT * np.abs(weights).sum(axis=1).max() * np.abs(gains)
+    return np.asarray(_ROOT * (off + rounding[:, None]))
+
+
+def _values(polynomials: Array, t: Array) -> Array:
+    return np.asarray(np.polynomial.polynomial.polyval(2.0 * t - 1.0, polynomials).T)
 
 
 def _places() -> Array:

@@ -1,0 +1,189 @@
+// Tables of the images of molecules, and fits by them.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <nanobind/stl/array.h>
+
+#include "lommel/localize/bank.hpp"
+
+#include "python.hpp"
+
+using namespace bindings;
+
+namespace {
+
+// A table and what it holds.
+class Table {
+   public:
+    // Coefficients as of lommel::MoleculeTable, flat; sizes are pieces, rows, samples a pixel, columns, height and width; numbers
+    // the first row and column, the least and the largest z, row and column.
+    Table(In<float, 1> coefficients, In<double, 2> polynomials, const std::array<std::size_t, 6>& sizes,
+          const std::array<double, 8>& numbers)
+        : coefficients_(std::move(coefficients)), polynomials_(std::move(polynomials)) {
+        const auto [pieces, rows, per, columns, height, width] = sizes;
+        const auto [first_row, first_column, low, high, least_row, largest_row, least_column, largest_column] = numbers;
+        const std::size_t powers = polynomials_.shape(0), taps = polynomials_.shape(1);
+        table_ = {coefficients_.data(),
+                  pieces,
+                  rows,
+                  per,
+                  columns,
+                  height,
+                  width,
+                  polynomials_.data(),
+                  powers,
+                  taps,
+                  first_row,
+                  first_column,
+                  low,
+                  high,
+                  least_row,
+                  largest_row,
+                  least_column,
+                  largest_column};
+        require(pieces > 0 && rows > 0 && per > 0 && columns > 0 && height > 0 && width > 0, "tables must not be empty");
+        require(coefficients_.shape(0) ==
+                    pieces * lommel::MoleculeTable::terms * rows * per * columns + lommel::MoleculeTable::beyond,
+                "coefficients must match the sizes");
+        require(taps > 0 && taps % 2 == 0 && taps <= lommel::MoleculeTable::most_taps && powers > 0, "an even number of taps");
+        require(low < high && least_row <= largest_row && least_column <= largest_column, "limits must rise");
+        const double half = 0.5 * static_cast<double>(taps), each = static_cast<double>(per);
+        const auto covers = [&](double first, double least, double largest, std::size_t samples, std::size_t side) {
+            const double start = std::floor(-each * largest - first) + 1.0 - half;
+            const double end = std::floor(-each * least - first) + half + each * static_cast<double>(side - 1);
+            return start >= 0.0 && end < static_cast<double>(samples);
+        };
+        require(covers(first_row, least_row, largest_row, rows, height), "rows must cover all places");
+        require(covers(first_column, least_column, largest_column, per * columns, width), "columns must cover all places");
+    }
+
+    // Values and slopes by row, column and z at places (n, 3), shape (n, 4, height, width).
+    Out<float, 4> images(const In<double, 2>& places, int threads) const {
+        require(places.shape(1) == 3 && threads >= 0, "places are row, column and z");
+        const std::size_t n = places.shape(0);
+        for (std::size_t i = 0; i < n; ++i) {
+            const double* const p = places.data() + 3 * i;
+            require(p[0] >= table_.least_row && p[0] <= table_.largest_row && p[1] >= table_.least_column &&
+                        p[1] <= table_.largest_column && p[2] >= table_.low && p[2] <= table_.high,
+                    "places must be within the table");
+        }
+        auto made = new_array<float, 4>({n, lommel::molecule_images, table_.height, table_.width});
+        released([&] {
+            lommel::for_blocks(n, threads, 2.0, [&](std::size_t first, std::size_t last) {
+                lommel::MoleculeImages images(table_);
+                lommel::Floats four(lommel::molecule_images * table_.pixels());
+                for (std::size_t i = first; i < last; ++i) {
+                    const double* const p = places.data() + 3 * i;
+                    images.write({p[0], p[1], p[2]}, four.data());
+                    float* to = made.data() + i * lommel::molecule_images * table_.height * table_.width;
+                    for (std::size_t row = 0; row < lommel::molecule_images * table_.height; ++row) {
+                        to = std::copy_n(&four[row * table_.stride()], table_.width, to);
+                    }
+                }
+            });
+        });
+        return made;
+    }
+
+    const lommel::MoleculeTable& table() const { return table_; }
+
+   private:
+    In<float, 1> coefficients_;
+    In<double, 2> polynomials_;
+    lommel::MoleculeTable table_;
+};
+
+// Tables of one or more channels, what takes places of the first to each, (channels, 4), the limits (2, 3), the largest step along
+// z, and places to start from, (z, places, 3).
+class Fitter {
+   public:
+    Fitter(const nb::typed<nb::list, Table>& tables, const In<double, 2>& matrices, const In<double, 2>& limits, double stride,
+           const In<double, 3>& places)
+        : tables_(nb::borrow<nb::list>(tables)) {
+        const std::size_t count = tables_.size();
+        require(count > 0 && count <= lommel::most_channels, "one to four channels");
+        require(matrices.shape(0) == count && matrices.shape(1) == 4, "a matrix for each channel");
+        require(limits.shape(0) == 2 && limits.shape(1) == 3 && stride > 0.0, "limits of row, column and z");
+        require(places.size() > 0 && places.shape(2) == 3, "places are row, column and z");
+        std::vector<lommel::Channel> channels;
+        for (std::size_t c = 0; c < count; ++c) {
+            const double* const m = matrices.data() + 4 * c;
+            channels.push_back({nb::cast<const Table&>(tables_[c]).table(), {m[0], m[1], m[2], m[3]}});
+        }
+        lommel::Limits all{};
+        std::copy_n(limits.data(), 3, all.low);
+        std::copy_n(limits.data() + 3, 3, all.high);
+        all.stride = stride;
+        std::vector<lommel::Place> starts;
+        for (std::size_t i = 0; i < places.shape(0) * places.shape(1); ++i) {
+            const double* const p = places.data() + 3 * i;
+            starts.push_back(channels[0].table.within({p[0], p[1], p[2]}));
+        }
+        localizer_.emplace(std::move(channels), all, starts, places.shape(1));
+    }
+
+    // Images in electrons of each channel, (n, height, width), NaN where a pixel does not count, and the variance of reading, (n or
+    // 1, height, width); offsets (n, channels, 2). Returns the unknowns and their deviations, (n, k) each; twice the logarithm of the
+    // likelihood and the discrepancy, (n, 2); state and steps, (n, 2).
+    std::tuple<Out<double, 2>, Out<double, 2>, Out<double, 2>, Out<std::int32_t, 2>> fit(
+        const nb::typed<nb::list, nb::object>& images, const nb::typed<nb::list, nb::object>& reads,
+        const In<double, 3>& offsets, int starts, int threads) const {
+        const std::size_t channels = tables_.size(), n = offsets.shape(0), unknown = 3 + 2 * channels;
+        require(nb::len(nb::handle(images)) == channels && nb::len(nb::handle(reads)) == channels &&
+                    offsets.shape(1) == channels && offsets.shape(2) == 2 && starts > 0 && threads >= 0,
+                "images, variances and offsets of each channel");
+        std::vector<In<float, 3>> held;
+        std::vector<lommel::Stack> stacks;
+        for (std::size_t c = 0; c < channels; ++c) {
+            const lommel::MoleculeTable& table = nb::cast<const Table&>(tables_[c]).table();
+            const auto electrons = nb::cast<In<float, 3>>(images[c]), read = nb::cast<In<float, 3>>(reads[c]);
+            for (const auto& each : {electrons, read}) {
+                require(each.shape(1) == table.height && each.shape(2) == table.width,
+                        "images must be as large as the table's");
+            }
+            require(electrons.shape(0) == n && (read.shape(0) == n || read.shape(0) == 1), "an image for each molecule");
+            stacks.push_back({electrons.data(), read.data(), read.shape(0) == 1 ? 0 : table.height * table.width});
+            held.push_back(electrons);
+            held.push_back(read);
+        }
+        std::vector<lommel::Fitted> fitted(n);
+        released([&] { localizer_->fit(stacks, offsets.data(), n, starts, threads, fitted.data()); });
+        auto value = new_array<double, 2>({n, unknown}), deviation = new_array<double, 2>({n, unknown});
+        auto likely = new_array<double, 2>({n, 2});
+        auto state = new_array<std::int32_t, 2>({n, 2});
+        for (std::size_t i = 0; i < n; ++i) {
+            std::copy_n(fitted[i].value.begin(), unknown, value.data() + i * unknown);
+            std::copy_n(fitted[i].deviation.begin(), unknown, deviation.data() + i * unknown);
+            likely.data()[2 * i] = fitted[i].deviance;
+            likely.data()[2 * i + 1] = fitted[i].discrepancy;
+            state.data()[2 * i] = static_cast<std::int32_t>(fitted[i].state);
+            state.data()[2 * i + 1] = fitted[i].steps;
+        }
+        return {value, deviation, likely, state};
+    }
+
+   private:
+    nb::list tables_;  // which hold what is used here
+    std::optional<lommel::Localizer> localizer_;
+};
+
+}  // namespace
+
+void bindings::define_localize(nb::module_& m) {
+    nb::class_<Table>(m, "MoleculeTable", "Images of a molecule anywhere, by few products a pixel.")
+        .def(nb::init<In<float, 1>, In<double, 2>, const std::array<std::size_t, 6>&, const std::array<double, 8>&>(),
+             "coefficients"_a, "polynomials"_a, "sizes"_a, "numbers"_a)
+        .def("images", &Table::images, "places"_a, "threads"_a, "Values and slopes by row, column and z.")
+        .def_prop_ro_static(
+            "terms", [](nb::handle) { return lommel::MoleculeTable::terms; }, "Coefficients of each piece.")
+        .def_prop_ro_static("beyond", [](nb::handle) { return lommel::MoleculeTable::beyond; }, "Floats after the last.");
+    nb::class_<Fitter>(m, "MoleculeFitter", "Fits of molecules by maximum likelihood.")
+        .def(nb::init<const nb::typed<nb::list, Table>&, const In<double, 2>&, const In<double, 2>&, double,
+                      const In<double, 3>&>(),
+             "tables"_a, "matrices"_a, "limits"_a, "stride"_a, "places"_a)
+        .def("fit", &Fitter::fit, "images"_a, "reads"_a, "offsets"_a, "starts"_a, "threads"_a,
+             "Unknowns, their deviations, deviance and discrepancy, state and steps.");
+}

@@ -1,0 +1,255 @@
+// Templates of molecules all over a table, of which the best starts a fit; and fits of many molecules.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/tasks.hpp"
+#include "lommel/localize/fit.hpp"
+
+namespace lommel {
+
+// Images less their means, over their norms.
+class Bank {
+   public:
+    // `places` are in the first channel; those in one z follow one another, `layer` of them.
+    Bank(const std::vector<Channel>& channels, const std::vector<Place>& places, std::size_t layer)
+        : places_(places), layer_(layer) {
+        for (const Channel& channel : channels) {
+            const MoleculeTable& table = channel.table;
+            const double* const m = channel.matrix;
+            MoleculeImages images(table);
+            Floats four(molecule_images * table.pixels());
+            Templates made{table.pixels(), Floats(padded() * table.pixels()), {}, {}};
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                const double down = places[k].row - middle(table.least_row, table.largest_row);
+                const double right = places[k].column - middle(table.least_column, table.largest_column);
+                images.write(
+                    table.within({middle(table.least_row, table.largest_row) + m[0] * down + m[1] * right,
+                                  middle(table.least_column, table.largest_column) + m[2] * down + m[3] * right, places[k].z}),
+                    four.data());
+                double mean = 0.0, square = 0.0;
+                const auto each = [&](const auto& pixel) {
+                    for (std::size_t y = 0; y < table.height; ++y) {
+                        for (std::size_t x = 0; x < table.width; ++x) {
+                            pixel(y * table.stride() + x);
+                        }
+                    }
+                };
+                const double count = static_cast<double>(table.height * table.width);
+                each([&](std::size_t i) { mean += static_cast<double>(four[i]) / count; });
+                each([&](std::size_t i) { square += std::pow(static_cast<double>(four[i]) - mean, 2); });
+                const double norm = std::sqrt(std::max(square, 1e-300));
+                float* const to = &made.values[k * table.pixels()];
+                each([&](std::size_t i) { to[i] = static_cast<float>((static_cast<double>(four[i]) - mean) / norm); });
+                made.mean.push_back(mean);
+                made.norm.push_back(norm);
+            }
+            channels_.push_back(std::move(made));
+        }
+    }
+
+    static constexpr std::size_t together = 4;
+
+    // Products of `together` images of a channel, each of whole rows of vectors, with all templates: (together, padded()).
+    void products(std::size_t channel, const float* images, float* to) const {
+        const Templates& all = channels_[channel];
+        const std::size_t length = all.pixels, count = padded();
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using V = typename decltype(isa)::floats;
+            constexpr std::size_t lanes = 2 * decltype(isa)::lanes;
+            for (std::size_t t = 0; t < count; t += 2) {
+                const float* const one = &all.values[t * length];
+                V sum[together][2] = {};
+                for (std::size_t i = 0; i < length; i += lanes) {
+                    const V a = load<V>(one + i), b = load<V>(one + length + i);
+                    for (std::size_t k = 0; k < together; ++k) {
+                        const V image = load<V>(images + k * length + i);
+                        sum[k][0] = sum[k][0] + a * image;
+                        sum[k][1] = sum[k][1] + b * image;
+                    }
+                }
+                for (std::size_t k = 0; k < together; ++k) {
+                    to[k * count + t] = static_cast<float>(localize::total(sum[k][0]));
+                    to[k * count + t + 1] = static_cast<float>(localize::total(sum[k][1]));
+                }
+            }
+        });
+    }
+
+    std::size_t size() const { return places_.size(); }
+    std::size_t padded() const { return (places_.size() + 1) / 2 * 2; }
+    std::size_t layer() const { return layer_; }
+    const Place& place(std::size_t k) const { return places_[k]; }
+    // The light of a molecule whose image, less its mean, has this product with a template; and what light adds to the mean.
+    double photons(std::size_t channel, std::size_t k, double product) const { return product / channels_[channel].norm[k]; }
+    double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
+
+   private:
+    struct Templates {
+        std::size_t pixels;
+        Floats values;
+        std::vector<double> mean, norm;
+    };
+    static double middle(double a, double b) { return 0.5 * (a + b); }
+
+    std::vector<Place> places_;
+    std::size_t layer_;
+    std::vector<Templates> channels_;
+};
+
+// Images of many molecules in electrons, each of `height * width` pixels without gaps, and the variance of reading, of each of
+// them or, where `read_step` is 0, one for all; NaN where a pixel does not count.
+struct Stack {
+    const float* electrons;
+    const float* read;
+    std::size_t read_step;
+};
+
+class Localizer {
+   public:
+    Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
+        : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
+
+    // Fits of `count` molecules from one start each and, where that is in doubt, from up to `starts`; offsets are (count,
+    // channels, 2).
+    void fit(const std::vector<Stack>& stacks, const double* offsets, std::size_t count, int starts, int threads,
+             Fitted* fitted) const {
+        constexpr double microseconds = 20.0;
+        for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()),
+                   [&](std::size_t first, std::size_t last) {
+                       MoleculeFit fit(channels_, limits_);
+                       std::vector<std::vector<Counts>> counts;
+                       std::vector<Floats> centred, products;
+                       for (std::size_t k = 0; k < Bank::together; ++k) {
+                           counts.emplace_back();
+                           for (const Channel& channel : channels_) {
+                               counts.back().emplace_back(channel.table.pixels());
+                           }
+                       }
+                       for (const Channel& channel : channels_) {
+                           centred.emplace_back(Bank::together * channel.table.pixels());
+                           products.emplace_back(Bank::together * bank_.padded());
+                       }
+                       std::vector<double> mean(Bank::together * channels_.size());
+                       for (std::size_t i = first; i < last; i += Bank::together) {
+                           const std::size_t now = std::min(Bank::together, last - i);
+                           for (std::size_t c = 0; c < channels_.size(); ++c) {
+                               for (std::size_t k = 0; k < now; ++k) {
+                                   mean[k * channels_.size() + c] = take(channels_[c].table, stacks[c], i + k, counts[k][c],
+                                                                         &centred[c][k * channels_[c].table.pixels()]);
+                               }
+                               bank_.products(c, centred[c].data(), products[c].data());
+                           }
+                           for (std::size_t k = 0; k < now; ++k) {
+                               fitted[i + k] = best(fit, counts[k].data(), offsets + 2 * (i + k) * channels_.size(), products,
+                                                    k, &mean[k * channels_.size()], starts);
+                           }
+                       }
+                   });
+    }
+
+   private:
+    // Copies an image into rows of vectors, and less its mean; returns the mean.
+    static double take(const MoleculeTable& table, const Stack& stack, std::size_t index, Counts& counts, float* centred) {
+        const std::size_t size = table.height * table.width;
+        const float* const electrons = stack.electrons + index * size;
+        const float* const read = stack.read + index * stack.read_step;
+        double sum = 0.0, valid = 0.0;
+        for (std::size_t i = 0; i < size; ++i) {
+            if (std::isfinite(electrons[i])) {
+                sum += static_cast<double>(electrons[i]);
+                valid += 1.0;
+            }
+        }
+        const float mean = static_cast<float>(sum / std::max(valid, 1.0));
+        for (std::size_t y = 0; y < table.height; ++y) {
+            for (std::size_t x = 0; x < table.width; ++x) {
+                const std::size_t from = y * table.width + x, to = y * table.stride() + x;
+                const bool counted = std::isfinite(electrons[from]);
+                counts.valid[to] = counted ? 1.0F : 0.0F;
+                counts.read[to] = read[from];
+                counts.electrons[to] = counted ? electrons[from] + read[from] : 0.0F;
+                centred[to] = counted ? electrons[from] - mean : 0.0F;
+            }
+        }
+        return static_cast<double>(mean);
+    }
+
+    Fitted best(MoleculeFit& fit, const Counts* counts, const double* offsets, const std::vector<Floats>& products,
+                std::size_t image, const double* mean, int starts) const {
+        const auto likeness = [&](std::size_t t) {
+            if (channels_.size() == 1) {
+                return static_cast<double>(products[0][image * bank_.padded() + t]);
+            }
+            double sum = 0.0;
+            for (const Floats& each : products) {
+                sum += std::pow(std::max(0.0, static_cast<double>(each[image * bank_.padded() + t])), 2);
+            }
+            return sum;
+        };
+        // The best template of each z.
+        const std::size_t layers = bank_.size() / bank_.layer();
+        std::vector<std::size_t> found(layers);
+        std::vector<double> alike(layers);
+        for (std::size_t z = 0; z < layers; ++z) {
+            found[z] = z * bank_.layer();
+            alike[z] = likeness(found[z]);
+            for (std::size_t t = found[z] + 1; t < (z + 1) * bank_.layer(); ++t) {
+                if (const double here = likeness(t); here > alike[z]) {
+                    alike[z] = here;
+                    found[z] = t;
+                }
+            }
+        }
+        Fitted best;
+        for (int attempt = 0; attempt < starts && (attempt == 0 || in_doubt(best)); ++attempt) {
+            const auto z = static_cast<std::size_t>(std::max_element(alike.begin(), alike.end()) - alike.begin());
+            if (alike[z] == tried) {
+                break;
+            }
+            double start[most_unknown];
+            const Place& place = bank_.place(found[z]);
+            start[0] = place.row;
+            start[1] = place.column;
+            start[2] = place.z;
+            for (std::size_t c = 0; c < channels_.size(); ++c) {
+                const double product = static_cast<double>(products[c][image * bank_.padded() + found[z]]);
+                const double photons = std::max(bank_.photons(c, found[z], product), 1.0);
+                start[3 + 2 * c] = photons;
+                start[4 + 2 * c] = std::max(mean[c] - photons * bank_.share(c, found[z]), 0.1);
+            }
+            // Neighbours in z would lead to the same place.
+            for (std::size_t near = z > 0 ? z - 1 : z; near < std::min(z + 2, layers); ++near) {
+                alike[near] = tried;
+            }
+            const Fitted other = fit.from(start, counts, offsets);
+            const std::int32_t steps = best.steps + other.steps;
+            if (attempt == 0 || better(other, best)) {
+                best = other;
+            }
+            best.steps = steps;
+        }
+        return best;
+    }
+
+    static constexpr double tried = -1e300;
+    static bool in_doubt(const Fitted& fitted) { return fitted.state != FitState::converged || fitted.discrepancy > 2.5; }
+    // An answer at a limit is none, unless it is the likelier by far.
+    static bool better(const Fitted& a, const Fitted& b) {
+        const auto cost = [](const Fitted& each) {
+            return each.deviance + (each.state == FitState::converged      ? 0.0
+                                    : each.state == FitState::undetermined ? 1e30
+                                                                           : 9.0);
+        };
+        return cost(a) < cost(b);
+    }
+
+    std::vector<Channel> channels_;
+    Limits limits_;
+    Bank bank_;
+};
+
+}  // namespace lommel

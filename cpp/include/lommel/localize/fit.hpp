@@ -1,0 +1,376 @@
+// Where molecules are: maximum likelihood from their images, by Fisher scoring from the best of a bank of templates.
+//
+// C. S. Smith et al., Nature Methods 7, 373 (2010), doi:10.1038/nmeth.1449: Fisher information and maximum likelihood; F. Huang et
+// al., Nature Methods 10, 653 (2013), doi:10.1038/nmeth.2488: noise of reading as further electrons, whose number is its variance.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "lommel/localize/table.hpp"
+#include "lommel/special/log.hpp"
+
+namespace lommel {
+
+constexpr std::size_t most_channels = 4;
+constexpr std::size_t most_unknown = 3 + 2 * most_channels;
+
+enum class FitState : std::int32_t { converged, border, steps, undetermined };
+
+// Places in another channel are matrix (row, column) + offset of those in the first.
+struct Channel {
+    MoleculeTable table;
+    double matrix[4];
+};
+
+// Images of molecules in electrons, of whole rows of vectors, with the variance of reading added to both; a pixel counts where
+// `valid` is 1, not where it is 0.
+struct Counts {
+    Floats electrons, read, valid;
+    explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
+};
+
+// Unknowns are row, column and z, then photons and background of each channel.
+struct Fitted {
+    std::array<double, most_unknown> value{}, deviation{};
+    double deviance =
+        std::numeric_limits<double>::infinity();  // twice the logarithm of the likelihood below that of the counts
+    double discrepancy = 0.0;  // Pearson's chi2 less its expectation, over its standard deviation
+    FitState state = FitState::undetermined;
+    std::int32_t steps = 0;
+};
+
+// Least and largest rows, columns and z, and by how much z moves in a step at most.
+struct Limits {
+    double low[3], high[3], stride;
+};
+
+namespace localize {
+
+constexpr double least_background = 0.01;  // electrons
+constexpr double settled = 0.01;  // of a deviation, that nothing moves by any more
+constexpr double noise = 1e-6;  // of a deviance, a sum of floats
+constexpr int most_steps = 50;
+
+// Sums over the pixels of a channel: the score and the information by row, column, z, photons and background, and the deviance.
+struct Sums {
+    static constexpr std::size_t unknown = 5, products = 15;
+    double score[unknown], information[products], deviance;
+};
+
+template <class V>
+LOMMEL_INLINE double total(V v) {
+    float lanes[sizeof(V) / sizeof(float)];
+    std::memcpy(lanes, &v, sizeof lanes);
+    double sum = 0.0;
+    for (const float lane : lanes) {
+        sum += static_cast<double>(lane);
+    }
+    return sum;
+}
+
+// The mean of a pixel is photons * images[value] + background + read. Of floats: a deviance is exact to some 1e-7 of the electrons.
+inline void add_up(const float* images, std::size_t pixels, const Counts& counts, double photons, double background,
+                   Sums& sums) {
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using I = decltype(isa);
+        using V = typename I::floats;
+        constexpr std::size_t lanes = 2 * I::lanes;
+        const V flux = splat<V>(static_cast<float>(photons)), level = splat<V>(static_cast<float>(background));
+        const V least = splat<V>(static_cast<float>(least_background)), one = splat<V>(1.0F), zero = {};
+        V score[5] = {}, information[15] = {}, deviance = {};
+        for (std::size_t i = 0; i < pixels; i += lanes) {
+            const V psf = load<V>(images + i);
+            const V d = load<V>(&counts.electrons[i]), valid = load<V>(&counts.valid[i]);
+            const V mean = larger(flux * psf + level + load<V>(&counts.read[i]), least);
+            const V weight = valid / mean, excess = weight * (d - mean);
+            // Where nothing was counted, or less, the first term alone depends on the mean.
+            const V reference = larger(larger(d, zero - d), one);
+            deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
+            const V by[5] = {load<V>(images + pixels + i), load<V>(images + 2 * pixels + i), load<V>(images + 3 * pixels + i),
+                             psf, one};
+            std::size_t k = 0;
+            for (std::size_t a = 0; a < 5; ++a) {
+                score[a] = score[a] + by[a] * excess;
+                const V weighted = by[a] * weight;
+                for (std::size_t b = a; b < 5; ++b, ++k) {
+                    information[k] = information[k] + weighted * by[b];
+                }
+            }
+        }
+        const double of[5] = {photons, photons, photons, 1.0, 1.0};
+        std::size_t k = 0;
+        for (std::size_t a = 0; a < 5; ++a) {
+            sums.score[a] = of[a] * total(score[a]);
+            for (std::size_t b = a; b < 5; ++b, ++k) {
+                sums.information[k] = of[a] * of[b] * total(information[k]);
+            }
+        }
+        sums.deviance = 2.0 * total(deviance);
+    });
+}
+
+// Pearson's chi2, what it is expected to be, and its variance, of one channel: the square of Poisson(mu) + N(0, read) - mu has
+// the mean v = mu + read and the variance mu + 2 v^2.
+struct Pearson {
+    double chi2 = 0.0, expected = 0.0, variance = 0.0;
+};
+
+inline void compare(const float* images, std::size_t pixels, const Counts& counts, double photons, double background,
+                    Pearson& found) {
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using I = decltype(isa);
+        using V = typename I::floats;
+        constexpr std::size_t lanes = 2 * I::lanes;
+        const V flux = splat<V>(static_cast<float>(photons)), level = splat<V>(static_cast<float>(background));
+        const V least = splat<V>(static_cast<float>(least_background)), two = splat<V>(2.0F);
+        V chi2 = {}, variance = {}, count = {};
+        for (std::size_t i = 0; i < pixels; i += lanes) {
+            const V valid = load<V>(&counts.valid[i]), read = load<V>(&counts.read[i]);
+            const V light = larger(flux * load<V>(images + i) + level, least), mean = light + read;
+            const V off = load<V>(&counts.electrons[i]) - mean, weight = valid / mean;
+            chi2 = chi2 + weight * off * off;
+            variance = variance + weight * (light / mean) + valid * two;
+            count = count + valid;
+        }
+        found.chi2 += total(chi2);
+        found.expected += total(count);
+        found.variance += total(variance);
+    });
+}
+
+// The Cholesky factor of a symmetric matrix, in its lower half; whether it is positive definite.
+inline bool factor(std::size_t n, double (&a)[most_unknown][most_unknown]) {
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+            double sum = a[i][j];
+            for (std::size_t k = 0; k < j; ++k) {
+                sum -= a[i][k] * a[j][k];
+            }
+            if (i > j) {
+                a[i][j] = sum / a[j][j];
+            } else if (sum > 1e-12 * a[i][i]) {
+                a[i][i] = std::sqrt(sum);
+            } else {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+inline void solve(std::size_t n, const double (&a)[most_unknown][most_unknown], double* x) {
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            x[i] -= a[i][k] * x[k];
+        }
+        x[i] /= a[i][i];
+    }
+    for (std::size_t i = n; i-- > 0;) {
+        for (std::size_t k = i + 1; k < n; ++k) {
+            x[i] -= a[k][i] * x[k];
+        }
+        x[i] /= a[i][i];
+    }
+}
+
+}  // namespace localize
+
+// Fits of molecules one after the other, in the same memory.
+class MoleculeFit {
+   public:
+    MoleculeFit(const std::vector<Channel>& channels, const Limits& limits)
+        : channels_(channels), limits_(limits), unknown_(3 + 2 * channels.size()) {
+        for (const Channel& channel : channels) {
+            images_.emplace_back(channel.table);
+            pictures_.emplace_back(molecule_images * channel.table.pixels());
+        }
+    }
+
+    // From unknowns to start with. `counts` and `offsets`, a row and a column, are of each channel.
+    Fitted from(const double* start, const Counts* counts, const double* offsets) {
+        Fitted found;
+        std::copy_n(start, unknown_, found.value.begin());
+        confine(found.value.data());
+        System now, tried;
+        look_at(found.value.data(), counts, offsets, now);
+        double damping = 0.01;
+        found.state = FitState::steps;
+        while (found.steps < localize::most_steps) {
+            double step[most_unknown], next[most_unknown];
+            if (!towards(now, damping, step)) {
+                found.state = FitState::undetermined;
+                break;
+            }
+            const bool shortened = move(found.value.data(), step, next);
+            bool still = !shortened;
+            double before = 0.0, after = 0.0;  // how steeply the likelihood rises along the step
+            ++found.steps;
+            look_at(next, counts, offsets, tried);
+            for (std::size_t k = 0; k < unknown_; ++k) {
+                const double by = next[k] - found.value[k];
+                still = still && by * by * now.information[k][k] <= localize::settled * localize::settled;
+                before += by * now.score[k];
+                after += by * tried.score[k];
+            }
+            if (still || tried.deviance <= now.deviance + localize::noise * (1.0 + std::abs(now.deviance))) {
+                std::copy_n(next, unknown_, found.value.begin());
+                std::swap(now, tried);
+                if (still) {
+                    found.state = FitState::converged;
+                    break;
+                }
+                // The information is not the curvature: where it is less, steps would go to and fro.
+                const double turned = after / before;
+                damping = turned < -0.5    ? std::max(4.0 * damping, 0.2)
+                          : turned < -0.2  ? damping
+                          : damping > 1e-4 ? 0.1 * damping
+                                           : 0.0;
+            } else if (damping > 1e6) {
+                break;
+            } else {
+                damping = std::max(8.0 * damping, 0.01);
+            }
+        }
+        found.deviance = now.deviance;
+        finish(counts, offsets, now, found);
+        return found;
+    }
+
+    std::size_t unknown() const { return unknown_; }
+
+   private:
+    struct System {
+        double information[most_unknown][most_unknown], score[most_unknown], deviance;
+    };
+
+    void write(std::size_t c, const double* at, const double* offsets) {
+        const double* const m = channels_[c].matrix;
+        const Place place{m[0] * at[0] + m[1] * at[1] + offsets[2 * c], m[2] * at[0] + m[3] * at[1] + offsets[2 * c + 1],
+                          at[2]};
+        // A transform may lead out of the other table by a little.
+        images_[c].write(channels_[c].table.within(place), pictures_[c].data());
+    }
+
+    void look_at(const double* at, const Counts* counts, const double* offsets, System& system) {
+        std::memset(&system, 0, sizeof system);
+        for (std::size_t c = 0; c < channels_.size(); ++c) {
+            write(c, at, offsets);
+            localize::Sums sums;
+            localize::add_up(pictures_[c].data(), channels_[c].table.pixels(), counts[c], at[3 + 2 * c], at[4 + 2 * c], sums);
+            system.deviance += sums.deviance;
+            const std::size_t at_first[] = {0, 1, 2, 3 + 2 * c, 4 + 2 * c};
+            double own[5][5];
+            std::size_t k = 0;
+            for (std::size_t a = 0; a < 5; ++a) {
+                for (std::size_t b = a; b < 5; ++b, ++k) {
+                    own[a][b] = own[b][a] = sums.information[k];
+                }
+            }
+            // Derivatives by the row and the column of the first channel are sums of those by the channel's own.
+            const double* const m = channels_[c].matrix;
+            const auto turn = [m](double& row, double& column) {
+                const double before = row;
+                row = m[0] * before + m[2] * column;
+                column = m[1] * before + m[3] * column;
+            };
+            turn(sums.score[0], sums.score[1]);
+            for (double (&each)[5] : own) {
+                turn(each[0], each[1]);
+            }
+            for (std::size_t b = 0; b < 5; ++b) {
+                turn(own[0][b], own[1][b]);
+            }
+            for (std::size_t a = 0; a < 5; ++a) {
+                system.score[at_first[a]] += sums.score[a];
+                for (std::size_t b = 0; b < 5; ++b) {
+                    system.information[at_first[a]][at_first[b]] += own[a][b];
+                }
+            }
+        }
+    }
+
+    bool towards(const System& system, double damping, double* step) const {
+        double a[most_unknown][most_unknown];
+        std::memcpy(a, system.information, sizeof a);
+        for (std::size_t k = 0; k < unknown_; ++k) {
+            a[k][k] *= 1.0 + damping;
+        }
+        std::copy_n(system.score, unknown_, step);
+        if (!localize::factor(unknown_, a)) {
+            return false;
+        }
+        localize::solve(unknown_, a, step);
+        return std::all_of(step, step + unknown_, [](double by) { return std::isfinite(by); });
+    }
+
+    void confine(double* at) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            at[k] = std::clamp(at[k], limits_.low[k], limits_.high[k]);
+        }
+        for (std::size_t k = 3; k < unknown_; ++k) {
+            at[k] = std::max(at[k], localize::least_background);
+        }
+    }
+
+    // By at most a pixel, and a stride of z; photons and background fall to a part of themselves at most.
+    // Whether the step was shortened, but by the limits.
+    bool move(const double* at, const double* step, double* to) const {
+        bool shortened = false;
+        for (std::size_t k = 0; k < unknown_; ++k) {
+            const double most = k < 2 ? 1.0 : k == 2 ? limits_.stride : std::numeric_limits<double>::infinity();
+            double by = std::clamp(step[k], -most, most);
+            if (k >= 3) {
+                const double least = (k % 2 == 1 ? 0.3 : 0.2) * at[k];
+                by = std::max(by, least - at[k]);
+            }
+            shortened = shortened || by != step[k];
+            to[k] = at[k] + by;
+        }
+        confine(to);
+        return shortened;
+    }
+
+    void finish(const Counts* counts, const double* offsets, const System& system, Fitted& found) {
+        localize::Pearson pearson;
+        for (std::size_t c = 0; c < channels_.size(); ++c) {
+            write(c, found.value.data(), offsets);
+            localize::compare(pictures_[c].data(), channels_[c].table.pixels(), counts[c], found.value[3 + 2 * c],
+                              found.value[4 + 2 * c], pearson);
+        }
+        const double free = pearson.expected - static_cast<double>(unknown_);
+        found.discrepancy = (pearson.chi2 - free) / std::sqrt(std::max(pearson.variance, 1.0));
+        double a[most_unknown][most_unknown];
+        std::memcpy(a, system.information, sizeof a);
+        if (free < 0.0 || !localize::factor(unknown_, a)) {
+            found.state = FitState::undetermined;
+            found.deviation.fill(std::numeric_limits<double>::infinity());
+            return;
+        }
+        for (std::size_t k = 0; k < unknown_; ++k) {
+            double unit[most_unknown] = {};
+            unit[k] = 1.0;
+            localize::solve(unknown_, a, unit);
+            found.deviation[k] = std::sqrt(unit[k]);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (found.value[k] <= limits_.low[k] || found.value[k] >= limits_.high[k]) {
+                found.state = FitState::border;
+            }
+        }
+    }
+
+    std::vector<Channel> channels_;
+    Limits limits_;
+    std::size_t unknown_;
+    std::vector<MoleculeImages> images_;
+    std::vector<Floats> pictures_;
+};
+
+}  // namespace lommel

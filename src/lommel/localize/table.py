@@ -1,0 +1,424 @@
+"""Tables of the images of a molecule, from which its image anywhere follows in microseconds with a proven error."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import zipfile
+from os import PathLike
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import atomic, reading, validation
+from lommel.base.arrays import Array
+from lommel.base.checksums import checksum, sealed
+from lommel.base.optional import version
+from lommel.base.units import format_length
+from lommel.core import engine
+from lommel.core.answers import not_met
+from lommel.localize import along as along_z
+from lommel.optics.grid import Grid
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.psf import psf
+from lommel.special import interpolation
+
+Floats = NDArray[np.float32]
+_MOST_SIDE, _MOST_REACH = 64, 16.0
+_BAND = 1.75  # of images, radians a sample, at most
+_AT_ONCE = 40000  # samples
+_MOST_BYTES = 1 << 28
+_EPS = 2.0**-24
+
+
+class Table:
+    """Images of a molecule by a microscope objective, for any place in a range, with their slopes.
+
+    Interpolates samples of the PSF, filtered so that pixels are averages over their area: 15 x 15 pixels with slopes
+    by row, column and z take about two microseconds. For :func:`lommel.localize.fit`.
+
+    Parameters
+    ----------
+    pupil : ObjectivePupil
+        Of one plane, by :meth:`lommel.Objective.pupil`, aberrations and orientation of the emitter included.
+    shape : int or (int, int), default 15
+        Pixels of an image, 1 to 64 a side.
+    pixel : float
+        Pixel pitch on the camera, metres.
+    z : (float, float)
+        Range, metres: positions of the stage from the origin of the pupil or, with ``along="depth"``, depths below
+        the glass.
+    along : {"z", "depth"}, default "z"
+        What z is: the position of the stage, the emitter's depth fixed; or the depth, the stage fixed.
+    reach : float, default 2
+        How far the molecule may be from the middle of pixel ``(height // 2, width // 2)`` along rows and columns,
+        pixels, 0.5 to 16.
+    tol : float, default 1e-4
+        Tolerance of values, 1e-5 to 0.1, over the largest value of the dimmest plane with the molecule in the middle
+        of a pixel.
+    threads : int, optional
+        Maximum number of threads; by default the number of processors.
+
+    Attributes
+    ----------
+    pupil, shape, pixel, z, along, reach, tol
+        As the arguments.
+    error_bound : float
+        Proven bound on the error of values, over the same value as `tol`; at most `tol`.
+    slope_bounds : dict
+        The same of slopes by "row" and "column", per pixel, and by "z" or "depth", per metre.
+    nbytes : int
+        Size of the coefficients.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, if z spans too much, or pixels are larger than lambda*N.
+    ToleranceError
+        If `tol` cannot be met.
+
+    Notes
+    -----
+    Along rows and columns an image has no frequencies beyond twice the aperture: filtered samples, two to four a
+    pixel, are interpolated by a Kaiser-Bessel kernel (J. I. Jackson et al., IEEE Trans. Med. Imaging 10, 473 (1991),
+    doi:10.1109/42.97598), whose error is judged at all frequencies. Along z there are Chebyshev series of 8
+    terms. Values are stored as float32. See docs/certificate.md, section 18.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> objective = lm.Objective(NA=1.4, magnification=63, immersion=1.518, sample=1.33)
+    >>> astigmatism = lm.Wavefront.zernike({6: 0.15}, order="noll")
+    >>> pupil = objective.pupil(depth=1e-6, wavelength=600e-9, aberrations=astigmatism)
+    >>> table = lm.localize.Table(pupil, shape=15, pixel=6.5e-6, z=(-0.6e-6, 0.6e-6))
+    >>> table(7.2, 6.9, 0.1e-6).shape
+    (15, 15)
+    """
+
+    def __init__(
+        self,
+        pupil: ObjectivePupil,
+        shape: int | tuple[int, int] = 15,
+        pixel: float = 6.5e-6,
+        *,
+        z: tuple[float, float],
+        along: str = "z",
+        reach: float = 2.0,
+        tol: float = 1e-4,
+        threads: int | None = None,
+    ) -> None:
+        if not isinstance(pupil, ObjectivePupil):
+            raise TypeError(f"pupil must be one of an Objective (Objective.pupil), got {validation.shown(pupil)}")
+        if pupil.shape or (pupil.aberrations is not None and pupil.aberrations.shape):
+            raise ValueError(f"pupil must be of one plane, got a stack of shape {pupil.shape}; z makes the planes")
+        side = validation.image_shape(shape)
+        if max(side) > _MOST_SIDE:
+            raise ValueError(f"shape must be at most {_MOST_SIDE} pixels a side, got {side}")
+        self.pupil, self.shape = pupil, side
+        self.pixel = validation.pixel(pixel, metric=True)
+        self.along = validation.choice("along", along, ("z", "depth"))
+        self.reach = validation.real("reach", reach, least=0.5, most=_MOST_REACH)
+        self.tol = validation.real("tol", tol, least=1e-5, most=0.1)
+        ends = validation.real_array("z", z)
+        if ends.shape != (2,) or not 1e-9 <= ends[1] - ends[0] <= 1e-4:
+            raise ValueError(
+                f"z must be (lowest, highest) in metres, 1 nm to 100 um apart, got {validation.shown(z)}"
+            )
+        low, high = ends.tolist()
+        if self.along == "depth" and low < 0.0:
+            raise ValueError(f"z must be depths >= 0 metres with along='depth', got {low:g}")
+        self.z = (low, high)
+        count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+        self._make(count)
+
+    def _make(self, threads: int) -> None:
+        waves, step = along_z.Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
+        per = max(2, math.ceil(2.0 * step / _BAND))
+        if per > 4:
+            raise ValueError(
+                f"pixel must be at most {3.5 * self.pixel / step:.3g} m with this pupil, got {self.pixel:g}"
+            )
+        peak = self._likely_peak(waves, threads)
+        for _ in range(4):
+            # Shares of the kernel twice, of the planes, and of samples; what is stored has the rest.
+            allowed = self.tol * peak
+            try:
+                taps = interpolation.steps(2.0 * step / per, 0.2 * allowed, per)
+                planes = along_z.pieces(waves, *self.z, 0.15 * allowed / taps.gain**2)
+            except ValueError as failure:
+                raise ValueError(f"tol={self.tol:g} cannot be met: {failure}") from None
+            exact = 0.3 * allowed / (taps.gain**2 * planes.gain.value)
+            made = self._filled(waves, taps, planes, step, per, exact, threads)
+            if self.error_bound <= self.tol:
+                return
+            peak = min(0.7 * peak, 0.95 * made * self.tol / self.error_bound)
+        raise not_met(self.tol, self.error_bound, "the largest value of the dimmest plane", "in single precision")
+
+    def _likely_peak(self, waves: along_z.Waves, threads: int) -> float:
+        """Return about the largest average of the dimmest plane, over the light collected as intensities are."""
+        places = np.linspace(*self.z, 9)
+        rough = psf(
+            waves.at(places),
+            self.shape,
+            self.pixel,
+            normalize="strehl",
+            tol=1e-2,
+            integrate=True,
+            threads=threads or None,
+        )
+        return 0.95 * float(rough.values.reshape(len(places), -1).max(axis=1).min())
+
+    def _filled(
+        self,
+        waves: along_z.Waves,
+        taps: interpolation.Steps,
+        planes: along_z.Pieces,
+        step: float,
+        per: int,
+        exact: float,
+        threads: int,
+    ) -> float:
+        """Make the coefficients and their bounds; return the peak that these are relative to."""
+        half, margin = taps.taps.size // 2, len(taps.filter) - 1
+        first = [-math.ceil(per * (side // 2 + self.reach)) - half for side in self.shape]
+        last = [math.ceil(per * (side - 1 - side // 2 + self.reach)) + half for side in self.shape]
+        rows, columns = (b - a + 1 for a, b in zip(first, last, strict=True))
+        samples, error = self._samples(
+            waves,
+            planes.places,
+            (rows + 2 * margin, columns + 2 * margin),
+            (margin - first[0], margin - first[1]),
+            per,
+            exact,
+            threads,
+        )
+        whole = np.concatenate([taps.filter[:0:-1], taps.filter])
+        filtered = _along(_along(samples, whole, 1), whole, 2)
+        series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
+        # A value is the light of a pixel over all that is collected, as of lommel.psf.
+        light = Grid(self.shape, self.pixel).cell(self.pupil) / (4.0 * math.pi)
+        # Neighbouring samples of a row in different phases, in rows of whole vectors.
+        wide = math.ceil(columns / per)
+        while wide * per % 16:
+            wide += 1
+        padded = np.zeros((*series.shape[:2], rows, wide * per), np.float32)
+        padded[..., :columns] = light * series
+        if padded.nbytes > _MOST_BYTES:
+            large = f"the table would take {padded.nbytes} bytes"
+            raise ValueError(f"z must span less, or shape and reach be smaller: {large}")
+        phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
+        flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
+        middle = [side // 2 for side in self.shape]
+        places = [(m - self.reach, m + self.reach) for m in middle]
+        polynomials = np.ascontiguousarray(taps.taps.polynomials[:, : taps.taps.size])
+        self._hold(
+            {"coefficients": flat, "polynomials": polynomials},
+            {
+                "sizes": [len(planes.matrix), rows, per, wide, *self.shape],
+                "numbers": [float(first[0]), float(first[1]), *self.z, *places[0], *places[1]],
+            },
+        )
+        largest = float(np.abs(series).sum(axis=1).max())
+        return self._bound(waves, taps, planes, step, per, error, largest, light)
+
+    def _hold(self, arrays: dict[str, NDArray[Any]], numbers: dict[str, Any]) -> None:
+        """Keep what the core reads, and what is saved."""
+        self._arrays, self._numbers = arrays, numbers
+        parts: dict[str, Any] = arrays | numbers
+        self.core = engine.MoleculeTable(**parts)
+
+    def _samples(
+        self,
+        waves: along_z.Waves,
+        places: Array,
+        shape: tuple[int, int],
+        center: tuple[int, int],
+        per: int,
+        exact: float,
+        threads: int,
+    ) -> tuple[Array, float]:
+        """Return samples over the light collected, (planes, rows, columns), and a bound on their errors.
+
+        `center` is that of the molecule.
+        """
+        pupil, at_once = waves.at(places), max(1, _AT_ONCE // (shape[0] * shape[1]))
+        values, error = np.empty((len(places), *shape)), 0.0
+        middle = (float(center[0]), float(center[1]))
+        for k in range(0, len(places), at_once):
+            tol = 1e-3
+            while True:
+                made = psf(
+                    pupil[k : k + at_once], shape, self.pixel / per, center=middle, normalize="strehl", tol=tol,
+                    integrate=False, dtype=np.float64, threads=threads or None,
+                )  # fmt: skip
+                assert made.error_bound is not None
+                off = made.error_bound * float(made.values.max()) / (1.0 - made.error_bound)
+                if off <= exact:
+                    break
+                if tol <= 1e-12:
+                    raise not_met(self.tol, off / exact * self.tol, "the largest value of the dimmest plane")
+                tol = max(1e-12, min(0.5 * tol, 0.8 * tol * exact / off))
+            values[k : k + at_once], error = made.values, max(error, off)
+        return values, error
+
+    def _bound(
+        self,
+        waves: along_z.Waves,
+        taps: interpolation.Steps,
+        planes: along_z.Pieces,
+        step: float,
+        per: int,
+        error: float,
+        largest: float,
+        light: float,
+    ) -> float:
+        """Set the bounds; return the peak that these are relative to."""
+        # docs/certificate.md, section 18. Intensities are over the light collected: all moduli add up to at most 1.
+        band, both = 2.0 * step / per, taps.gain**2
+        kernel = (1.0 + taps.error) ** 2 - 1.0
+        size, sums, moves = taps.taps.size, taps.taps.gain, taps.taps.slope_gain
+        rounding = _EPS * (2 * size + engine.MoleculeTable.terms + 8) * largest * sums
+        terms = engine.MoleculeTable.terms
+        half = 0.5 * (self.z[1] - self.z[0]) / len(planes.matrix)
+        value = kernel + both * (planes.error.value + planes.gain.value * error) + rounding * sums
+        moved = (1.0 + taps.error) * taps.slope_error + band * taps.error
+        across = taps.slope_gain * taps.gain * (planes.error.value + planes.gain.value * error)
+        lateral = per * (moved + across + rounding * moves)
+        steep = waves.steepest * kernel + both * (planes.error.slope + planes.gain.slope * error)
+        steep += rounding * sums * (terms - 1) ** 2 / half
+        # The dimmest of many planes, the molecule in the middle of a pixel.
+        middle = [float(side // 2) for side in self.shape]
+        planes_z = np.linspace(*self.z, 4 * engine.MoleculeTable.terms * len(planes.matrix) + 1)
+        places = np.stack([np.full(planes_z.shape, middle[0]), np.full(planes_z.shape, middle[1]), planes_z], axis=1)
+        images = self.core.images(places, 0)[:, 0].reshape(len(planes_z), -1)
+        peak = float(images.max(axis=1).min()) / light - value
+        if peak <= 0.0:
+            self.error_bound, self.slope_bounds = math.inf, {}
+            return max(peak, 0.0)
+        self.error_bound = value / peak
+        self.slope_bounds = {"row": lateral / peak, "column": lateral / peak, self.along: steep / peak}
+        return peak
+
+    @property
+    def rate(self) -> float:
+        """Largest rate of change along z, radians per metre, of the waves that images are made of."""
+        return along_z.Waves(self.pupil, self.along).rate
+
+    @property
+    def nbytes(self) -> int:
+        """Size of the coefficients, bytes."""
+        return int(self._arrays["coefficients"].nbytes)
+
+    def __call__(
+        self, row: ArrayLike, column: ArrayLike, z: ArrayLike, *, derivatives: bool = False
+    ) -> Floats | tuple[Floats, dict[str, Floats]]:
+        """Return images of molecules at places.
+
+        Parameters
+        ----------
+        row, column : array_like
+            Of the molecule, pixels, 0 being the middle of the first pixel, as `center` of :func:`lommel.psf`.
+        z : array_like
+            Metres: position of the stage, or depth. All three broadcast.
+        derivatives : bool, default False
+            Whether to return derivatives, too.
+
+        Returns
+        -------
+        values : ndarray of float32, shape ``(..., height, width)``
+            The fraction of the collected light in each pixel, as of :func:`lommel.psf` with ``normalize="energy"``.
+        slopes : dict of ndarray
+            With `derivatives`: those by "row" and "column", per pixel, and by "z" or "depth", per metre.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a place is not within the table.
+        """
+        names, limits = ("row", "column", "z"), self.limits
+        given = [validation.real_array(name, part) for name, part in zip(names, (row, column, z), strict=True)]
+        for name, part, low, high in zip(names, given, *limits, strict=True):
+            if part.size and not low <= part.min() <= part.max() <= high:
+                at = part.min() if part.min() < low else part.max()
+                raise ValueError(f"{name} must be {low:g} to {high:g} with this table, got {at:g}")
+        validation.truth("derivatives", derivatives)
+        parts = validation.broadcast("row, column and z", *given)
+        places = np.stack([part.ravel() for part in parts], axis=-1).reshape(-1, 3)
+        made = self.core.images(np.ascontiguousarray(places), 0)
+        values, *slopes = (made[:, k].reshape(*parts[0].shape, *self.shape) for k in range(4))
+        return (values, dict(zip(("row", "column", self.along), slopes, strict=True))) if derivatives else values
+
+    @property
+    def limits(self) -> Array:
+        """Least and largest row, column and z of places, shape (2, 3)."""
+        low, high = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
+        return np.array([[*low, self.z[0]], [*high, self.z[1]]])
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write the table to an .npz file, under a temporary name and moved into place.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the path is none, or does not end in .npz.
+        OSError
+            If it cannot be written.
+        """
+        target = validation.path("path", path)
+        if target.suffix.lower() != ".npz":
+            raise ValueError(f"path must end in .npz, got {target.name}")
+        told = {name: getattr(self, name) for name in _TOLD} | self._numbers
+        told |= {"lommel": version(), "kind": _KIND, "pupil": self.pupil.to_dict()}
+        text = json.dumps(sealed(told, self._arrays))
+        room = io.BytesIO()
+        parts: dict[str, Any] = {"description": np.frombuffer(text.encode(), np.uint8)} | self._arrays
+        np.savez(room, **parts)
+        atomic.write(target, room.getvalue())
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> Self:
+        """Read a table written by :meth:`save`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the path is none, or the file is damaged or no table.
+        OSError
+            If it cannot be read.
+        """
+        source = validation.path("path", path)
+        try:
+            members = reading.npz(reading.contents(source))
+            told = reading.json(members["description"](_MOST_BYTES).tobytes())
+            arrays = {name: members[name](_MOST_BYTES) for name in ("coefficients", "polynomials")}
+            if told["kind"] != _KIND or told["checksum"] != checksum(told, arrays):
+                raise ValueError("it was changed, or holds something else")
+            made = cls.__new__(cls)
+            for name in _TOLD:
+                setattr(made, name, told[name])
+            made.pupil = ObjectivePupil.from_dict(told["pupil"])
+            made.shape, made.z = tuple(told["shape"]), tuple(told["z"])
+            made._hold(arrays, {name: told[name] for name in ("sizes", "numbers")})
+        except (KeyError, TypeError, ValueError, zipfile.BadZipFile) as failure:
+            raise ValueError(f"{source} is no table of lommel.localize: {reading.reason(failure)}") from None
+        return made
+
+    def __repr__(self) -> str:
+        low, high = (format_length(end, like=max(map(abs, self.z)), digits=3) for end in self.z)
+        sides = "x".join(map(str, self.shape))
+        return f"<Table of {sides} pixels, {self.along} {low} to {high}, within {self.error_bound:.2g} of the peak>"
+
+
+_KIND = "lommel.localize.Table"
+_TOLD = ("shape", "pixel", "z", "along", "reach", "tol", "error_bound", "slope_bounds")
+
+
+def _along(values: Array, taps: Array, axis: int) -> Array:
+    """Return sums of neighbours along an axis, where all are there."""
+    count = values.shape[axis] - len(taps) + 1
+    made = np.zeros(tuple(count if k == axis else n for k, n in enumerate(values.shape)))
+    for k, tap in enumerate(taps):
+        made += tap * values[tuple(slice(k, k + count) if j == axis else slice(None) for j in range(values.ndim))]
+    return made

@@ -1,0 +1,362 @@
+"""Fits of molecules: the Cramer-Rao bound is reached, states are true, channels and maps are what they say."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from cases import each
+from lommel.localize import Molecules, Table, fit
+
+ASTIGMATISM = lm.Wavefront.zernike({6: 0.15}, order="noll", unit="waves")
+OBJECTIVE = lm.Objective(NA=1.4, magnification=63, immersion=1.518, sample=1.33)
+LIGHT = {"wavelength": 600e-9, "aberrations": ASTIGMATISM}
+RANGE = (-0.7e-6, 0.7e-6)
+
+
+@pytest.fixture(scope="module")
+def table() -> Table:
+    return Table(OBJECTIVE.pupil(depth=1e-6, **LIGHT), shape=15, pixel=6.5e-6, z=RANGE)
+
+
+def places(count: int, seed: int, spread: float = 1.0, most: float = 0.6e-6) -> tuple[np.ndarray, ...]:
+    rng = np.random.default_rng(seed)
+    return (*(7.0 + rng.uniform(-spread, spread, (2, count))), rng.uniform(-most, most, count))
+
+
+def images(row: np.ndarray, column: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Exact images, which no table is in."""
+    pupil = OBJECTIVE.pupil(depth=1e-6, z=z, **LIGHT)
+    return lm.psf(pupil, 15, 6.5e-6, center=(row, column), tol=1e-5, dtype=np.float64).values
+
+
+def bound(
+    table: Table, at: tuple[np.ndarray, ...], photons: float, background: float, read: float = 0.0
+) -> np.ndarray:
+    """The Cramer-Rao bound on row, column, z, photons and background, (n, 5)."""
+    values, slopes = table(*at, derivatives=True)
+    ones = np.ones_like(values)
+    parts = [photons * slopes["row"], photons * slopes["column"], photons * 1e-6 * slopes["z"], values, ones]
+    root = np.stack(parts, axis=1).reshape(len(values), 5, -1).astype(float)
+    mean = (photons * values + background + read**2).reshape(len(values), 1, -1)
+    covariance = np.linalg.inv(np.einsum("nap,nbp->nab", root / mean, root))
+    return np.sqrt(np.diagonal(covariance, axis1=1, axis2=2)) * [1.0, 1.0, 1e-6, 1.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("photons", "background", "read"), [(1000.0, 5.0, 0.0), (5000.0, 10.0, 0.0), (1000.0, 5.0, 2.0)]
+)
+def test_estimates_scatter_by_the_cramer_rao_bound_without_bias(table, photons, background, read):
+    at = places(1200, 1)
+    mean = photons * images(*at) + background
+    rng = np.random.default_rng(2)
+    counts = rng.poisson(mean) + rng.normal(0.0, read, mean.shape)
+    found = fit(table, counts, noise=lm.Noise(read=read))
+    least = bound(table, at, photons, background, read)
+    off = np.stack([found.row, found.column, found.z, found.photons, found.background], axis=1)
+    off -= np.stack([*at, np.full(1200, photons), np.full(1200, background)], axis=1)
+    off /= least
+    assert found.converged.mean() > 0.99
+    assert (np.abs(off[:, :3]) < 6.0).all()
+    # Five standard errors of a mean and of a deviation of so many.
+    np.testing.assert_allclose(off[:, :3].mean(axis=0), 0.0, atol=5.0 / math.sqrt(1200))
+    np.testing.assert_allclose(np.sqrt((off**2).mean(axis=0)), 1.0, atol=0.11)
+    # The estimated deviations are those at the estimates, and the discrepancies those of the right model.
+    np.testing.assert_allclose(np.median(found.deviation.z / least[:, 2]), 1.0, atol=0.02)
+    assert abs(found.discrepancy.mean()) < 0.15
+    assert 0.85 < found.discrepancy.std() < 1.1
+
+
+def test_without_noise_the_estimates_are_the_truth(table):
+    at = places(60, 3)
+    found = fit(table, 5000.0 * images(*at) + 10.0)
+    # Within 0.005 of a deviation, as fits end, and on the whole far less: 0.1 nm along z, 10 nm being the deviation.
+    least = bound(table, at, 5000.0, 10.0)
+    for values, truth, deviation in zip((found.row, found.column, found.z), at, least.T, strict=False):
+        assert (np.abs(values - truth) < 0.005 * deviation).all()
+        assert np.sqrt((((values - truth) / deviation) ** 2).mean()) < 5e-4
+    np.testing.assert_allclose(found.photons, 5000.0, rtol=1e-4)
+    np.testing.assert_allclose(found.background, 10.0, rtol=1e-4)
+    assert found.converged.all()
+    assert np.abs(found.log_likelihood).max() < 1e-3
+
+
+def test_the_likelihood_is_that_of_poisson(table):
+    rng = np.random.default_rng(4)
+    at = places(5, 5)
+    counts = rng.poisson(1000.0 * images(*at) + 3.0)
+    found = fit(table, counts)
+    for k in range(5):
+        mean = found.photons[k] * table(found.row[k], found.column[k], found.z[k]) + found.background[k]
+        safe = np.maximum(counts[k], 1)
+        best = (safe * np.log(safe / mean) * (counts[k] > 0) - counts[k] + mean).sum()
+        assert found.log_likelihood[k] == pytest.approx(-best, abs=2e-3)
+        # No place nearby is likelier.
+        for by in ((0.05, 0, 0), (-0.05, 0, 0), (0, 0.05, 0), (0, -0.05, 0), (0, 0, 2e-8), (0, 0, -2e-8)):
+            there = found.photons[k] * table(*(np.array([found.row[k], found.column[k], found.z[k]]) + by))
+            there = there + found.background[k]
+            assert (safe * np.log(safe / there) * (counts[k] > 0) - counts[k] + there).sum() > best - 1e-3
+
+
+def test_wrong_starts_are_found_again_in_strong_aberrations():
+    rng = np.random.default_rng(2)
+    terms = rng.normal(size=7)
+    terms *= 0.3 / np.sqrt((terms**2).sum())
+    wavefront = lm.Wavefront.zernike(
+        dict(zip((5, 6, 7, 8, 11, 12, 22), terms, strict=True)), order="noll", unit="waves"
+    )
+    strong = Table(
+        OBJECTIVE.pupil(depth=1e-6, wavelength=600e-9, aberrations=wavefront), 15, 6.5e-6, z=(-0.95e-6, 0.95e-6)
+    )
+    row, column, z = places(1500, 6, most=0.85e-6)
+    pupil = OBJECTIVE.pupil(depth=1e-6, z=z, wavelength=600e-9, aberrations=wavefront)
+    exact = lm.psf(pupil, 15, 6.5e-6, center=(row, column), tol=1e-4).values
+    for photons, background, most in ((1000.0, 5.0, 0.015), (5000.0, 10.0, 0.002)):
+        counts = np.random.default_rng(7).poisson(photons * exact + background)
+        found = fit(strong, counts)
+        least = bound(strong, (row, column, z), photons, background)
+        off = np.stack([found.row - row, found.column - column, found.z - z], axis=1) / least[:, :3]
+        lost = (np.abs(off) > 6.0).any(axis=1)
+        assert lost.mean() <= most
+        # What is lost is likelier than the truth: no fit by likelihood could find it.
+        mean = photons * exact + background
+        truth = -(np.where(counts > 0, counts * np.log(np.maximum(counts, 1) / mean), 0.0) - counts + mean).sum(
+            axis=(1, 2)
+        )
+        assert (found.log_likelihood[lost] > truth[lost] - 0.01).all()
+
+
+def test_starts_in_doubt_are_tried_elsewhere(table):
+    # A molecule at a limit of the table is in doubt: more starts do not make it less likely.
+    row, column, _ = places(100, 8)
+    counts = np.random.default_rng(9).poisson(300.0 * images(row, column, np.full(100, 0.69e-6)) + 20.0)
+    one, four = fit(table, counts, starts=1), fit(table, counts, starts=4)
+    assert (four.steps >= one.steps).all()
+    assert four.steps.sum() > one.steps.sum()
+    assert four.converged.sum() >= one.converged.sum()
+    known = one.converged & four.converged
+    assert (four.log_likelihood[known] >= one.log_likelihood[known] - 0.01).all()
+
+
+def test_states_are_told(table):
+    beyond = images(np.array([7.0, 4.0]), np.array([7.0, 7.0]), np.array([0.95e-6, 0.0]))
+    found = fit(table, 20000.0 * beyond + 5.0)
+    assert [found.states[k] for k in found.state] == ["border", "border"]
+    assert found.z[0] == pytest.approx(0.7e-6)
+    assert found.row[1] == pytest.approx(5.0)
+    empty = np.full((1, 15, 15), np.nan)
+    empty[0, 7, 5:8] = 9.0
+    found = fit(table, empty)
+    assert [found.states[k] for k in found.state] == ["undetermined"]
+    assert np.isinf(found.deviation.z[0])
+
+
+def test_two_molecules_in_a_box_are_told_by_the_discrepancy(table):
+    two = images(np.array([5.0, 9.0]), np.array([6.0, 8.0]), np.array([-0.2e-6, 0.3e-6])).sum(axis=0)
+    counts = np.random.default_rng(0).poisson(3000.0 * two + 10.0)
+    assert fit(table, counts[None]).discrepancy[0] > 10.0
+
+
+def test_pixels_that_are_nan_do_not_count(table):
+    at = places(40, 10)
+    counts = np.random.default_rng(11).poisson(3000.0 * images(*at) + 10.0).astype(float)
+    spoilt = counts.copy()
+    spoilt[:, 3:6, 4] = 60000.0
+    masked = spoilt.copy()
+    masked[:, 3:6, 4] = np.nan
+    found = fit(table, masked)
+    least = bound(table, at, 3000.0, 10.0)
+    assert (np.abs(found.z - at[2]) < 6.0 * least[:, 2]).all()
+    assert (np.abs(fit(table, spoilt).z - at[2]) > 6.0 * least[:, 2]).any()
+    assert (found.deviation.z >= 0.99 * fit(table, counts).deviation.z).all()
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16, np.int32, np.float32, np.float64])
+def test_images_of_any_numbers_are_alike(table, kind):
+    counts = np.random.default_rng(12).poisson(400.0 * images(*places(3, 13)) + 3.0)
+    assert counts.max() < 256
+    np.testing.assert_array_equal(fit(table, counts.astype(kind)).z, fit(table, counts).z)
+
+
+def test_maps_of_the_camera_are_those_of_each_box(table):
+    rng = np.random.default_rng(14)
+    shape = (60, 70)
+    noise = lm.Noise(
+        white=rng.uniform(0.3, 0.6, shape), offset=rng.uniform(90.0, 110.0, shape), read=rng.exponential(1.6, shape)
+    )
+    row, column, z = places(50, 15)
+    corners = np.stack([rng.integers(0, 45, 50), rng.integers(0, 55, 50)], axis=1)
+    boxes, plain = [], []
+    for (y, x), mean in zip(corners, 2000.0 * images(row, column, z) + 8.0, strict=True):
+        cut = np.s_[y : y + 15, x : x + 15]
+        own = lm.Noise(white=noise.white[cut], offset=noise.offset[cut], read=noise.read[cut])
+        boxes.append(own.record(mean, rng))
+        plain.append((own.electrons(boxes[-1]), own))
+    found = fit(table, boxes, noise=noise, corners=corners)
+    for k in (0, 17, 49):
+        electrons, own = plain[k]
+        alone = fit(table, electrons[None], noise=lm.Noise(read=own.read))
+        assert found.row[k] == pytest.approx(alone.row[0] + corners[k, 0], abs=1e-4)
+        assert found.z[k] == pytest.approx(alone.z[0], abs=1e-10)
+        assert found.deviation.z[k] == pytest.approx(alone.deviation.z[0], rel=1e-4)
+    assert (np.abs(found.row - corners[:, 0] - row) < 6.0 * found.deviation.row).all()
+    assert (np.abs(found.column - corners[:, 1] - column) < 6.0 * found.deviation.column).all()
+
+
+def test_two_planes_tell_more_than_one(table):
+    # A biplane: the second channel sees the molecule 400 nm away, turned and magnified by a transform.
+    shift = 0.4e-6
+    pupil = OBJECTIVE.pupil(depth=1e-6, **LIGHT)
+    start = OBJECTIVE.pupil(depth=1e-6, z=shift, **LIGHT)
+    lower = Table(start, shape=13, pixel=6.5e-6, z=(RANGE[0] + shift, RANGE[1] + shift))
+    with pytest.raises(ValueError, match="table must have channels of one range of z"):
+        fit([table, lower], [np.ones((1, 15, 15)), np.ones((1, 13, 13))])
+    layers = OBJECTIVE.pupil(depth=1e-6, z=shift, **LIGHT)
+    other = type(pupil).from_dict(layers.to_dict() | {"z": 0.0})
+    lower = Table(other, shape=13, pixel=6.5e-6, z=RANGE)
+    angle = 0.02
+    turn = 1.01 * np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    transform = np.column_stack([turn, [3.3, -2.1]])
+    rng = np.random.default_rng(16)
+    n = 300
+    row, column, z = (
+        100.0 + rng.uniform(-30.0, 30.0, n),
+        80.0 + rng.uniform(-30.0, 30.0, n),
+        rng.uniform(-5e-7, 5e-7, n),
+    )
+    there = np.stack([row, column, np.ones(n)], axis=1) @ transform.T
+    first = np.round(np.stack([row, column], axis=1)) - 7
+    second = np.round(there) - 6
+    one = lm.psf(
+        OBJECTIVE.pupil(depth=1e-6, z=z, **LIGHT),
+        15,
+        6.5e-6,
+        center=(row - first[:, 0], column - first[:, 1]),
+        tol=1e-4,
+    ).values
+    two = lm.psf(
+        OBJECTIVE.pupil(depth=1e-6, z=z + shift, **LIGHT), 13, 6.5e-6,
+        center=(there[:, 0] - second[:, 0], there[:, 1] - second[:, 1]), tol=1e-4,
+    ).values  # fmt: skip
+    counts = [rng.poisson(1500.0 * one + 5.0), rng.poisson(900.0 * two + 8.0)]
+    found = fit([table, lower], counts, corners=[first, second], transforms=transform[None])
+    alone = fit(table, counts[0], corners=first)
+    assert found.photons.shape == found.background.shape == found.deviation.photons.shape == (n, 2)
+    good = found.converged
+    assert good.mean() > 0.98
+    for values, truth, deviation in (
+        (found.row, row, found.deviation.row),
+        (found.column, column, found.deviation.column),
+        (found.z, z, found.deviation.z),
+        (found.photons[:, 1], np.full(n, 900.0), found.deviation.photons[:, 1]),
+    ):
+        off = ((values - truth) / deviation)[good]
+        assert np.abs(off).max() < 6.0
+        assert abs(off.mean()) < 0.35
+        assert 0.85 < np.sqrt((off**2).mean()) < 1.15
+    assert np.median(found.deviation.z[good] / alone.deviation.z[good]) < 0.9
+
+
+def test_each_molecule_has_the_table_of_its_depth(table):
+    deep = Table(OBJECTIVE.pupil(depth=2e-6, **LIGHT), shape=15, pixel=6.5e-6, z=RANGE)
+    counts = np.random.default_rng(17).poisson(2000.0 * images(*places(20, 18)) + 5.0)
+    which = np.arange(20) % 2
+    told = []
+    found = fit([table, deep], counts, which=which, progress=lambda done, total: told.append((done, total)))
+    np.testing.assert_array_equal(found.z[which == 0], fit(table, counts[which == 0]).z)
+    np.testing.assert_array_equal(found.deviation.row[which == 1], fit(deep, counts[which == 1]).deviation.row)
+    assert told == [(10, 20), (20, 20)]
+
+
+def test_any_number_of_threads_says_the_same(table):
+    counts = np.random.default_rng(19).poisson(800.0 * images(*places(300, 20)) + 5.0)
+    told = []
+    one = fit(table, counts, threads=1, progress=lambda done, total: told.append((done, total)))
+    np.testing.assert_array_equal(one.z, fit(table, counts, threads=2).z)
+    assert told[-1] == (300, 300)
+
+
+def test_molecules_are_chosen_and_written(table, tmp_path):
+    counts = np.random.default_rng(21).poisson(2000.0 * images(*places(6, 22)) + 5.0)
+    found = fit(table, counts)
+    assert repr(found) == "<Molecules: 6: 6 converged>"
+    assert len(found) == 6
+    some = found[found.z > 0.0]
+    assert isinstance(some, Molecules)
+    np.testing.assert_array_equal(some.deviation.row, found.deviation.row[found.z > 0.0])
+    with pytest.raises(TypeError, match="which must be a slice, a mask or indices, got 3"):
+        found[3]
+    found.to_csv(tmp_path / "molecules.csv")
+    with (tmp_path / "molecules.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["z"]) for row in rows] == found.z.tolist()
+    assert [float(row["photons_deviation"]) for row in rows] == found.deviation.photons.tolist()
+    assert {row["state"] for row in rows} == {"converged"}
+    none = fit(table, np.empty((0, 15, 15)))
+    assert repr(none) == "<Molecules: 0>"
+    none.to_csv(tmp_path / "none.csv")
+    assert (tmp_path / "none.csv").read_text().startswith("row,column,z,photons,background,row_deviation,")
+
+
+ONE = np.ones((2, 15, 15))
+BAD = [
+    ({"table": 3}, TypeError, "table must be a Table or a sequence of these, got 3"),
+    ({"table": []}, TypeError, r"table must be a Table or a sequence of these, got \[\]"),
+    ({"images": np.ones((15, 15))}, ValueError, r"images must have the shape \(n, height, width\), got \(15, 15\)"),
+    (
+        {"images": np.ones((2, 17, 17))},
+        ValueError,
+        r"images must be boxes of \(15, 15\) pixels as the table's, got \(17, 17\)",
+    ),
+    ({"images": ONE * np.inf}, ValueError, "images must be finite, or NaN where a pixel is not to count, got inf"),
+    ({"images": "boxes"}, TypeError, "images must"),
+    ({"images": ONE + 1j}, TypeError, "images must hold real numbers"),
+    ({"noise": 3.0}, TypeError, "noise must be"),
+    (
+        {"noise": lm.Noise(read=np.ones((60, 60)))},
+        ValueError,
+        r"corners must tell where boxes are on a camera with maps of",
+    ),
+    (
+        {"corners": np.ones((3, 2))},
+        ValueError,
+        r"corners must have the shape \(2, 2\), a row and a column each, got \(3, 2\)",
+    ),
+    ({"corners": np.full((2, 2), 0.5)}, ValueError, "corners must be whole numbers, got 0.5"),
+    (
+        {"noise": lm.Noise(read=np.ones((60, 60))), "corners": [[0, 0], [50, 0]]},
+        ValueError,
+        r"corners must be of boxes within the camera, \(60, 60\) pixels by read",
+    ),
+    ({"transforms": np.ones((1, 2, 3))}, ValueError, r"transforms must have the shape \(0, 2, 3\), got \(1, 2, 3\)"),
+    ({"which": [0, 1, 0]}, ValueError, "which must be the index of the table of each of 2 molecules"),
+    ({"which": [0, 7]}, ValueError, "which must be 0 to 0, got 0 to 7"),
+    ({"starts": 0}, ValueError, "starts must be"),
+    ({"threads": 0}, ValueError, "threads must be"),
+    ({"progress": 3}, TypeError, "progress must be"),
+]
+
+
+@each("case", BAD)
+def test_bad_input_is_refused(case, table):
+    changes, kind, message = case
+    with pytest.raises(kind, match=message):
+        fit(**({"table": table, "images": ONE} | changes))
+
+
+def test_channels_that_do_not_match_are_refused(table):
+    with pytest.raises(ValueError, match="images must be of 2 channels, got 1"):
+        fit([table, table], [ONE])
+    with pytest.raises(
+        ValueError, match=re.escape("images must be of as many molecules in each channel, got [2, 1]")
+    ):
+        fit([table, table], [ONE, ONE[:1]])
+    with pytest.raises(ValueError, match="noise must be one, or one for each of 2 channels, got 3"):
+        fit([table, table], [ONE, ONE], noise=[None] * 3)
+    with pytest.raises(ValueError, match="transforms must not map the camera to a line"):
+        fit([table, table], [ONE, ONE], transforms=np.zeros((1, 2, 3)))

@@ -1,0 +1,266 @@
+"""Tables of molecules: values and slopes against images by circles, bounds, files, and what is refused."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import lommel as lm
+from cases import each
+from lommel import _core
+from lommel.localize import Table
+from objectives import OIL
+
+ASTIGMATISM = lm.Wavefront.zernike({6: 0.15}, order="noll", unit="waves")
+TIRF = lm.Objective(NA=1.49, magnification=100, immersion=1.518, sample=1.33)
+WATER = lm.Objective(NA=1.2, magnification=60, immersion=1.33, sample=1.33)
+SHORT = lm.Objective(NA=1.4, magnification=63, immersion=1.518, sample=1.33)
+PUPIL = SHORT.pupil(depth=1e-6, wavelength=600e-9, aberrations=ASTIGMATISM)
+RANGE = (-0.3e-6, 0.35e-6)
+
+
+@pytest.fixture(scope="module")
+def table() -> Table:
+    return Table(PUPIL, shape=(11, 13), pixel=6.5e-6, z=RANGE)
+
+
+def plane(pupil, z: float, along: str = "z"):
+    """The pupil at a place along z, by way of the stage or the depth as a user would move them."""
+    objective, given = SHORT, {"wavelength": 600e-9, "aberrations": pupil.aberrations, "emitter": pupil.emitter}
+    for other in (TIRF, WATER):
+        objective = other if pupil.layers.NA == other.NA else objective
+    if along == "z":
+        return objective.pupil(depth=float(pupil.depth), z=z, **given)
+    return objective.pupil(depth=z, z=float(pupil.focus), origin="coverslip", **given)
+
+
+def check(made: Table, places: list[tuple[float, float, float]]) -> None:
+    """Values and slopes are within their bounds of images that no sums over chords are in."""
+    middle = [side // 2 for side in made.shape]
+    z = np.linspace(*made.z, 41)
+    dimmest = made(*middle, z).max(axis=(1, 2)).min()
+    names = ("row", "column", made.along)
+    for row, column, at in places:
+        pupil = plane(made.pupil, at, made.along)
+        method = lm.DebyeRings(1e-8) if pupil.aberrated else lm.Stratified(1e-8)
+        exact = lm.psf(
+            pupil, made.shape, made.pixel, method=method, center=(row, column), dtype=np.float64,
+            derivatives=("row", "column", made.along),
+        )  # fmt: skip
+        values, slopes = made(row, column, at, derivatives=True)
+        assert np.abs(values - exact.values).max() <= made.error_bound * dimmest
+        for name in names:
+            off = np.abs(slopes[name] - exact.derivatives[name]).max()
+            assert off <= made.slope_bounds[name] * dimmest + exact.derivative_bounds[name]
+            assert off <= 3.0 * made.tol * np.abs(exact.derivatives[name]).max()  # far below its bound
+
+
+CASES = {
+    "astigmatic": (PUPIL, {"shape": 11, "pixel": 6.5e-6, "z": RANGE}),
+    "coarse": (PUPIL, {"shape": 9, "pixel": 10e-6, "z": RANGE, "tol": 1e-3}),
+    "coarser": (PUPIL, {"shape": (7, 8), "pixel": 14e-6, "z": (0.0, 0.2e-6)}),
+    "fine": (PUPIL, {"shape": 8, "pixel": 4e-6, "z": RANGE, "tol": 1e-5, "reach": 1.0}),
+    "dipole": (
+        SHORT.pupil(depth=1e-6, wavelength=600e-9, aberrations=ASTIGMATISM, emitter=lm.Dipole(0.7, 0.4)),
+        {"shape": 9, "pixel": 6.5e-6, "z": RANGE},
+    ),
+    "scalar": (
+        SHORT.pupil(depth=1e-6, wavelength=600e-9, aberrations=ASTIGMATISM, emitter="scalar"),
+        {"shape": 9, "pixel": 6.5e-6, "z": RANGE},
+    ),
+    "unaberrated": (SHORT.pupil(depth=1e-6, wavelength=600e-9), {"shape": 9, "pixel": 6.5e-6, "z": RANGE}),
+    "near the glass": (
+        TIRF.pupil(depth=0.1e-6, wavelength=600e-9, aberrations=ASTIGMATISM),
+        {"shape": 9, "pixel": 10e-6, "z": RANGE},
+    ),
+    "water": (
+        WATER.pupil(depth=20e-6, wavelength=600e-9, aberrations=lm.Wavefront.zernike({6: 0.1, 8: 0.1}, order="noll")),
+        {"shape": 9, "pixel": 6.5e-6, "z": RANGE},
+    ),
+    "by depth": (
+        TIRF.pupil(depth=0.2e-6, wavelength=600e-9, aberrations=ASTIGMATISM),
+        {"shape": 9, "pixel": 10e-6, "z": (0.0, 0.4e-6), "along": "depth"},
+    ),
+    "by depth, deeper": (
+        SHORT.pupil(depth=0.9e-6, wavelength=600e-9, aberrations=ASTIGMATISM),
+        {"shape": 9, "pixel": 6.5e-6, "z": (0.7e-6, 1.2e-6), "along": "depth"},
+    ),
+}
+
+
+@each("name", CASES)
+def test_values_and_slopes_are_within_the_bounds(name):
+    pupil, options = CASES[name]
+    made = Table(pupil, **options)
+    assert made.error_bound <= made.tol == options.get("tol", 1e-4)
+    (low_row, low_column, low), (high_row, high_column, high) = made.limits
+    rng = np.random.default_rng(len(name))
+    inner = [tuple(made.limits[0] + rng.random(3) * (made.limits[1] - made.limits[0])) for _ in range(3)]
+    check(made, [(low_row, high_column, low), (high_row, low_column, high), *inner])
+
+
+@given(
+    terms=st.lists(st.floats(-0.15, 0.15), min_size=4, max_size=4),
+    depth=st.floats(0.05e-6, 5e-6),
+    tol=st.sampled_from([1e-2, 1e-3, 1e-4]),
+    seed=st.integers(0, 99),
+)
+@settings(max_examples=12, deadline=None)
+def test_any_wavefront_keeps_to_the_bound(terms, depth, tol, seed):
+    wavefront = lm.Wavefront.zernike(dict(zip((5, 7, 11, 12), terms, strict=True)), order="noll", unit="waves")
+    pupil = SHORT.pupil(depth=depth, wavelength=600e-9, aberrations=wavefront)
+    made = Table(pupil, shape=9, pixel=6.5e-6, z=(-0.2e-6, 0.2e-6), tol=tol, reach=1.0)
+    rng = np.random.default_rng(seed)
+    row, column, z = made.limits[0] + rng.random(3) * (made.limits[1] - made.limits[0])
+    moved = SHORT.pupil(depth=depth, z=z, wavelength=600e-9, aberrations=wavefront)
+    method = lm.DebyeRings(1e-7) if moved.aberrated else lm.Stratified(1e-7)
+    exact = lm.psf(moved, 9, 6.5e-6, method=method, center=(row, column), dtype=np.float64).values
+    dimmest = made(4, 4, np.linspace(*made.z, 41)).max(axis=(1, 2)).min()
+    assert np.abs(made(row, column, z) - exact).max() <= (made.error_bound + 1e-6) * dimmest
+
+
+def test_all_instructions_say_the_same(table):
+    places = 5 + np.random.default_rng(0).uniform(-2.0, 2.0, (7, 2))
+    found = {}
+    before = _core.instructions()
+    try:
+        for level in ("portable", "avx2", "avx512"):
+            _core.limit_instructions(level)
+            found[level] = table(places[:, 0], places[:, 1] + 1.0, 0.1e-6, derivatives=True)
+    finally:
+        _core.limit_instructions("avx512")
+    assert _core.instructions() == before
+    for values, slopes in found.values():
+        np.testing.assert_allclose(values, found["portable"][0], atol=1e-6 * values.max())
+        for name, slope in slopes.items():
+            np.testing.assert_allclose(slope, found["portable"][1][name], atol=1e-5 * np.abs(slope).max())
+
+
+def test_slopes_are_those_of_the_values(table):
+    step = 1e-3
+    for name, by in (("row", (step, 0.0, 0.0)), ("column", (0.0, step, 0.0)), ("z", (0.0, 0.0, step * 1e-6))):
+        at = np.array([5.3, 6.4, 0.05e-6])
+        up, down = table(*(at + by)).astype(float), table(*(at - by)).astype(float)
+        slope = table(*at, derivatives=True)[1][name]
+        difference = (up - down) / (2.0 * max(by))
+        np.testing.assert_allclose(slope, difference, atol=1e-3 * np.abs(slope).max())
+
+
+def test_places_broadcast_to_images(table):
+    values, slopes = table(np.array([[5.0], [5.5]]), np.array([6.0, 6.5, 7.0]), 0.0, derivatives=True)
+    assert values.shape == (2, 3, 11, 13)
+    assert values.dtype == np.float32
+    assert {name: slope.shape for name, slope in slopes.items()} == dict.fromkeys(
+        ("row", "column", "z"), (2, 3, 11, 13)
+    )
+    np.testing.assert_array_equal(values[1, 2], table(5.5, 7.0, 0.0))
+    assert table(np.empty(0), 6.0, 0.0).shape == (0, 11, 13)
+
+
+def test_any_number_of_threads_says_the_same(table):
+    rows = 5.0 + np.random.default_rng(1).uniform(-2.0, 2.0, 300)
+    places = np.stack([rows, rows + 1.0, np.zeros(300)], axis=1)
+    np.testing.assert_array_equal(table.core.images(places, 1), table.core.images(places, 2))
+
+
+def test_a_table_in_a_file_is_the_same(table, tmp_path):
+    table.save(tmp_path / "table.npz")
+    again = Table.load(tmp_path / "table.npz")
+    np.testing.assert_array_equal(again(5.2, 6.1, 0.1e-6), table(5.2, 6.1, 0.1e-6))
+    assert repr(again) == repr(table)
+    assert again.pupil == table.pupil
+    for name in ("shape", "pixel", "z", "along", "reach", "tol", "error_bound", "slope_bounds", "nbytes"):
+        assert getattr(again, name) == getattr(table, name)
+
+
+def test_a_damaged_file_is_told(table, tmp_path):
+    path = tmp_path / "table.npz"
+    table.save(path)
+    with np.load(path) as found:
+        parts = dict(found)
+    parts["coefficients"][100] += 1e-3
+    np.savez(path, **parts)
+    with pytest.raises(ValueError, match=r"is no table of lommel\.localize: it was changed"):
+        Table.load(path)
+    for data in (b"", b"PK\x03\x04", path.read_bytes()[:3000]):
+        path.write_bytes(data)
+        with pytest.raises(ValueError, match=r"is no table of lommel\.localize"):
+            Table.load(path)
+    np.savez(path, values=np.zeros(3))
+    with pytest.raises(ValueError, match=r"is no table of lommel\.localize"):
+        Table.load(path)
+    with pytest.raises(ValueError, match=r"path must end in \.npz, got table\.h5"):
+        table.save(tmp_path / "table.h5")
+    with pytest.raises(FileNotFoundError):
+        Table.load(tmp_path / "none.npz")
+
+
+BAD = [
+    ({"pupil": lm.Pupil()}, TypeError, "pupil must be one of an Objective (Objective.pupil), got Pupil("),
+    (
+        {"pupil": SHORT.pupil(depth=1e-6, z=[0, 1e-6], wavelength=6e-7)},
+        ValueError,
+        "pupil must be of one plane, got a",
+    ),
+    ({"shape": 65}, ValueError, "shape must be at most 64 pixels a side, got (65, 65)"),
+    ({"pixel": 16e-6}, ValueError, "pixel must be at most 1.5e-05 m with this pupil, got 1.6e-05"),
+    ({"pixel": math.nan}, ValueError, "pixel must be"),
+    ({"z": (1e-6, 0.0)}, ValueError, "z must be (lowest, highest) in metres, 1 nm to 100 um apart, got (1e-06, 0.0)"),
+    ({"z": 1e-6}, ValueError, "z must be (lowest, highest) in metres"),
+    (
+        {"z": (-1e-6, 1e-6), "along": "depth"},
+        ValueError,
+        "z must be depths >= 0 metres with along='depth', got -1e-06",
+    ),
+    ({"along": "x"}, ValueError, "along must be"),
+    ({"reach": 17}, ValueError, "reach must be >= 0.5 and <= 16, got 17"),
+    ({"tol": 1e-6}, ValueError, "tol must be >= 1e-05 and <= 0.1, got 1e-06"),
+    ({"threads": 0}, ValueError, "threads must be"),
+]
+
+
+@each("case", BAD)
+def test_bad_input_is_refused(case):
+    changes, kind, message = case
+    given = {"pupil": PUPIL, "shape": 9, "pixel": 6.5e-6, "z": (-1e-7, 1e-7)} | changes
+    with pytest.raises(kind, match=re.escape(message)):
+        Table(given.pop("pupil"), **given)
+
+
+@each(
+    "case",
+    [
+        ((2.9, 6.0, 0.0), "row must be 3 to 7 with this table, got 2.9"),
+        ((5.0, 8.1, 0.0), "column must be 4 to 8 with this table, got 8.1"),
+        ((5.0, 6.0, 0.4e-6), "z must be -3e-07 to 3.5e-07 with this table, got 4e-07"),
+        ((math.nan, 6.0, 0.0), "row must be finite, got nan"),
+    ],
+)
+def test_places_beyond_the_table_are_refused(case, table):
+    places, message = case
+    with pytest.raises(ValueError, match=re.escape(message)):
+        table(*places)
+
+
+def test_what_no_float_can_hold_is_refused():
+    far = SHORT.pupil(depth=1e-6, wavelength=600e-9, aberrations=ASTIGMATISM)
+    with pytest.raises((ValueError, lm.ToleranceError), match="cannot be met"):
+        Table(far, shape=5, pixel=3e-6, z=(-6e-6, 6e-6), tol=1e-5)
+
+
+def test_a_thick_cover_glass_takes_part():
+    pupil = OIL.pupil(depth=1e-6, wavelength=520e-9, aberrations=ASTIGMATISM)
+    made = Table(pupil, shape=9, pixel=6.5e-6, z=(-0.1e-6, 0.1e-6))
+    exact = lm.psf(
+        OIL.pupil(depth=1e-6, z=0.05e-6, wavelength=520e-9, aberrations=ASTIGMATISM),
+        9,
+        6.5e-6,
+        tol=1e-7,
+        center=(4.2, 3.9),
+    ).values
+    np.testing.assert_allclose(made(4.2, 3.9, 0.05e-6), exact, atol=1e-4 * exact.max())

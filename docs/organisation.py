@@ -49,7 +49,7 @@ CORE_ORDER = [
     {"aperture"},
     {"chordal"},
     {"stratified"},
-    {"paper", "imaging", "measures", "estimation"},
+    {"paper", "imaging", "measures", "estimation", "localize"},
 ]
 # Modules whose package has another name.
 ALONE = {"_core": "core", "__main__": "cli", "__init__": "the package"}

@@ -208,6 +208,28 @@ def test_maps_of_the_camera_are_those_of_each_box(table):
     assert (np.abs(found.column - corners[:, 1] - column) < 6.0 * found.deviation.column).all()
 
 
+@pytest.mark.parametrize("maps", [False, True])
+def test_what_is_found_is_fitted_where_it_is(table, maps):
+    rng = np.random.default_rng(30)
+    shape = (64, 80)
+    noise = lm.Noise(white=0.5, offset=100.0, read=rng.uniform(1.0, 2.5, shape) if maps else 1.5)
+    row, column, z = np.array([20.3, 44.8]), np.array([30.4, 50.1]), np.array([-0.1e-6, 0.2e-6])
+    mean = np.full(shape, 8.0)
+    for k in range(2):
+        y, x = round(row[k]) - 7, round(column[k]) - 7
+        mean[y : y + 15, x : x + 15] += 4000.0 * images(row[k : k + 1] - y, column[k : k + 1] - x, z[k : k + 1])[0]
+    frame = noise.record(mean, rng)
+    spots = lm.localize.find(frame, 15, noise=noise)
+    found = fit(table, spots.images, noise=noise, corners=spots.corners)
+    order = np.argsort(found.row)
+    for values, truth, deviation in (
+        (found.row, row, found.deviation.row),
+        (found.column, column, found.deviation.column),
+        (found.z, z, found.deviation.z),
+    ):
+        assert (np.abs(values[order] - truth) < 6.0 * deviation[order]).all()
+
+
 def test_two_planes_tell_more_than_one(table):
     # A biplane: the second channel sees the molecule 400 nm away, turned and magnified by a transform.
     shift = 0.4e-6

@@ -213,33 +213,32 @@ def fit(
     tables = [table] if isinstance(table, Table) else list(table) if isinstance(table, Sequence) else []
     if not tables or not all(isinstance(each, Table) for each in tables):
         raise TypeError(f"table must be a Table or a sequence of these, got {validation.shown(table)}")
-    if which is not None:
-        return _each_by_its_own(tables, images, which, noise, corners, starts, count, progress)
-    several = not isinstance(table, Table)
-    boxes = _boxes(tables, images if several else [images])
-    cameras = _cameras(tables, noise, several)
-    places = _corners(corners, len(tables), len(boxes[0]), several)
-    matrices, shifts = _transforms(transforms, len(tables))
-    if len(tables) > 1 and {(each.z, each.along) for each in tables} != {(tables[0].z, tables[0].along)}:
-        raise ValueError("table must have channels of one range of z along the same direction")
-    offsets = _offsets(matrices, shifts, places, len(boxes[0]))
-    fitter = _fitter(tuple(tables), matrices.tobytes())
-    done: list[tuple[NDArray[Any], ...]] = []
+    several = not isinstance(table, Table) and which is None
+    cameras = _cameras(len(tables) if several else 1, noise)
+    # Which tables fit which molecules.
+    boxes = _boxes(tables if several else tables[:1], images if several else [images])
     total = len(boxes[0])
-    for first in range(0, total, _AT_ONCE):
-        part = slice(first, min(first + _AT_ONCE, total))
-        light, read = [], []
-        for c, (box, camera) in enumerate(zip(boxes, cameras, strict=True)):
-            own = None if places is None else places[c][part]
-            electrons, variance = _in_electrons(box[part], camera, own)
-            light.append(electrons)
-            read.append(variance)
-        done.append(fitter.fit(light, read, offsets[part], starts, count))
-        if progress is not None:
-            progress(part.stop, total)
-    values, deviations, likely, state = (
-        (np.concatenate(each) for each in zip(*done, strict=True)) if done else _nothing(len(tables))
-    )
+    groups = [(tables, np.arange(total))] if which is None else _chosen(tables, which, total)
+    places = _corners(corners, len(boxes), total, several)
+    matrices, shifts = _transforms(transforms, len(boxes))
+    offsets = _offsets(matrices, shifts, places, total)
+    unknown, done = 3 + 2 * len(boxes), 0
+    values, deviations, likely = np.empty((total, unknown)), np.empty((total, unknown)), np.empty((total, 2))
+    state = np.empty((total, 2), np.int32)
+    for own, mine in groups:
+        fitter = _fitter(tuple(own), matrices.tobytes())
+        for first in range(0, len(mine), _AT_ONCE):
+            part = mine[first : first + _AT_ONCE]
+            pairs = [
+                _in_electrons(box[part], camera, None if places is None else places[c][part])
+                for c, (box, camera) in enumerate(zip(boxes, cameras, strict=True))
+            ]
+            light, read = (list(each) for each in zip(*pairs, strict=True))
+            made = fitter.fit(light, read, offsets[part], starts, count)
+            values[part], deviations[part], likely[part], state[part] = made
+            done += len(part)
+            if progress is not None:
+                progress(done, total)
     if places is not None:
         values[:, :2] += places[0]
     return _molecules(values, deviations, likely, state, several)
@@ -260,13 +259,10 @@ def _molecules(values: Array, deviations: Array, likely: Array, state: NDArray[n
     )
 
 
-def _nothing(channels: int) -> tuple[NDArray[Any], ...]:
-    unknown = 3 + 2 * channels
-    return np.empty((0, unknown)), np.empty((0, unknown)), np.empty((0, 2)), np.empty((0, 2), np.int32)
-
-
 def _fitter(tables: tuple[Table, ...], matrices: bytes) -> Any:
     """Return what fits, with its templates, kept with the first table."""
+    if len({(each.z, each.along) for each in tables}) > 1:
+        raise ValueError("table must have channels of one range of z along the same direction")
     first = tables[0]
     key = (tuple(map(id, tables)), matrices)
     kept = vars(first).get("_fitter")
@@ -306,12 +302,12 @@ def _boxes(tables: list[Table], images: Any) -> list[NDArray[Any]]:
     return boxes
 
 
-def _cameras(tables: list[Table], noise: Any, several: bool) -> list[Noise]:
-    given = noise if several and noise is not None and not isinstance(noise, Noise) else [noise] * len(tables)
-    if len(given) != len(tables):
-        raise ValueError(f"noise must be one, or one for each of {len(tables)} channels, got {len(given)}")
-    for each in given:
+def _cameras(channels: int, noise: Any) -> list[Noise]:
+    given = [noise] * channels if noise is None or isinstance(noise, Noise) else noise
+    for each in given if isinstance(given, Sequence) else [given]:
         validation.optional("noise", each, Noise)
+    if len(given) != channels:
+        raise ValueError(f"noise must be one, or one for each of {channels} channels, got {len(given)}")
     return [Noise(read=0.0) if each is None else each for each in given]
 
 
@@ -353,67 +349,40 @@ def _offsets(matrices: Array, shifts: Array, places: Array | None, count: int) -
 def _in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tuple[Any, Any]:
     """Return boxes in electrons and the variance of reading, of each or of all, as float32."""
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
-    rows = columns = np.empty(0, np.int64)
     maps = {name: part for name, part in parts.items() if isinstance(part, np.ndarray)}
     if maps and corners is None:
         one = next(iter(maps.values()))
         if any(part.shape != box.shape[1:] for part in maps.values()):
             raise ValueError(f"corners must tell where boxes are on a camera with maps of shape {one.shape}")
-    elif maps and corners is not None:
+    elif corners is not None:
         rows = corners[:, :1].astype(np.int64) + np.arange(box.shape[1])
         columns = corners[:, 1:].astype(np.int64) + np.arange(box.shape[2])
         for name, part in maps.items():
-            outside = (
-                rows.min() < 0 or columns.min() < 0 or rows.max() >= part.shape[0] or columns.max() >= part.shape[1]
-            )
-            if len(box) and outside:
+            ends = zip((rows, columns), part.shape, strict=True)
+            if len(box) and any(at.min() < 0 or at.max() >= side for at, side in ends):
                 raise ValueError(f"corners must be of boxes within the camera, {part.shape} pixels by {name}")
             parts[name] = part[rows[:, :, None], columns[:, None, :]]
     white = 1.0 if parts["white"] is None else parts["white"]
-    electrons = ((box - parts["offset"]) * white).astype(np.float32)
-    variance = np.asarray(parts["read"], dtype=np.float64) ** 2
-    if variance.ndim < 3:
-        variance = np.broadcast_to(variance, (1, *box.shape[1:]))
-    return np.ascontiguousarray(electrons), np.ascontiguousarray(variance, dtype=np.float32)
+    return _floats((box - parts["offset"]) * white), _variance(parts["read"], box.shape)
 
 
-def _each_by_its_own(
-    tables: list[Table],
-    images: Any,
-    which: ArrayLike,
-    noise: Any,
-    corners: Any,
-    starts: int,
-    threads: int,
-    progress: Callable[[int, int], object] | None,
-) -> Molecules:
-    boxes = _boxes(tables[:1], [images])[0]
+def _floats(values: NDArray[Any]) -> NDArray[np.float32]:
+    return np.ascontiguousarray(values, dtype=np.float32)
+
+
+def _variance(read: float | Array, shape: tuple[int, ...]) -> NDArray[np.float32]:
+    variance = np.asarray(read, dtype=np.float64) ** 2
+    return _floats(variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *shape[1:])))
+
+
+def _chosen(tables: list[Table], which: ArrayLike, total: int) -> list[tuple[list[Table], NDArray[np.intp]]]:
+    """Return each table with the molecules that are its own."""
     chosen = validation.array("which", which)
-    if chosen.shape != (len(boxes),) or chosen.dtype.kind not in "iu":
-        raise ValueError(
-            f"which must be the index of the table of each of {len(boxes)} molecules, got {validation.shown(which)}"
-        )
-    if len(chosen) and not 0 <= chosen.min() <= chosen.max() < len(tables):
+    if chosen.shape != (total,) or chosen.dtype.kind not in "iu":
+        given = validation.shown(which)
+        raise ValueError(f"which must be the index of the table of each of {total} molecules, got {given}")
+    if total and not 0 <= chosen.min() <= chosen.max() < len(tables):
         raise ValueError(f"which must be 0 to {len(tables) - 1}, got {chosen.min()} to {chosen.max()}")
-    places = None if corners is None else _corners(corners, 1, len(boxes), several=False)
-    parts: list[Molecules] = []
-    order: list[NDArray[np.intp]] = []
-    done = 0
-    for k, one in enumerate(tables):
-        mine = np.flatnonzero(chosen == k)
-        part = fit(
-            one, boxes[mine], noise=noise, corners=None if places is None else places[0][mine], starts=starts,
-            threads=threads or None,
-        )  # fmt: skip
-        parts.append(part)
-        order.append(mine)
-        done += len(mine)
-        if progress is not None:
-            progress(done, len(boxes))
-    back = np.argsort(np.concatenate(order), kind="stable")
-
-    def joined(of: Callable[[Molecules], Any], names: Sequence[str]) -> dict[str, Any]:
-        return {name: np.concatenate([getattr(of(part), name) for part in parts])[back] for name in names}
-
-    deviation = Deviation(**joined(lambda part: part.deviation, _NAMES))
-    return Molecules(**joined(lambda part: part, (*_NAMES, *_FURTHER)), deviation=deviation)
+    if len(sides := {each.shape for each in tables}) > 1:
+        raise ValueError(f"table must have images of one shape to choose from, got {sorted(sides)}")
+    return [([each], np.flatnonzero(chosen == k)) for k, each in enumerate(tables)]

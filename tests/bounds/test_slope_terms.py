@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.core.answers import Images, Slopes
+from lommel.core.answers import Images, Slopes, Wanted
 from lommel.methods import derivatives
 from lommel.methods.derivative_names import Parts
 from lommel.methods.derivatives import Piece, Slope
-from lommel.methods.pixels.averaging import filtered_by, least_average
+from lommel.methods.pixels.averaging import averaged, filtered_by, least_average, sloping
 
 U = 2.0**-53
 STORED = {np.float64: 6.0 * U, np.float32: 6.0 * U + 2.0**-24}
@@ -120,6 +120,24 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
         samples = np.array([1.5, 2.0]) * (np.array([1e-7, 2e-7]) + (4 * size + 16) * U)
         expected += 2.0 * plain.gain * growing.gain * samples
     assert found == pytest.approx(expected, rel=1e-9, abs=0.0)
+
+
+def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are():
+    grid, tol, off = lm.Grid((3, 5), 0.5, integrate=True), 1e-6, np.array([3e-10, 4e-10])
+
+    def sample(pupil, fine, tol, wanted):
+        return Images(np.ones((2, *fine.shape)), np.ones(2), off / [1.5, 2.0], None, np.array([1.5, 2.0]))
+
+    found = averaged(sample, PUPIL, grid, tol, Wanted(), gradients=True)
+    assert found.values.shape == (3, 2, 3, 5)
+    assert np.abs(found.values[1:]).max() < 1e-6
+    step = grid.step(PUPIL)
+    aim = 2e-3 * (tol - (1.0 + tol) * STORED[np.float64]) * least_average(step)
+    plain, slope = filtered_by(step, aim), sloping(step, 10.0 * aim, averages=True)
+    size = max(plain.weights.size, slope.weights.size)
+    expected = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * PUPIL.amplitude**2
+    expected += plain.gain * slope.gain * (off + (4 * size + 16) * U * (np.array([1.5, 2.0]) + off))
+    assert found.error[1:] * found.peak == pytest.approx(np.array([expected, expected]), rel=1e-6, abs=0.0)
 
 
 @pytest.mark.parametrize("integrate", [False, True])

@@ -23,7 +23,16 @@ from lommel.methods.derivative_names import SHIFTS, Factor, Name, Parts, Term, p
 from lommel.methods.method import Method, storing, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
-from lommel.methods.pixels.averaging import Taps, blocks, filtered_by, finer, least_average, sloping, weighed
+from lommel.methods.pixels.averaging import (
+    Taps,
+    as_long,
+    blocks,
+    filtered_by,
+    finer,
+    least_average,
+    sloping,
+    weighed,
+)
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.aperture.opening import degree_needed
 from lommel.optics.base_pupil import BasePupil
@@ -75,7 +84,7 @@ def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask
     """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
     step = grid.step(pupil)
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
-    plain, growing = _alike(filtered_by(step, response), filtered_by(step, response, growing=True))
+    plain, growing = as_long(filtered_by(step, response), filtered_by(step, response, growing=True))
     # Neither response is larger than 2.
     missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
     # A phase or an amplitude off by e changes U and its gradient by e int A at most, and u is half a diagonal.
@@ -99,7 +108,7 @@ def tilted(
     response = max(1e-3 * engine.tol * (least_average(step) if grid.integrate else 1.0), 1e-13)
     slope = sloping(step, response, averages=grid.integrate)
     plain = filtered_by(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
-    slope, plain = _alike(slope, plain)
+    slope, plain = as_long(slope, plain)
     # The response to slopes is at most 2, that of averages 1.
     missed = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * pupil.amplitude**2
     count = math.prod(pupil.shape)
@@ -120,12 +129,6 @@ def _sampled(
         # Double precision may hold what is asked for, and no less.
         _, made = first_proven((fine, engine), lambda way: ask(way, *question))  # noqa: B023
         yield part, made.values, made.brightest * (made.bound + rounded)
-
-
-def _alike(one: Taps, other: Taps) -> tuple[Taps, Taps]:
-    """Return two filters with as many weights, zeros at the ends of the shorter."""
-    size = max(one.weights.size, other.weights.size)
-    return tuple(t._replace(weights=np.pad(t.weights, (size - t.weights.size) // 2)) for t in (one, other))  # type: ignore[return-value]
 
 
 # ``dU/d eps = -(eps / pi) A(eps) int_0^2pi P(eps, theta) exp(-i eps v cos(theta - psi)) d theta``, minus the field of

@@ -101,6 +101,32 @@ def test_derivatives_are_what_differences_come_to(integrate):
         assert made.derivative_bounds[name] <= 3e-7 * size
 
 
+@pytest.mark.parametrize("method", [lm.ChordalDebye, lm.DebyeRings])
+@pytest.mark.parametrize("tol", [1e-3, 1e-6])
+def test_averages_move_by_the_samples_that_they_are_made_of(method, tol, monkeypatch):
+    wavefront = lm.Wavefront.zernike({(2, 2): 0.9, (3, 1): 0.3})
+    planes = OIL.pupil(depth=DEPTH, z=Z, wavelength=WAVE, origin="coverslip", aberrations=wavefront)
+    options = {"integrate": True, "dtype": np.float64, "center": CENTER}
+
+    def moved(dy=0.0, dx=0.0):
+        more = options | {"center": (CENTER[0] + dy, CENTER[1] + dx), "tol": 1e-9}
+        return lm.psf(planes, 7, PIXEL, method=lm.ChordalDebye(1e-9), **more).values
+
+    rounds = []
+    name = "differentiated" if method is lm.ChordalDebye else "refined"
+    asked = getattr(method, name)
+    monkeypatch.setattr(method, name, lambda *given: (rounds.append(1), asked(*given))[1])
+    found = {}
+    for names in (("z", "row", "column"), ("row", "column")):
+        rounds.clear()
+        found[names] = lm.psf(planes, 7, PIXEL, method=method(tol), derivatives=names, **options)
+        assert len(rounds) == 1
+    monkeypatch.undo()
+    for name, expected in (("row", difference(moved, 2e-2)), ("column", difference(lambda h: moved(dx=h), 2e-2))):
+        for made in found.values():
+            assert wrong(made, name, expected) <= made.derivative_bounds[name] <= 20.0 * tol
+
+
 def reference(of, wave, normalize, integrate):
     """Values of `of` in light of a wavelength, by the quadrature of fields at places in metres, 7 x 7 a pixel."""
     nodes, weights = np.polynomial.legendre.leggauss(7) if integrate else (np.zeros(1), np.array([2.0]))

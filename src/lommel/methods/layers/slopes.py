@@ -23,7 +23,7 @@ from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
 from lommel.methods.layers.stratified import By, Stratified, differentiated, known
 from lommel.methods.method import Method, storing, widened
-from lommel.methods.pixels.averaging import averaged_images
+from lommel.methods.pixels.averaging import averaged, averaged_images, finished
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye, projection
@@ -49,8 +49,13 @@ def sampled_slopes(
     rates: Rates,
     wanted: Wanted,
     terms: tuple[tuple[int, int], ...] = (),
+    *,
+    moved: bool = False,
 ) -> Images:
-    """Return images and their derivatives; those by Zernike `terms`, which ChordalDebye has, are last."""
+    """Return images and their derivatives; those by Zernike `terms`, which ChordalDebye has, follow the others.
+
+    With `moved`, for averages, the last two are those by the row and the column of the axis.
+    """
     by = rates(pupil)
     layers, model = pupil.layers, pupil.light.model
     if isinstance(method, Stratified):
@@ -74,13 +79,21 @@ def sampled_slopes(
         return _by_engine(pupil, grid, each, tol, plain)
 
     question = wanted._replace(terms=((0, 0),) * len(sizes))  # as many
-    made = averaged_images(sample, pupil, grid, method.tol, question)
+    if moved:
+        made = finished(averaged(sample, pupil, grid, method.tol, question, gradients=True), question)
+        sizes += [-grid.step(pupil)] * 2
+    else:
+        made = averaged_images(sample, pupil, grid, method.tol, question)
     made = widened(made, pupil, method, normalized=False)
     assert made.slopes is not None
     values, error = made.slopes
     for each, size in zip(values, sizes, strict=True):
         each *= size
-    return made._replace(slopes=Slopes(values, np.array(sizes)[:, None] * error))
+    error *= np.abs(sizes)[:, None]
+    if moved:
+        # What is left out of the phase moves fields and their gradients by as much.
+        error[-2:] += 4.0 * grid.step(pupil) * pupil.left_out[0] / made.brightest
+    return made._replace(slopes=Slopes(values, error))
 
 
 def engine_slopes(
@@ -218,8 +231,9 @@ def layered_slopes(
 
     if pupil.radial and isinstance(method, Stratified):
         made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
-    elif kinds or terms:
-        made = sampled_slopes(method, pupil, grid, rates, wanted, terms)
+    elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
+        moved = axis and grid.integrate and "wavelength" not in kinds
+        made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
     else:
         made = widened(method.images(pupil, grid, wanted), pupil, method, normalized=False)
     each: dict[Name, Slope] = {}

@@ -95,6 +95,7 @@ _VALUES = 2**23  # samples at once
 _WIDEST, _CLOSER = 1.05, 0.8  # v between samples: two thirds of what the band of I allows, and half
 _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
+_ROUGHER = 10.0  # times the error of averages, what filters of derivatives may be off by
 _DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
 
 # From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted.
@@ -109,15 +110,25 @@ Band = tuple[float, float]
 class Averages(NamedTuple):
     """Averages over pixels of the flattened stack."""
 
-    values: Array  # (1 + k, n, height, width), of I, then of its derivatives by k terms
+    values: Array  # (1 + k, n, height, width), of I, then of its derivatives by k terms, and along y and x if wanted
     error: Array  # (1 + k, n), bounds over peak; that of I for values once they are stored
     peak: Array  # (n,)
 
 
 def averaged(
-    sample: Sample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+    sample: Sample[P],
+    pupil: P,
+    grid: Grid,
+    tol: float,
+    wanted: Wanted,
+    band: Band | None = None,
+    *,
+    gradients: bool = False,
 ) -> Averages:
-    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once it is stored."""
+    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once it is stored.
+
+    With `gradients` its derivatives by v along y and x follow, of the same samples.
+    """
     # The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
     # divided by the largest average in the window. Derivatives by Zernike terms follow: their transfer function is at
     # most twice what that of the aperture is without aberration, for terms are at most 1. Of light that is made of
@@ -125,14 +136,22 @@ def averaged(
     # transfer function.
     band = band or (1.0, pupil.amplitude**2)
     try:
-        return _averaged(sample, pupil, grid, tol, wanted, band, _WIDEST)
+        return _averaged(sample, pupil, grid, tol, wanted, band, _WIDEST, gradients=gradients)
     except ToleranceError:
         # Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
-        return _averaged(sample, pupil, grid, tol, wanted, band, _CLOSER)
+        return _averaged(sample, pupil, grid, tol, wanted, band, _CLOSER, gradients=gradients)
 
 
 def _averaged(
-    sample: Sample[P], pupil: P, grid: Grid, tol: float, wanted: Wanted, band: Band, widest: float
+    sample: Sample[P],
+    pupil: P,
+    grid: Grid,
+    tol: float,
+    wanted: Wanted,
+    band: Band,
+    widest: float,
+    *,
+    gradients: bool,
 ) -> Averages:
     # What varies faster than I is I of larger pixels.
     step, ceiling, dtype, normalize = band[0] * grid.step(pupil), band[1], wanted.dtype, wanted.scale is None
@@ -143,15 +162,21 @@ def _averaged(
     for _ in range(5):
         taps = (
             filtered_by(step, err_response, widest)
-            if widest < _WIDEST
+            if widest < _WIDEST or gradients
             else _shared_by(step, err_response, grid.shape)
         )
+        slope = None
+        if gradients:
+            # Derivatives have no tolerance: as long a filter as that of averages, or little longer.
+            rough = _ROUGHER * err_response
+            taps, slope = as_long(taps, sloping(step, rough, averages=True, widest=widest))
         try:
             tol_samples = err_samples / taps.gain**2
             # What sums in single precision along both axes cost averages, of the largest sample.
             lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
             err_single = _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0
-            total, err_given, peaks = _filtered(sample, pupil, grid, tol_samples, taps, wanted, err_single / lost)
+            dark = err_single / lost
+            total, err_given, peaks = _filtered(sample, pupil, grid, tol_samples, taps, wanted, dark, slope)
         except ToleranceError as fault:
             # Errors of averages grow with those of the samples.
             bound = math.inf if fault.bound is None else tol * fault.bound / tol_samples
@@ -170,6 +195,11 @@ def _averaged(
             errors = np.empty(err_given.shape)
             errors[0] = bounds
             errors[1:] = (err_given[1:] + 2.0 * err_filter + rounding * peaks[1:]) / peak
+            if slope is not None:
+                # The response to slopes is at most 2, that of averages 1.
+                missed = (slope.error * (1.0 + taps.error) + 2.0 * taps.error) * ceiling
+                rounding = (4 * taps.weights.size + 16) * 2.0**-53 * taps.gain * slope.gain
+                errors[-2:] = (err_given[-2:] + missed + rounding * peaks[-2:]) / peak
             return Averages(total, errors, peak)
         too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
         # Where the filter alone is to blame, samples stay: doubles may not reach what they need not.
@@ -265,14 +295,18 @@ def averaged_images(
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)
     made = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
-    made = averaged(sample, pupil, grid, tol, wanted, band) if made is None else made
+    return finished(averaged(sample, pupil, grid, tol, wanted, band) if made is None else made, wanted)
+
+
+def finished(made: Averages, wanted: Wanted) -> Images:
+    """Return averages as images, with the derivatives that they have."""
     averages = made.values[0]
     scales = np.empty(len(averages))
     scales[:] = 1.0 / averages.max(axis=(1, 2)) if wanted.scale is None else wanted.scale
     values = np.empty(averages.shape, wanted.dtype) if wanted.out is None else wanted.out
     np.multiply(averages, scales[:, None, None], out=values, casting="same_kind")
     slopes = None
-    if wanted.terms or wanted.powers:
+    if len(made.values) > 1:
         off = made.error[1:]
         size = np.abs(made.values[1:]).max(axis=(2, 3)) / made.peak
         stored_as = (made.values[1:] * scales[:, None, None]).astype(wanted.dtype)
@@ -373,17 +407,32 @@ def _fitted(response: Function, wave: Function, step: float, error: float, wides
         half += 1
 
 
+def as_long(one: Taps, other: Taps) -> tuple[Taps, Taps]:
+    """Return two filters with as many weights, zeros at the ends of the shorter."""
+    size = max(one.weights.size, other.weights.size)
+    return tuple(t._replace(weights=np.pad(t.weights, (size - t.weights.size) // 2)) for t in (one, other))  # type: ignore[return-value]
+
+
 def _filtered(
-    sample: Sample[P], pupil: P, grid: Grid, tol: float, taps: Taps, wanted: Wanted, dark: float
+    sample: Sample[P],
+    pupil: P,
+    grid: Grid,
+    tol: float,
+    taps: Taps,
+    wanted: Wanted,
+    dark: float,
+    slope: Taps | None = None,
 ) -> tuple[Array, Array, Array]:
     """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`.
 
-    Where samples are at most `dark` times the peak they are summed in single precision.
+    Where samples are at most `dark` times the peak they are summed in single precision. Derivatives along y and x,
+    by `slope`, come last.
     """
     count, images = math.prod(pupil.shape), 1 + len(wanted.terms) + len(wanted.powers)
     dtype = np.dtype(np.float32 if tol >= _SINGLE else np.float64)
     question = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms, powers=wanted.powers)
-    total, error, peaks = np.empty((images, count, *grid.shape)), np.zeros((images, count)), np.zeros((images, count))
+    all_ = images + (0 if slope is None else 2)
+    total, error, peaks = np.empty((all_, count, *grid.shape)), np.zeros((all_, count)), np.zeros((all_, count))
     for part, one, pixels in blocks(pupil, grid, taps, images):
         for fine, rows in _strips_of(total[:, part], pixels, taps):
             made = sample(one, fine, tol, question)
@@ -392,12 +441,18 @@ def _filtered(
             peaks[0, part] = np.maximum(peaks[0, part], made.brightest - off)
             limit = dark * float(made.brightest.min())
             average_samples(made.values, _sets(taps), taps.stride, wanted.threads, rows[0], dark=limit)
+            if slope is not None:
+                error[-2:, part] = np.maximum(error[-2:, part], taps.gain * slope.gain * off)
+                peaks[-2:, part] = np.maximum(peaks[-2:, part], made.brightest + off)
+                for down, across, out in ((slope, taps, rows[-2]), (taps, slope, rows[-1])):
+                    _weigh(made.values, down, across, wanted.threads, out)
             if made.slopes is None:
                 continue
             size = np.abs(made.slopes.values).max(axis=(2, 3))
-            peaks[1:, part] = np.maximum(peaks[1:, part], size)
-            error[1:, part] = np.maximum(error[1:, part], taps.gain**2 * made.slopes.error * made.brightest)
-            for slopes, out in zip(made.slopes.values, rows[1:], strict=True):
+            peaks[1:images, part] = np.maximum(peaks[1:images, part], size)
+            off = taps.gain**2 * made.slopes.error * made.brightest
+            error[1:images, part] = np.maximum(error[1:images, part], off)
+            for slopes, out in zip(made.slopes.values, rows[1:images], strict=True):
                 average_samples(slopes, _sets(taps), taps.stride, wanted.threads, out, -math.inf)
     return total, error, peaks
 
@@ -480,8 +535,12 @@ def weighed(samples: Array, rows: Taps, columns: Taps, threads: int = 0) -> Arra
     """Return sums of finer samples, shape (n, h, w), by as many taps along each axis; of any sign."""
     sides = ((side - rows.weights.size) // rows.stride + 1 for side in samples.shape[1:])
     out = np.empty((len(samples), *sides))
-    average_samples(samples, _sets(rows), rows.stride, threads, out, -math.inf, _sets(columns))
+    _weigh(samples, rows, columns, threads, out)
     return out
+
+
+def _weigh(samples: Pixels, rows: Taps, columns: Taps, threads: int, out: Array) -> None:
+    average_samples(samples, _sets(rows), rows.stride, threads, out, -math.inf, _sets(columns))
 
 
 def _samples(pixels: int, taps: Taps) -> int:

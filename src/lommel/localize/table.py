@@ -84,7 +84,7 @@ class Table:
     Along rows and columns an image has no frequencies beyond twice the aperture: filtered samples, two to four a
     pixel, are interpolated by a Kaiser-Bessel kernel (J. I. Jackson et al., IEEE Trans. Med. Imaging 10, 473 (1991),
     doi:10.1109/42.97598), whose error is judged at all frequencies. Along z there are Chebyshev series of 8
-    terms. Values are stored as float32. See docs/certificate.md, section 18.
+    terms. Values are stored as float32. See docs/certificate.md, section 19.
 
     Examples
     --------
@@ -141,7 +141,8 @@ class Table:
                 f"pixel must be at most {3.5 * self.pixel / step:.3g} m with this pupil, got {self.pixel:g}"
             )
         peak = self._likely_peak(waves, threads)
-        for _ in range(4):
+        before = math.inf
+        while True:
             # Shares of the kernel twice, of the planes, and of samples; what is stored has the rest.
             allowed = self.tol * peak
             try:
@@ -153,6 +154,9 @@ class Table:
             made = self._filled(waves, taps, planes, step, per, exact, threads)
             if self.error_bound <= self.tol:
                 return
+            if self.error_bound > 0.9 * before:
+                break
+            before = self.error_bound
             peak = min(0.7 * peak, 0.95 * made * self.tol / self.error_bound)
         raise not_met(self.tol, self.error_bound, "the largest value of the dimmest plane", "in single precision")
 
@@ -275,7 +279,7 @@ class Table:
         light: float,
     ) -> float:
         """Set the bounds; return the peak that these are relative to."""
-        # docs/certificate.md, section 18. Intensities are over the light collected: all moduli add up to at most 1.
+        # docs/certificate.md, section 19. Intensities are over the light collected: all moduli add up to at most 1.
         band, both = 2.0 * step / per, taps.gain**2
         kernel = (1.0 + taps.error) ** 2 - 1.0
         size, sums, moves = taps.taps.size, taps.taps.gain, taps.taps.slope_gain

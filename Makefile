@@ -354,6 +354,8 @@ peers: build ## fetch other packages for make bench to compare with, into .tools
 	@$(find_uv)
 	rm -rf .tools/peers
 	"$$uv" pip install --quiet --python .venv/bin/python --target .tools/peers --constraint requirements.lock --group $(GROUP)
+	# Of Picasso its fits alone, without the windows that it draws.
+	"$$uv" pip install --quiet --python .venv/bin/python --target .tools/peers --no-deps picassosr==0.11.3
 
 format: env ## rewrite the files in the project's format
 	@.venv/bin/ruff check --fix-only

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from benchmarks import averages, axes, chordal, depth, nonradial, starting
+from benchmarks import averages, axes, chordal, depth, localization, nonradial, starting
 from benchmarks import targets as t
 from benchmarks.baselines import faster_ffts, fft
 from benchmarks.report import Table
@@ -207,6 +207,22 @@ TARGETS = [
         "DepthBlur.forward without occlusion",
         *(3, 2, "", False),
         depth.occluded,
+    ),
+    Target(
+        "1000 images of a molecule, 15², with slopes by row, column and z, by a table of tol 1e-4",
+        "np.abs of as many float32",
+        *(60, 30, "", False),
+        localization.image_over_abs,
+        localization.TOL,
+    ),
+    *(
+        Target(
+            "1000 molecules of 1000 photons, 15², fitted with their starts",
+            f"Picasso's cubic splines from {starts} start{'s' if starts > 1 else ''}, one thread",
+            *(must, aim, "x", True),
+            partial(localization.fit_over_splines, starts=starts),
+        )
+        for starts, must, aim in ((1, 2.5, 4), (5, 20, 30))
     ),
     Target("one 33² by a plan", "np.abs of a complex 33²", 4, 2.5, "", False, partial(t.plan, pupils=False)),
     Target(

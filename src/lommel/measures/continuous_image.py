@@ -42,6 +42,7 @@ from lommel.measures.psf_like import PSFLike, checked
 from lommel.measures.small_shifts import transfer
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
+from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.method import Method, RadialMethod, beyond_period, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
@@ -315,7 +316,7 @@ def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Im
     """Return samples of the intensity, of all light or, unless `whole`, of a pupil at one wavelength."""
     one = method.method if isinstance(method, Polychromatic) and not whole else method
     ways: tuple[Method, ...] = () if one is None else (one,)
-    if one is None or isinstance(one, NijboerZernike | ChordalGauss):
+    if one is None or isinstance(one, NijboerZernike | ChordalGauss | ChordalDebye):
         ways = candidates(pupil, grid, min(method.tol, Method.tol))
 
     def ask(way: Method) -> Images:

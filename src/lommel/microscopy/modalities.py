@@ -37,10 +37,10 @@ def confocal(
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes, both without
-        aberrations. A :class:`lommel.Dipole` absorbs the component of the field along it; a wobbling one reorients
-        between absorption and emission. The foci of two wavelengths differ: ``z=emission.focus, origin="coverslip"``
-        puts the excitation in the planes of the emission.
+        Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes; either may have
+        aberrations, the excitation the same in all planes. A :class:`lommel.Dipole` absorbs the component of the
+        field along it; a wobbling one reorients between absorption and emission. The foci of two wavelengths differ:
+        ``z=emission.focus, origin="coverslip"`` puts the excitation in the planes of the emission.
     shape : int or (int, int)
     pixel : float
         As of :func:`lommel.psf`: metres on the camera, the magnification times those in the sample.
@@ -66,7 +66,7 @@ def confocal(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the planes differ, or if either pupil has aberrations.
+        If an argument is out of range, or if the planes differ.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -121,7 +121,7 @@ def two_photon(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the pupil has aberrations.
+        If an argument is out of range.
     ToleranceError
         If the tolerance cannot be met.
     """
@@ -160,7 +160,7 @@ def bead(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the bead reaches into the glass, or if the pupil has aberrations.
+        If an argument is out of range, or if the bead reaches into the glass.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -266,7 +266,7 @@ def sted(
     excitation, emission : ObjectivePupil
         As of :func:`lommel.microscopy.confocal`; emitters are freely rotating dipoles.
     depletion : ObjectivePupil
-        ``lm.Beam("vortex")`` of its wavelength, in the same planes.
+        ``lm.Beam("vortex")`` of its wavelength, in the same planes, with one set of aberrations or none.
     shape, pixel
         As of :func:`lommel.microscopy.confocal`, point-sampled.
     saturation : float
@@ -284,8 +284,8 @@ def sted(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the planes differ, if a pupil has aberrations, if the depletion is not
-        rotationally symmetric, or emitters are fixed dipoles.
+        If an argument is out of range, if the planes differ, if the depletion is not a rotationally symmetric beam,
+        or if emitters are fixed dipoles.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -314,6 +314,7 @@ def sted(
     _same_planes("excitation", excitation, emission)
     _same_planes("depletion", depletion, emission)
     factor = validation.real("saturation", saturation, least=0.0)
-    highest = crest(depletion) if depletion.radial else 1.0  # a beam that is no doughnut is refused by the method
+    plain = replace(depletion, aberrations=None)
+    highest = crest(plain) if plain.radial else 1.0  # a beam that is no doughnut is refused by the method
     way = Sted(excitation, pinhole, tol, depletion=depletion, saturation=factor / highest)
     return psf(emission, shape, pixel, method=way, normalize="strehl", integrate=False)

@@ -39,10 +39,6 @@ def colours(objective=WATER, depth=20e-6, z=0.0, emitter="isotropic"):
     return objective.pupil(depth=depth, z=emission.focus, **beam), emission
 
 
-def aberrated():
-    return replace(colours()[0], aberrations=lm.Wavefront.zernike({(2, 2): 0.1}))
-
-
 def passed(pupil, v, pinhole):
     """The share of light that passes a pinhole, by polar coordinates around its own middle."""
     radius = 2.0 * np.pi * 0.61 * pinhole
@@ -187,7 +183,6 @@ def test_part_of_a_confocal_stack_is_one():
         (lambda: Confocal(colours()[0], 1e3), "pinhole must be > 0 and <= 100 Airy units"),
         (lambda: Confocal(colours()[0], tol=0.5), "tol must be >= 1e-12 and < 0.1"),
         (lambda: Confocal(colours(emitter=lm.Dipole(0.7, 0.0))[1]), "excitation must be the light of a Beam"),
-        (lambda: Confocal(aberrated()), "excitation must be without aberrations"),
         (lambda: TwoPhoton(float("nan")), "tol must be finite"),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,6 +11,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.methods.layers.disc_means import ETA, Values, disc_means, gauss_error
 from lommel.methods.layers.orders import Orders, ProvenMethod, highest, light
+from lommel.methods.layers.samples import Samples, disc_filter, light_samples
+from lommel.optics.grid import Grid
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _NODES_MOST = 200
@@ -52,7 +55,7 @@ class Bead(ProvenMethod):
         super().__post_init__()
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason where there are aberrations, or the bead would be in the glass."""
+        """Return the reason where the bead would be in the glass."""
         radius = 0.5 * self.diameter
         near = float(pupil.depth.min())
         if near < radius * (1.0 - 1e-9):
@@ -63,19 +66,14 @@ class Bead(ProvenMethod):
         """Return the light at rising v."""
         radius, layers, highest_order = 0.5 * self.diameter, pupil.layers, highest(pupil)
         size = layers.wavenumber * layers.NA * radius
-        heights, weights, off = _rule(self._growth(pupil), asked)
-        depths = np.maximum(pupil.depth.ravel() + radius * heights[:, None], 0.0)
-        focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
-        stack = replace(pupil, depth=depths, focus=focus, z=z)
-        power = stack.power.reshape(depths.shape)
+        heights, stack, share, off = self._planes(pupil, asked)
+        depths = stack.depth
         half = heights.size // 2
         discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
         discs = discs[: -half - 1 : -1] + discs  # the same below the middle
         places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
         found = light(stack, places, asked, self.tol)
         values_at, errors = found.values.reshape(*depths.shape, -1, places.size), found.error.reshape(depths.shape)
-        share = weights[:, None] * power
-        share /= share.sum(axis=0)
         values: Values = np.zeros(1)
         error, first = np.full(depths.shape[1], off), 0
         for k, means in enumerate(discs):
@@ -84,6 +82,31 @@ class Bead(ProvenMethod):
             values = values + share[k, :, None, None] * means.of(values_at[k][..., here])
             error += share[k] * (errors[k] * means.gain + means.error)
         return Orders(values, error)
+
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+        """Return the light at the centres of pixels."""
+        size = 0.5 * self.diameter * pupil.layers.wavenumber * pupil.layers.NA
+        heights, stack, share, off = self._planes(pupil, asked)
+        count = math.prod(pupil.shape)
+        values, error = np.zeros((count, *grid.shape)), np.full(count, off)
+        # The discs below the middle are those above.
+        for k, other in enumerate(range(len(heights) - 1, len(heights) // 2 - 1, -1)):
+            means = disc_filter(grid.step(pupil), size * math.sqrt(1.0 - heights[k] ** 2), asked)
+            for j in {k, other}:
+                plane = replace(pupil, depth=stack.depth[j].reshape(pupil.shape))
+                one = means.of(light_samples(plane, means.samples(grid), asked / means.gain, threads), threads)
+                values += one.times(share[j]).values
+                error += share[j] * one.error
+        return Samples(values, error)
+
+    def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
+        """Return heights, planes at these without aberrations, (heights, n), their shares of light, and an error."""
+        heights, weights, off = _rule(self._growth(pupil), asked)
+        depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
+        focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
+        stack = replace(pupil, depth=depths, focus=focus, z=z, aberrations=None)
+        share = weights[:, None] * stack.power.reshape(depths.shape)
+        return heights, stack, share / share.sum(axis=0), off
 
     def _growth(self, pupil: ObjectivePupil) -> Array:
         """Return the logarithm of how much intensities grow on ellipses of complex heights."""

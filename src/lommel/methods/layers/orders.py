@@ -16,6 +16,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.layers.debye_wolf import BRIGHT_RING, LEAST, LayeredMethod, harmonics, refine_until
 from lommel.methods.layers.disc_means import HALF, Values, between, growth, table_step
+from lommel.methods.layers.samples import Samples
 from lommel.methods.layers.stratified import Stratified, profiles
 from lommel.methods.method import RadialMethod, painted, storing
 from lommel.methods.pixels.averaging import averaged_images
@@ -166,16 +167,24 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return the light at rising v, to about an accuracy."""
 
+    @abstractmethod
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+        """Return the light of pupils with aberrations at the centres of pixels, to about an accuracy."""
+
+    def _aberrated(self, pupil: ObjectivePupil) -> bool:
+        """Return whether any of the light has aberrations."""
+        return pupil.aberrated
+
     def _ceiling(self, pupil: ObjectivePupil) -> float:
         """Return what the light is at most, and the integral of the modulus of its transfer function."""
         return 1.0
 
-    def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason where there are aberrations."""
-        return "supports no aberrations on top of those of layers" if pupil.aberrated else None
-
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return the mean over all azimuths at rising v; where the light is radial, all that there is of it."""
+        if self._aberrated(pupil):
+            raise ValueError(
+                f"{type(self).__name__} has no profiles of light with aberrations; compute an image, and measure that"
+            )
         at, where = np.unique(np.append(v, _BRIGHT), return_inverse=True)
 
         def made_of(asked: float) -> tuple[Array, Array]:
@@ -203,6 +212,8 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         """Return I at the centres of pixels."""
         grid.require_one_axis()
+        if self._aberrated(pupil):
+            return self._by_pixels(pupil, grid, tol, wanted)
         x, y = pupil.v(grid.x), pupil.v(grid.y)[:, None]
         radius, turn = np.hypot(x, y).ravel(), np.exp(1j * np.arctan2(y, x)).ravel()
         faster, ceiling = self.stretch(pupil), self._ceiling(pupil)
@@ -226,3 +237,13 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         pixels = made.values if alone else table.painted(known, radius, turn)
         values = pixels.reshape(-1, *grid.shape)
         return painted(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
+
+    def _by_pixels(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        """Return the same where light has aberrations, relative to the largest value in the window."""
+        aim = (0.48 if wanted.scale is None else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
+
+        def made_of(asked: float) -> tuple[Array, Array]:
+            found = self._pixels(pupil, grid, asked, wanted.threads)
+            return np.maximum(found.values, 0.0), found.error
+
+        return painted(refine_until(made_of, aim, start=0.1 * aim, floor=_LEAST, named=self.tol), grid, wanted)

@@ -13,6 +13,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
 from lommel.methods.layers.disc_means import disc_means
 from lommel.methods.layers.orders import Orders, ProvenMethod, highest, light, product
+from lommel.methods.layers.samples import Samples, disc_filter, light_samples
 from lommel.methods.method import RadialMethod
 from lommel.optics.grid import Grid
 from lommel.optics.layers import debye
@@ -71,17 +72,14 @@ class Confocal(ProvenMethod):
     def __post_init__(self) -> None:
         super().__post_init__()
         pupil = _given("excitation", self.excitation)
-        if pupil.aberrated:
-            raise ValueError(f"excitation must be without aberrations, got {pupil.aberrations!r}")
-        if not (pupil.radial or isinstance(pupil.emitter, Beam)):
+        if not (pupil.light.radial or isinstance(pupil.emitter, Beam)):
             raise ValueError(f"excitation must be the light of a Beam, got that of {pupil.emitter!r}")
-        one = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
-        object.__setattr__(self, "excitation", one)
+        object.__setattr__(self, "excitation", _one_plane("excitation", pupil))
         pinhole = validation.real("pinhole", self.pinhole, above=0.0, most=_PINHOLE_MOST, unit="Airy units")
         object.__setattr__(self, "pinhole", pinhole)
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason where there are aberrations, or the excitation is that of another objective."""
+        """Return the reason where the excitation is that of another objective, or leaves the emitter dark."""
         if pupil.magnification != self.excitation.magnification:
             return (
                 f"has an excitation of the magnification {self.excitation.magnification:g}, "
@@ -97,7 +95,7 @@ class Confocal(ProvenMethod):
 
     def along_radius(self, pupil: ObjectivePupil) -> RadialMethod | None:
         """Return the method itself where neither light depends on the direction, else None."""
-        return self if pupil.radial and self._lit(pupil).radial else None
+        return self if pupil.radial and self._lit(pupil).radial and not self._aberrated(pupil) else None
 
     def _ceiling(self, pupil: ObjectivePupil) -> float:
         """Return what the product is at most, and the integral of the modulus of its transfer function."""
@@ -113,7 +111,11 @@ class Confocal(ProvenMethod):
         beam = self.excitation.emitter
         if isinstance(beam, Beam) and (dipole := _fixed(pupil)):
             beam = Absorbed(beam.polarization, dipole)
-        return replace(pupil, layers=self.excitation.layers, emitter=beam, aberrations=None)
+        return replace(pupil, layers=self.excitation.layers, emitter=beam, aberrations=self.excitation.aberrations)
+
+    def _aberrated(self, pupil: ObjectivePupil) -> bool:
+        """Return whether any of the light has aberrations."""
+        return pupil.aberrated or self.excitation.aberrated
 
     def _absorbed(self, pupil: ObjectivePupil) -> Array:
         """Return the light that is absorbed in each plane, wherever, over that of the beam."""
@@ -131,6 +133,21 @@ class Confocal(ProvenMethod):
         seen = light(pupil, means.places, asked, self.tol)
         passed = Orders(means.of(seen.values), seen.error * means.gain + means.error)
         return product(excited.times(self._absorbed(pupil)), passed.times(np.full(len(seen.error), self._share)))
+
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+        """Return the product at the centres of pixels."""
+        accuracy = asked / max(1.0, self._share)
+        means = disc_filter(grid.step(pupil), AIRY * self.pinhole, accuracy)
+        seen = means.of(light_samples(pupil, means.samples(grid), accuracy / means.gain, threads), threads)
+        excited = light_samples(self._lit(pupil), grid, asked, threads).times(self._absorbed(pupil))
+        return excited.times(seen.times(np.full(len(seen.error), self._share)))
+
+
+def _one_plane(name: str, pupil: ObjectivePupil) -> ObjectivePupil:
+    """Return the pupil in one of its planes, which share their aberrations."""
+    if pupil.aberrations is not None and pupil.aberrations.shape:
+        raise ValueError(f"{name} must have one set of aberrations for all planes, got a stack")
+    return pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
 
 
 def _given(name: str, given: object) -> ObjectivePupil:
@@ -177,6 +194,11 @@ class TwoPhoton(ProvenMethod):
         once = light(pupil, v, asked, self.tol)
         return product(once, once)
 
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+        """Return the square of the intensity at the centres of pixels."""
+        once = light_samples(pupil, grid, asked, threads)
+        return once.times(once)
+
 
 @dataclass(frozen=True)
 class Sted(Confocal):
@@ -218,14 +240,14 @@ class Sted(Confocal):
     def __post_init__(self) -> None:
         super().__post_init__()
         pupil = _given("depletion", self.depletion)
-        if not pupil.radial:
+        if not pupil.light.radial:
             raise ValueError(f"depletion must not depend on the direction, got {pupil!r}")
         if self.excitation.magnification != pupil.magnification:
             raise ValueError(
                 f"depletion must have the magnification of the excitation, {self.excitation.magnification:g}, "
                 f"got {pupil.magnification:g}"
             )
-        object.__setattr__(self, "depletion", pupil[(0,) * len(pupil.shape)])
+        object.__setattr__(self, "depletion", _one_plane("depletion", pupil))
         saturation = validation.real("saturation", self.saturation, least=0.0, most=_SATURATION_MOST)
         object.__setattr__(self, "saturation", saturation)
 
@@ -242,13 +264,30 @@ class Sted(Confocal):
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see ``Method.images``."""
         if grid.integrate and self.along_radius(pupil) is None:
-            raise ValueError("integrate must be False for a Sted whose excitation depends on the direction, got True")
+            raise ValueError("integrate must be False for a Sted whose light depends on the direction, got True")
         return super().images(pupil, grid, wanted)
+
+    def _aberrated(self, pupil: ObjectivePupil) -> bool:
+        """Return whether any of the light has aberrations."""
+        return super()._aberrated(pupil) or self.depletion.aberrated
+
+    def _depleting(self, pupil: ObjectivePupil) -> ObjectivePupil:
+        """Return what depletes in the planes of the emission."""
+        beam = self.depletion
+        return replace(pupil, layers=beam.layers, emitter=beam.emitter, aberrations=beam.aberrations)
+
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> Samples:
+        """Return what is left of the product at the centres of pixels."""
+        rate = math.log(2.0) * self.saturation
+        excited = super()._pixels(pupil, grid, asked, threads)
+        depleting = light_samples(self._depleting(pupil), grid, asked / max(1.0, rate), threads)
+        left = np.exp(-rate * np.maximum(depleting.values, 0.0))
+        return excited.times(Samples(left, rate * depleting.error))
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return what is left of the product at rising v, of the emission."""
         beam, slower = self.depletion, super().stretch(pupil)
-        planes = replace(pupil, layers=beam.layers, emitter=beam.emitter)
+        planes = self._depleting(pupil)
         rate, faster = math.log(2.0) * self.saturation, pupil.scale / beam.scale
         finer, ceiling = max(1.0, rate), self._ceiling(pupil)
         # Both are band-limited, and what is left of them is wanted at many more radii.

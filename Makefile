@@ -237,7 +237,7 @@ test-arm: ## compile the core for 64-bit ARM and run its own programs, emulated:
 		command -v $$tool >/dev/null || { echo "make: there is no $$tool on PATH: install g++-aarch64-linux-gnu and qemu-user" >&2; exit 1; }
 	done
 	mkdir -p build
-	for program in calls slopes layers measures exercise tables; do
+	for program in calls slopes layers measures exercise tables molecules; do
 		echo "$(ARM_CXX): $$program"
 		wide=
 		if [ $$program = tables ]; then wide=-DLOMMEL_WIDE=double; fi
@@ -279,7 +279,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 		build/$$program
 	}
 	for kind in address,undefined thread; do
-		for program in calls exercise slopes layers; do sanitized $$kind $$program; done
+		for program in calls exercise slopes layers molecules; do sanitized $$kind $$program; done
 	done
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double
@@ -287,6 +287,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	# Where there are no vectors, and nothing that other compilers do not know.
 	sanitized address,undefined calls -DLOMMEL_WITHOUT_VECTORS -pedantic-errors
 	sanitized address,undefined layers -DLOMMEL_WITHOUT_VECTORS -pedantic-errors
+	sanitized address,undefined molecules -DLOMMEL_WITHOUT_VECTORS -pedantic-errors
 	# Each header with nothing included before it.
 	for header in $(wildcard cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp); do
 		$(CXX) -std=c++17 -O0 -fsyntax-only -Wall -Wextra -Wno-psabi -Icpp/include -x c++ /dev/null -include "$$header"

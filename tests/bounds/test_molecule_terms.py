@@ -143,7 +143,14 @@ def test_samples_are_as_exact_as_they_are_said_to_be(made):
     shape, center = (31, 29), (14, 13)
     values, error = made._samples(waves, planes.places[middle : middle + 1], shape, center, per, delta, 0)
     exact = lm.psf(
-        one, shape, 9e-6 / per, center=(14.0, 13.0), integrate=False, normalize="strehl", method=lm.DebyeRings(1e-10), dtype=float
+        one,
+        shape,
+        9e-6 / per,
+        center=(14.0, 13.0),
+        integrate=False,
+        normalize="strehl",
+        method=lm.DebyeRings(1e-10),
+        dtype=float,
     ).values
     assert np.abs(values - exact).max() <= error <= delta
 

@@ -137,7 +137,7 @@ def test_the_largest_sum_of_coefficients_is_that_of_what_is_stored(made):
 
 
 def test_samples_are_as_exact_as_they_are_said_to_be(made):
-    waves, taps, planes, step, per, delta, *_ = made.parts
+    waves, _, planes, _, per, delta, *_ = made.parts
     middle = len(planes.places) // 2
     one = waves.at(planes.places[middle : middle + 1])
     shape, center = (31, 29), (14, 13)

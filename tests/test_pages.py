@@ -81,6 +81,7 @@ COPIES = {
     "newtonian-off-axis.toml": "newtonian.toml",
     "camera-field.toml": "camera.toml",
     "zeiss-63x-1.4-oil.toml": "objective.toml",
+    "zeiss-63x-astigmatic.toml": "examples/objectives/zeiss-63x-astigmatic.toml",
 }
 
 
@@ -117,6 +118,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     molecules = simulated_movies.spread(3, 48, each=1, apart=20, seed=1)
     mean = simulated_movies.light(molecules, 3, 48, 5.0)
     camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
+    tifffile.imwrite("dark.tif", np.full((48, 48), 100, np.uint16))
     tifffile.imwrite("movie.tif", simulated_movies.recorded(mean, camera, 1), photometric="minisblack")
     lens = lm.load_instrument("lens.toml")
     light = lens.pupil()

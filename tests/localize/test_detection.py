@@ -179,7 +179,7 @@ def test_empty_movies_and_dark_frames_have_no_spots():
         ({"frames": np.zeros((2, 14, 20))}, r"at least the box of 15 x 15, got \(2, 14, 20\)"),
         ({"frames": np.full((20, 20), np.nan)}, "image must be finite, got nan"),
         ({"box": 0}, "shape must be"),
-        ({"box": 5}, "width must be >= 0.5 and <= 1.25, got 1.5"),
+        ({"box": 5}, "width must be >= 0.5 and <= 1.25, got 2"),
         ({"threshold": 2.0}, "threshold must be >= 3"),
         ({"threshold": "high"}, "threshold must be a real number"),
         ({"width": 0.1}, "width must be >= 0.5"),

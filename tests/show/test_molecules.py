@@ -82,5 +82,7 @@ def test_pictures_are_no_larger_than_a_few_thousand_pixels():
     found = Localizations(molecules((5.0, 5.0, 0.0, 20.0)), Recording(1, 512, 512, 103e-9, (15, 15), "z"))
     (image,) = found.plot(pixel=1e-9).images
     assert image.get_array().shape == (4096, 4096, 3)
+    (image,) = found.plot().images
+    assert image.get_array().shape == (800, 800, 3)
     with pytest.raises(ValueError, match="pixel must be > 0"):
         found.plot(pixel=0.0)

@@ -32,6 +32,7 @@ COMMANDS = {
     "depth": "depth_commands",
     "precision": "depth_commands",
     "retrieve": "retrieve_command",
+    "localize": "localize_command",
     "paper": "lens_commands",
 }
 """The modules of the commands, by name, the first ones first; each command is a function of its name there."""
@@ -110,6 +111,7 @@ def main() -> None:
       lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o s.tif
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2
+      lommel localize movie.tif zeiss-63x-astigmatic.toml --read 2 -o found.csv
     """  # noqa: D301 (\b is meant)
 
 

@@ -4,6 +4,7 @@ from lommel.localize.detection import Spots, find
 from lommel.localize.fitting import Molecules, fit
 from lommel.localize.localizations import Localizations, writer
 from lommel.localize.molecule_files import Recording
+from lommel.localize.movie_fits import localize_blocks, localize_movie
 from lommel.localize.movies import Movie, MovieError, open_movie
 from lommel.localize.table import Table
 
@@ -17,6 +18,8 @@ __all__ = [
     "Table",
     "find",
     "fit",
+    "localize_blocks",
+    "localize_movie",
     "open_movie",
     "writer",
 ]

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.io import registry
+from lommel.localize.fitting import STATES
 from lommel.localize.molecule_files import Recording
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 _ESTIMATES = ("x", "y", "z", "photons", "background")
 _COLUMNS = (*_ESTIMATES, *(f"{name}_deviation" for name in _ESTIMATES))
 _OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
-STATES = ("converged", "border", "steps", "undetermined")
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,9 +67,9 @@ class Localizations:
         return replace(self, table=chosen)
 
     @property
-    def converged(self) -> Localizations:
-        """Those whose fit converged."""
-        return self[self.table["state"] == 0]
+    def converged(self) -> NDArray[np.bool_]:
+        """Which fits converged."""
+        return np.asarray(self.table["state"] == 0)
 
     @property
     def counts(self) -> dict[str, int]:
@@ -96,14 +96,13 @@ class Localizations:
         with writer(*paths) as write:
             write(self)
 
-    def plot(self, *, pixel: float = 20e-9, ax: Axes | None = None) -> Axes:
+    def plot(self, *, pixel: float | None = None, ax: Axes | None = None) -> Axes:
         """Draw those that converged as Gaussians of their standard deviations, coloured by z.
 
         Parameters
         ----------
-        pixel : float, default 20e-9
-            Pixel pitch of the picture, metres in the sample; larger where the picture would have more than 4096 a
-            side.
+        pixel : float, optional
+            Pixel pitch of the picture, metres in the sample, at most 4096 a side; by default 800 a side.
         ax : matplotlib Axes, optional
             Where to draw; by default a new figure.
 
@@ -120,9 +119,10 @@ class Localizations:
         """
         from lommel.show import molecules
 
-        side, one = validation.real("pixel", pixel, above=0.0, below=1e-3), self.recording
+        one = self.recording
+        side = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3)
         return molecules.picture(
-            self.converged.table, (one.rows * one.pixel, one.columns * one.pixel), side, one.along, ax
+            self.table[self.converged], (one.rows * one.pixel, one.columns * one.pixel), side, one.along, ax
         )
 
 
@@ -185,8 +185,8 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
         writes = [files.enter_context(form.write(*form.places(path))) for form, path in found]
 
         def write(part: Localizations) -> None:
-            kept = validation.instance("part", part, Localizations).converged
+            kept = validation.instance("part", part, Localizations).table[part.converged]
             for each in writes:
-                each(kept.table, kept.recording)
+                each(kept, part.recording)
 
         yield write

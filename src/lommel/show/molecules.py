@@ -17,22 +17,25 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _COLOURS = "turbo"
-_MOST = 4096  # pixels of a side
-_WIDTHS = 2.0 ** (0.5 * np.arange(-3, 13))  # pixels, of the Gaussians that are drawn together
+_MOST, _USUAL = 4096, 800  # pixels of a side
+_LEAST = 5e-9
+_WIDTHS = 2.0 ** (0.5 * np.arange(-1, 13))  # pixels, of the Gaussians that are drawn together, and at least
 _AXES = {"z": "stage position z (um)", "depth": "depth (um)"}
 
 
-def picture(rows: NDArray[np.void], size: tuple[float, float], pixel: float, along: str, ax: Axes | None) -> Axes:
+def picture(
+    rows: NDArray[np.void], size: tuple[float, float], pixel: float | None, along: str, ax: Axes | None
+) -> Axes:
     """Draw molecules in a field of a height and width (metres in the sample), by pixels of about this pitch."""
     axes = new_axes(ax, figsize=(6.4, 5.6))
-    side = max(pixel, max(size) / _MOST)
+    side = max(_LEAST, max(size) / _USUAL) if pixel is None else max(pixel, max(size) / _MOST)
     heights = 1e6 * rows["z"]
     low, high = np.percentile(heights, [1.0, 99.0]) if rows.size else (0.0, 1.0)
     map_ = library("matplotlib.cm", *USER).ScalarMappable(cmap=_COLOURS)
     map_.set_clim(low, max(high, low + 1e-3))
     extent = (0.0, 1e6 * size[1], 1e6 * size[0], 0.0)
     colours = map_.to_rgba(heights)[:, :3] if rows.size else np.zeros((0, 3))
-    axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="nearest")
+    axes.imshow(rendered(rows, size, side, colours), extent=extent, interpolation="antialiased")
     figure: Any = axes.get_figure(root=True)
     figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
     axes.set(xlabel="x (um)", ylabel="y (um)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")

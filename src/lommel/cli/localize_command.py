@@ -1,0 +1,237 @@
+"""The command ``lommel localize``: molecules of a movie in three dimensions, in a table."""
+
+from __future__ import annotations
+
+import dataclasses
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+from rich.text import Text
+
+from lommel.base.units import format_length
+from lommel.base.validation import line, shown
+from lommel.cli.instruments import DEPTH, LENS, SQUARE_PIXEL, microscope_of
+from lommel.cli.options import FILE, JSON, MICROMETRES, WINDOW, Option, command, documented, plot_option, under
+from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
+from lommel.cli.progress import progress
+from lommel.estimation.noise import Noise
+from lommel.io import registry
+from lommel.io.photos import read_images
+from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
+from lommel.localize.localizations import joined
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from lommel.base.arrays import Array
+
+_Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
+
+
+def _map(text: str, name: str) -> float | Array:
+    """Return a number, or the map of a file."""
+    try:
+        return float(text)
+    except ValueError:
+        path = Path(text)
+    if not path.suffix:
+        raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {shown(text)}")
+    found = read_images([path])
+    if len(found) != 1:
+        raise ValueError(f"--{name} must be one image, got {len(found)} in {line(path)}")
+    return np.asarray(found[0], np.float64)
+
+
+_CAMERA = under(
+    "Camera",
+    Option("--gain", "white", metavar="NUMBER|FILE", default="1",
+           help="Electrons per count. A file (.tif, .npy) is a map with a value for each pixel, also of --read and "
+           "--offset."),
+    Option("--read", metavar="NUMBER|FILE", required=True, help="Read noise, rms electrons; 0 for none."),
+    Option("--offset", metavar="NUMBER|FILE", default="0", help="Counts of a pixel without electrons, such as 100."),
+    SQUARE_PIXEL,
+)  # fmt: skip
+
+
+@command(
+    click.Argument(["movie"], type=FILE),
+    LENS,
+    Option("-o", "--output", "outputs", type=FILE, required=True, multiple=True,
+           help=f"Table of molecules: {registry.suffixes('molecules', described=True)}; may be repeated."),
+    plot_option("Picture of the molecules, coloured by z"),
+    *_CAMERA,
+    *under(
+        "Molecules",
+        Option("--z", type=MICROMETRES, nargs=2, metavar="FROM TO",
+               help="Range of z, such as -0.7um 0.7um, which it is by default; with --along depth 0um 1um."),
+        documented(Table, "along", type=click.Choice(("z", "depth"))),
+        DEPTH,
+        Option("--box", "shape", type=WINDOW, default="15",
+               help="Pixels of the boxes that are fitted, such as 15 or 15x17."),
+        documented(find, "threshold", type=float),
+        documented(localize_blocks, "width", type=float,
+                   help="Standard deviation in pixels by which frames are smoothed to find spots; by default that of "
+                   "the images of molecules."),
+    ),
+    *under(
+        "Fits",
+        documented(Table, "reach", type=float, default=3.0),
+        documented(Table, "tol", type=float),
+        documented(fit, "starts", type=int),
+        documented(fit, "threads", type=int),
+        documented(localize_blocks, "block", type=int,
+                   help="Frames in memory at once; by default as many as have four million pixels."),
+    ),
+    JSON,
+)  # fmt: skip
+def localize(
+    movie: Path,
+    lens: Path,
+    outputs: tuple[Path, ...],
+    figure: Path | None,
+    white: str,
+    read: str,
+    offset: str,
+    pixel: float | None,
+    depth: float | None,
+    z: tuple[float, float] | None,
+    along: str,
+    shape: int | tuple[int, int],
+    reach: float,
+    tol: float,
+    threads: int | None,
+    **given: Any,
+) -> Report:
+    """Localise the molecules of a movie in three dimensions.
+
+    MOVIE is a TIFF or OME-TIFF file of any length, as the camera recorded it. LENS is the file of an objective with a
+    section [aberrations.zernike], such as astigmatism: it describes the images of molecules at the depth of the file
+    (or --depth), from which positions are fitted by maximum likelihood.
+
+    x and y are in the sample, from the outer corner of the first pixel along columns and rows. z is the position of
+    the stage at which a molecule at this depth would look so, positive towards the sample: molecules deeper in the
+    sample have a smaller z. With --along depth it is the depth of the molecule below the cover glass, the stage at
+    rest at the origin of the file. Fits that end at a border of the range or do not converge are counted, not
+    written. Drift is not corrected, and molecules seen in several frames are a row in each.
+
+    Examples
+    --------
+      lommel localize movie.tif zeiss-63x-astigmatic.toml --read 1.6 --offset 100 -o found.csv --plot found.png
+      lommel localize movie.tif zeiss-63x-astigmatic.toml --read 1.6 --offset dark.tif --z -0.5um 0.5um -o a.hdf5
+    """
+    for path in outputs:
+        registry.find("molecules", path, "--output")
+        require_folder(path)
+    microscope = microscope_of(lens, pixel=pixel, depth=depth)
+    if microscope is None:
+        raise ValueError(f"lommel localize needs a microscope, a file with a section [objective]; {lens} has none")
+    maps = {name: _map(text, flag) for name, text, flag in _named(white, read, offset)}
+    camera, begun = Noise(**maps), time.perf_counter()
+    parts: list[Localizations] = []
+    with progress("table of images") as step, open_movie(movie) as frames:
+        table = Table(
+            dataclasses.replace(microscope, planes=1).pupil(),
+            shape,
+            microscope.pixel,
+            z=_Z[along] if z is None else z,
+            along=along,
+            reach=reach,
+            tol=tol,
+            threads=threads,
+        )
+
+        def done(count: int, total: int) -> None:
+            step(f"frame {count} of {total}", count / total)
+
+        with writer(*outputs) as write:
+            for part in localize_blocks(frames, table, noise=camera, threads=threads, progress=done, **given):
+                write(part)
+                parts.append(part if figure is not None else _brief(part))
+    found = joined(parts)
+    if figure is not None:
+        drawn: Any = found.plot().get_figure(root=True)
+        save_figure(drawn, figure)
+    facts = _facts(found, table, time.perf_counter() - begun)
+    facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source} | facts
+    places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
+    return Report(facts, _parts(facts, maps)) + written([*places, figure])
+
+
+def _named(white: str, read: str, offset: str) -> list[tuple[str, str, str]]:
+    """Return arguments of the noise, their texts, and their options."""
+    return [("white", white, "gain"), ("read", read, "read"), ("offset", offset, "offset")]
+
+
+_MEDIANS = ("photons", "background", "x_deviation", "y_deviation", "z_deviation", "discrepancy")
+
+
+def _brief(part: Localizations) -> Localizations:
+    """Return localisations with what the report needs alone, for long movies."""
+    names = ["state", *_MEDIANS]
+    kinds = [(name, np.int32 if name == "state" else np.float32) for name in names]
+    kept = np.empty(len(part), np.dtype(kinds))
+    for name in names:
+        kept[name] = part.table[name]
+    return dataclasses.replace(part, table=kept)
+
+
+def _facts(found: Localizations, table: Table, seconds: float) -> Facts:
+    kept = found.table[found.converged]
+    medians = {name: float(np.median(kept[name])) if kept.size else None for name in _MEDIANS}
+    return {
+        "frames": found.recording.frames,
+        "shape": [found.recording.rows, found.recording.columns],
+        "pixel_in_sample": found.recording.pixel,
+        "spots": found.spots,
+        "borders": found.borders,
+        "overlapping": found.overlapping,
+        "states": found.counts,
+        "written": kept.size,
+        "medians": medians,
+        "along": table.along,
+        "z": list(table.z),
+        "table_error_bound": table.error_bound,
+        "seconds": seconds,
+    }
+
+
+def _parts(facts: Facts, camera: dict[str, float | Array]) -> list[RenderableType]:
+    """Return the table of what was found, and what was not corrected."""
+    rows, columns = facts["shape"]
+    each = {name: f"{value:g}" if isinstance(value, float) else "a map" for name, value in camera.items()}
+    told = f"gain {each['white']} electrons per count, offset {each['offset']}, read noise {each['read']} electrons"
+    left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"
+    others = ", ".join(f"{n} {_STATES[name]}" for name, n in facts["states"].items() if n and name != "converged")
+    low, high = (format_length(end, like=1e-6) for end in facts["z"])
+    what = "depth" if facts["along"] == "depth" else "position of the stage"
+    lines = [
+        (
+            "movie",
+            f"{facts['frames']} frames of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel",
+        ),
+        ("camera", told),
+        ("spots", f"{facts['spots']}; {left}"),
+        ("localised", f"{facts['written']}{f'; not written: {others}' if others else ''}"),
+        ("z", f"{low} to {high}, {what}"),
+        *_of_medians(facts["medians"]),
+        ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
+        ("time", f"{facts['seconds']:.3g} s"),
+    ]
+    return [Text(facts["name"], "bold"), list_of(lines), Wrapped("Drift is not corrected.", "dim")]
+
+
+_STATES = {"border": "at a border of the range", "steps": "without convergence", "undetermined": "undetermined"}
+
+
+def _of_medians(medians: dict[str, float | None]) -> list[tuple[str, str]]:
+    if any(value is None for value in medians.values()):
+        return []
+    x, y, z = (format_length(medians[f"{name}_deviation"] or 0.0, digits=3) for name in "xyz")
+    return [
+        ("median light", f"{medians['photons']:.4g} photons, background {medians['background']:.3g} a pixel"),
+        ("median precision", f"x {x}, y {y}, z {z} (Cramer-Rao bound)"),
+        ("median discrepancy", f"{medians['discrepancy']:.2g} (0 +- 1 where PSF and noise are right)"),
+    ]

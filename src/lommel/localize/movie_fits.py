@@ -1,0 +1,192 @@
+"""Localisation of the molecules of a movie: frames in blocks, spots, fits, positions in the sample."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import fields
+from os import PathLike
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.estimation.noise import Noise
+from lommel.localize.detection import Spots, find
+from lommel.localize.fitting import Deviation, Molecules, fit
+from lommel.localize.localizations import Localizations, columns, joined
+from lommel.localize.molecule_files import Recording
+from lommel.localize.movies import BLOCK, Movie, open_movie
+from lommel.localize.table import Table
+
+_HEIGHTS, _TURNS = 65, 100
+
+
+def localize_movie(
+    movie: Movie | str | PathLike[str] | ArrayLike,
+    table: Table,
+    *,
+    noise: Noise | None = None,
+    threshold: float = 6.0,
+    width: float | None = None,
+    starts: int = 4,
+    block: int | None = None,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Localizations:
+    """Find the molecules of a movie and estimate where they are, by :func:`find` and :func:`fit`.
+
+    Drift of the sample is not corrected, and molecules that shine in several frames are a row in each.
+
+    Parameters
+    ----------
+    movie : Movie, path or array_like of shape (frames, rows, columns)
+        Frames as the camera recorded them, in the unit of `noise`.
+    table : Table
+        Images of a molecule, with the pixels of the camera; its shape is that of the boxes.
+    noise : Noise, optional
+        Gain, offset and read noise of the camera, each a number or a map of the frame; by default frames are in
+        electrons without read noise.
+    threshold : float, default 6.0
+        Least height of a spot in standard deviations of the background noise, at least 3.
+    width : float, optional
+        Standard deviation in pixels by which frames are smoothed to find spots; by default the median over z of that
+        of the images in the table.
+    starts : int, default 4
+        Number of starts of a fit where the first estimate is in doubt.
+    block : int, optional
+        Frames in memory at once; by default as many as have four million pixels.
+    threads : int, optional
+        Maximum number of threads of fits; by default the number of processors.
+    progress : callable, optional
+        Called with the number of frames done and their total after each block.
+
+    Returns
+    -------
+    Localizations
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or frames are smaller than the boxes; MovieError if a file is no movie.
+    OSError
+        If a file cannot be read.
+
+    Examples
+    --------
+    >>> camera = lm.Noise(white=0.46, read=1.6, offset=100)  # doctest: +SKIP
+    >>> found = localize_movie("movie.tif", table, noise=camera)  # doctest: +SKIP
+    >>> found.save("molecules.csv")  # doctest: +SKIP
+    """
+    options = {"noise": noise, "threshold": threshold, "width": width, "starts": starts}
+    return joined(list(localize_blocks(movie, table, **options, block=block, threads=threads, progress=progress)))  # type: ignore[arg-type]
+
+
+def localize_blocks(
+    movie: Movie | str | PathLike[str] | ArrayLike,
+    table: Table,
+    *,
+    noise: Noise | None = None,
+    threshold: float = 6.0,
+    width: float | None = None,
+    starts: int = 4,
+    block: int | None = None,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> Iterator[Localizations]:
+    """Yield the localisations of a movie block by block, for movies whose molecules are more than memory holds.
+
+    Parameters
+    ----------
+    movie, table, noise, threshold, width, starts, block, threads, progress
+        As of :func:`localize_movie`.
+
+    Yields
+    ------
+    Localizations
+        Of each block of frames, at least one, also without molecules; :func:`writer` writes them.
+
+    Raises
+    ------
+    TypeError, ValueError, OSError
+        As of :func:`localize_movie`.
+    """
+    validation.instance("table", table, Table)
+    validation.function("progress", progress, required=False)
+    widths = gaussian_widths(table)
+    if width is None:
+        width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
+    with _opened(movie, block) as (shape, blocks, name):
+        pixel = table.pixel / table.pupil.magnification
+        recording = Recording(*shape, pixel, table.shape, table.along, name)
+        done = 0
+        for frames in blocks:
+            spots = find(frames, table.shape, noise=noise, threshold=threshold, width=width, first=done)
+            found = fit(table, spots.images, noise=noise, corners=spots.corners, starts=starts, threads=threads)
+            yield _localizations(spots, found, recording, widths)
+            done += len(frames)
+            if progress is not None:
+                progress(done, shape[0])
+
+
+@contextmanager
+def _opened(
+    movie: Movie | str | PathLike[str] | ArrayLike, block: int | None
+) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str]]:
+    """Yield the shape of a movie, its blocks, and its name."""
+    if isinstance(movie, str | PathLike):
+        with open_movie(movie) as opened:
+            yield opened.shape, opened.blocks(block), opened.path.name
+    elif isinstance(movie, Movie):
+        yield movie.shape, movie.blocks(block), Path(movie.path).name
+    else:
+        frames = validation.number_array("movie", movie)
+        if frames.ndim != 3 or 0 in frames.shape:
+            raise ValueError(f"movie must have the shape (frames, rows, columns), got {frames.shape}")
+        count, rows, across = frames.shape
+        each = max(1, BLOCK // (rows * across)) if block is None else block
+        validation.integer("block", each, least=1, most=validation.MAX_VALUES)
+        yield (count, rows, across), (frames[k : k + each] for k in range(0, count, each)), ""
+
+
+def _localizations(
+    spots: Spots, found: Molecules, recording: Recording, widths: tuple[Array, Array, Array]
+) -> Localizations:
+    rows, pixel = np.zeros(len(spots), columns()), recording.pixel
+    rows["frame"], rows["score"] = spots.frame, spots.score
+    for name in ("discrepancy", "log_likelihood", "state"):
+        rows[name] = getattr(found, name)
+    sides = {"row": "y", "column": "x"}
+    for name in (each.name for each in fields(Deviation)):
+        to, scale, shift = (sides[name], pixel, 0.5) if name in sides else (name, 1.0, 0.0)
+        rows[to] = (getattr(found, name) + shift) * scale
+        rows[f"{to}_deviation"] = getattr(found.deviation, name) * scale
+    heights, along_y, along_x = widths
+    rows["sigma_y"], rows["sigma_x"] = (pixel * np.interp(found.z, heights, one) for one in (along_y, along_x))
+    return Localizations(rows, recording, len(spots), spots.borders, spots.overlapping)
+
+
+def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:
+    """Return heights z, and deviations along rows and columns of Gaussians fitted to the images there, pixels.
+
+    Adaptive moments (G. M. Bernstein, M. Jarvis, doi:10.1086/338085): weighed by the Gaussian itself, the second
+    moments of a Gaussian are half its own.
+    """
+    heights = np.linspace(*table.z, _HEIGHTS)
+    middle = [side // 2 for side in table.shape]
+    images = np.asarray(table(middle[0], middle[1], heights), np.float64)
+    down, across = (np.arange(side) - at for side, at in zip(table.shape, middle, strict=True))
+    variances = np.full((2, _HEIGHTS), 2.0)
+    for _ in range(_TURNS):
+        tall, wide = (
+            np.exp(-0.5 * over**2 / one[:, None]) for over, one in zip((down, across), variances, strict=True)
+        )
+        sums = np.einsum("zyx,zy,zx->z", images, tall, wide)
+        moments = (
+            np.einsum("zyx,zy,zx,y->z", images, tall, wide, down**2.0),
+            np.einsum("zyx,zy,zx,x->z", images, tall, wide, across**2.0),
+        )
+        variances = np.clip(2.0 * np.stack(moments) / sums, 0.1, max(table.shape) ** 2)
+    return heights, *np.sqrt(variances)

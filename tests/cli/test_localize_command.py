@@ -1,0 +1,156 @@
+"""`lommel localize`, run as a user runs it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import h5py
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+import simulated_movies as simulated
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLE = ROOT / "examples" / "objectives" / "zeiss-63x-astigmatic.toml"
+CAMERA = lm.Noise(white=0.46, read=1.6, offset=100.0)
+NOISE = ["--gain", 0.46, "--read", 1.6, "--offset", 100]
+GIVEN = ["movie.tif", "objective.toml", "--read", 1]
+FRAMES, SIDE = 8, 72
+MOLECULES = simulated.spread(FRAMES, SIDE, each=3, apart=20, seed=5)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory) -> Path:
+    """A folder with an objective and a movie."""
+    folder = tmp_path_factory.mktemp("movie")
+    counts = simulated.recorded(simulated.light(MOLECULES, FRAMES, SIDE, 6.0), CAMERA, 6)
+    tifffile.imwrite(folder / "movie.tif", counts, photometric="minisblack")
+    (folder / "objective.toml").write_text(EXAMPLE.read_text(encoding="utf-8"), encoding="utf-8")
+    return folder
+
+
+@pytest.fixture
+def folder(made, tmp_path) -> Path:
+    for path in made.iterdir():
+        (tmp_path / path.name).symlink_to(path)
+    yield tmp_path
+    plt.close("all")
+
+
+def test_a_movie_becomes_a_table_and_a_picture(folder, call_lommel):
+    outputs = ["-o", "a.csv", "-o", "a.hdf5", "--plot", "a.png"]
+    result = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, *outputs, folder=folder)
+    assert (result.returncode, result.stderr) == (0, "")
+    table = pd.read_csv(folder / "a.csv")
+    assert len(table) == 24
+    pixel = 1e9 * simulated.PIXEL / simulated.MAGNIFICATION
+    true = np.column_stack([MOLECULES.column + 0.5, MOLECULES.row + 0.5]) * pixel
+    found = table[["x [nm]", "y [nm]"]].to_numpy()
+    far = np.linalg.norm(found[:, None] - true, axis=2)
+    far[(table["frame"].to_numpy() - 1)[:, None] != MOLECULES.frame] = np.inf
+    mine = far.argmin(axis=1)
+    assert far.min(axis=1).max() < 60.0
+    off = (table["z [nm]"] - 1e9 * MOLECULES.z[mine]) / table["uncertainty_z [nm]"]
+    assert off.abs().max() < 4.5
+    lines = result.stdout.splitlines()
+    assert lines[0] == lm.load_microscope(EXAMPLE).name
+    text = " ".join(result.stdout.split())
+    assert "8 frames of 72 x 72, 103.2 nm a pixel" in text
+    assert "gain 0.46 electrons per count, offset 100, read noise 1.6 electrons" in text
+    assert "spots 24; left out 0 at borders" in text
+    assert "localised 24" in text
+    assert "z -0.7 um to 0.7 um, position of the stage" in text
+    assert lines[-5:] == ["Drift is not corrected.", "wrote a.csv", "wrote a.hdf5", "wrote a.yaml", "wrote a.png"]
+    with Image.open(folder / "a.png") as picture:
+        assert min(picture.size) > 400
+    with h5py.File(folder / "a.hdf5") as file:
+        np.testing.assert_allclose(file["locs"]["z"], table["z [nm]"], atol=1e-3)
+
+
+def test_it_is_what_python_gives_with_the_same_defaults(folder, call_lommel):
+    result = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, "--json", "-o", "a.csv", folder=folder)
+    facts = json.loads(result.stdout)
+    pupil = simulated.pupil()
+    table = lm.localize.Table(pupil, shape=15, pixel=6.5e-6, z=(-0.7e-6, 0.7e-6), reach=3.0)
+    found = lm.localize.localize_movie(folder / "movie.tif", table, noise=CAMERA)
+    found.save(folder / "b.csv")
+    ours, theirs = (pd.read_csv(folder / name) for name in ("b.csv", "a.csv"))
+    np.testing.assert_allclose(theirs, ours, rtol=1e-3, atol=0.02)
+    assert (facts["frames"], facts["spots"], facts["written"]) == (8, found.spots, int(found.converged.sum()))
+    assert facts["states"] == found.counts
+    assert facts["medians"]["z_deviation"] == pytest.approx(float(np.median(found.table["z_deviation"])), rel=1e-3)
+    assert facts["table_error_bound"] <= 1e-4
+    assert facts["files"] == ["a.csv"]
+
+
+def test_maps_of_the_camera_and_other_options(folder, call_lommel):
+    shape = (SIDE, SIDE)
+    np.save(folder / "gain.npy", np.full(shape, 0.46))
+    tifffile.imwrite(folder / "offset.tif", np.full(shape, 100, np.uint16))
+    options = ["--gain", "gain.npy", "--offset", "offset.tif", "--read", 1.6, "--z", "-600nm", "600nm", "--box", 13]
+    options += [
+        "--threshold",
+        8,
+        "--width",
+        2,
+        "--reach",
+        2.5,
+        "--block",
+        3,
+        "--threads",
+        1,
+        "--starts",
+        2,
+        "--depth",
+        "1.1um",
+    ]
+    result = call_lommel("localize", "movie.tif", "objective.toml", *options, "-o", "a.csv", "--json", folder=folder)
+    assert result.returncode == 0, result.stderr
+    facts = json.loads(result.stdout)
+    assert facts["z"] == pytest.approx([-6e-7, 6e-7])
+    assert facts["written"] >= 20
+    depths = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, "--along", "depth", "--z", "0.2um", "2um",
+                         "-o", "b.csv", folder=folder)  # fmt: skip
+    assert depths.returncode == 0, depths.stderr
+    assert "z 0.2 um to 2 um, depth" in " ".join(depths.stdout.split())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["movie.tif", "objective.toml", "-o", "a.csv"], "Missing option '--read'"),
+        (["movie.tif", "objective.toml", "--read", 1], "Missing option '-o' / '--output'"),
+        (["movie.tif", "objective.toml", "--read", 1, "-o", "a.txt"],
+         "Error: --output must end in .csv, .hdf5 for a table of molecules, got '.txt' in 'a.txt'"),
+        ([*GIVEN, "-o", "no/a.csv"], "Error: no/a.csv: No such file or directory"),
+        (["nowhere.tif", *GIVEN[1:], "-o", "a.csv"], "Error: nowhere.tif: No such file or directory"),
+        (["objective.toml", *GIVEN[1:], "-o", "a.csv"],
+         "Error: objective.toml cannot be read as a movie: its header is not that of a TIFF file"),
+        (["movie.tif", "lens.toml", "--read", 1, "-o", "a.csv"],
+         "Error: lommel localize needs a microscope, a file with a section [objective]; lens.toml has none"),
+        (["movie.tif", "objective.toml", "--read", "some", "-o", "a.csv"],
+         "Error: --read must be a number or the file of a map (.tif, .npy), got 'some'"),
+        (["movie.tif", "objective.toml", "--read", "movie.tif", "-o", "a.csv"],
+         "Error: --read must be one image, got 8 in movie.tif"),
+        (["movie.tif", "objective.toml", "--read", -1, "-o", "a.csv"], "Error: --read must be finite and >= 0"),
+        ([*GIVEN, "--gain", 0, "-o", "a.csv"], "Error: --gain must be > 0 electrons"),
+        ([*GIVEN, "--z", "1um", "0um", "-o", "a.csv"], "Error: --z must be (lowest, highest)"),
+        ([*GIVEN, "--z", "1", "2", "-o", "a.csv"], "Invalid value for '--z'"),
+        ([*GIVEN, "--threshold", 1, "-o", "a.csv"], "Error: --threshold must be >= 3"),
+        ([*GIVEN, "--box", 100, "-o", "a.csv"], "Error: --box must be"),
+    ],
+)  # fmt: skip
+def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lommel):
+    (folder / "lens.toml").write_text((ROOT / "examples" / "lenses" / "phone.toml").read_text(encoding="utf-8"))
+    before = sorted(path.name for path in folder.iterdir())
+    result = call_lommel("localize", *arguments, folder=folder)
+    assert result.returncode == 2
+    assert told in result.stderr
+    assert result.stdout == ""
+    assert sorted(path.name for path in folder.iterdir()) == before

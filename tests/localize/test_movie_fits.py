@@ -1,0 +1,210 @@
+"""Movies to localisations: against molecules at known places, made by lommel.psf."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pandas as pd
+import pytest
+import tifffile
+
+import lommel as lm
+import simulated_movies as simulated
+from lommel.localize import Table, localize_blocks, localize_movie, open_movie, writer
+from lommel.localize.movie_fits import gaussian_widths
+
+PIXEL = simulated.PIXEL / simulated.MAGNIFICATION
+CAMERA = lm.Noise(white=0.46, read=1.6, offset=100.0)
+FRAMES, SIDE = 25, 112
+
+
+@pytest.fixture(scope="module")
+def table() -> Table:
+    return Table(simulated.pupil(), shape=15, pixel=simulated.PIXEL, z=(-0.7e-6, 0.7e-6), reach=3.0)
+
+
+@pytest.fixture(scope="module")
+def molecules() -> simulated.Molecules:
+    return simulated.spread(FRAMES, SIDE, each=6, apart=20, seed=1)
+
+
+@pytest.fixture(scope="module")
+def counts(molecules) -> np.ndarray:
+    return simulated.recorded(simulated.light(molecules, FRAMES, SIDE, 8.0), CAMERA, 2)
+
+
+def errors(found: lm.localize.Localizations, true: simulated.Molecules) -> pd.DataFrame:
+    """The error of each localisation over its deviation, and the molecule that it is."""
+    rows = found.table[found.converged]
+    x, y = (true.column + 0.5) * PIXEL, (true.row + 0.5) * PIXEL  # from the corner of the first pixel
+    far = np.hypot(rows["x"][:, None] - x, rows["y"][:, None] - y)
+    far[rows["frame"][:, None] != true.frame] = np.inf
+    mine = far.argmin(axis=1)
+    truth = {"x": x, "y": y, "z": true.z, "photons": true.photons}
+    off = {name: (rows[name] - values[mine]) / rows[f"{name}_deviation"] for name, values in truth.items()}
+    off["background"] = (rows["background"] - 8.0) / rows["background_deviation"]
+    return pd.DataFrame(off | {"molecule": mine})
+
+
+def test_molecules_are_where_they_were_put_within_the_stated_deviations(table, molecules, counts):
+    found = localize_movie(counts, table, noise=CAMERA)
+    assert (found.spots, found.borders, found.recording.frames) == (molecules.frame.size, 0, FRAMES)
+    assert found.counts["converged"] >= molecules.frame.size - 1
+    off = errors(found, molecules)
+    assert off["molecule"].is_unique
+    for name in ("x", "y", "z", "photons", "background"):
+        spread = math.sqrt((off[name] ** 2).mean())
+        assert 0.85 < spread < 1.15, name
+        assert abs(off[name].mean()) < 0.3, name
+    assert off[["x", "y", "z"]].abs().max().max() < 4.5
+    rows = found.table[found.converged]
+    assert np.median(rows["x_deviation"]) < 10e-9
+    assert np.median(rows["z_deviation"]) < 25e-9
+    assert abs(np.median(rows["discrepancy"])) < 0.4
+    assert rows["score"].min() > 6.0
+
+
+def test_a_file_in_blocks_gives_what_the_array_gives(table, counts, tmp_path):
+    tifffile.imwrite(tmp_path / "movie.tif", counts, photometric="minisblack")
+    whole, told = localize_movie(counts, table, noise=CAMERA), []
+    found = localize_movie(
+        tmp_path / "movie.tif", table, noise=CAMERA, block=7, progress=lambda done, total: told.append((done, total))
+    )
+    np.testing.assert_array_equal(found.table, whole.table)
+    assert (found.spots, found.overlapping) == (whole.spots, whole.overlapping)
+    assert told == [(7, 25), (14, 25), (21, 25), (25, 25)]
+    assert (found.recording.name, whole.recording.name) == ("movie.tif", "")
+    with open_movie(tmp_path / "movie.tif") as movie:
+        parts = list(localize_blocks(movie, table, noise=CAMERA, block=10))
+    assert [len(part.table) for part in parts] == [int((whole.table["frame"] // 10 == k).sum()) for k in range(3)]
+    with writer(tmp_path / "a.csv") as write:
+        for part in parts:
+            write(part)
+    whole.save(tmp_path / "b.csv")
+    assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
+
+
+def test_maps_of_the_camera_are_those_of_each_box(table, molecules):
+    draw = np.random.default_rng(3)
+    shape = (SIDE, SIDE)
+    camera = lm.Noise(
+        white=draw.uniform(0.4, 0.52, shape),
+        read=np.where(draw.random(shape) < 0.03, 15.0, 1.5),
+        offset=draw.uniform(80.0, 120.0, shape),
+    )
+    mean = simulated.light(molecules, FRAMES, SIDE, 8.0)
+    found = localize_movie(simulated.recorded(mean, camera, 4), table, noise=camera)
+    off = errors(found, molecules)
+    assert len(off) >= molecules.frame.size - 2
+    for name in ("x", "y", "z", "photons"):
+        assert 0.85 < math.sqrt((off[name] ** 2).mean()) < 1.15, name
+
+
+def test_depth_is_found_where_the_table_runs_along_it():
+    pupil = simulated.OBJECTIVE.pupil(
+        depth=0.5e-6, z=0.0, origin="brightest", wavelength=600e-9, aberrations=simulated.ASTIGMATISM
+    )
+    table = Table(pupil, shape=15, pixel=simulated.PIXEL, z=(0.2e-6, 0.8e-6), along="depth", reach=3.0)
+    depths = np.linspace(0.3e-6, 0.7e-6, 5)
+    focus = float(pupil.focus)
+    emitters = simulated.OBJECTIVE.pupil(
+        depth=depths, z=focus, origin="coverslip", wavelength=600e-9, aberrations=simulated.ASTIGMATISM
+    )
+    frames = 5000.0 * lm.psf(emitters, 41, simulated.PIXEL, dtype="float64").values + 5.0
+    found = localize_movie(frames, table)
+    assert found.counts["converged"] == 5
+    np.testing.assert_allclose(found.table["z"], depths, atol=1e-9)  # no noise: the error is the table's
+    np.testing.assert_allclose(found.table["x"], 20.5 * PIXEL, atol=1e-10)
+    assert found.recording.along == "depth"
+
+
+def test_images_taken_for_those_on_the_glass_are_as_wrong_as_the_page_says(table):
+    z = np.linspace(-0.5e-6, 0.5e-6, 51)
+    images = 5000.0 * lm.psf(simulated.pupil(z), 15, simulated.PIXEL, dtype="float64", tol=1e-8).values + 10.0
+
+    def off(depth: float) -> tuple[float, float, float, float]:
+        """Root mean square and largest error in nm, error of the scale, and what a straight line leaves."""
+        one = Table(simulated.pupil(depth=depth), z=(-0.9e-6, 0.9e-6))
+        found = lm.localize.fit(one, images)
+        assert found.converged.all()
+        error = 1e9 * (found.z - z)
+        line = np.polyfit(1e9 * z, error, 1)
+        left = error - np.polyval(line, 1e9 * z)
+        return np.sqrt((error**2).mean()), np.abs(error).max(), line[0], np.sqrt((left**2).mean())
+
+    rms, largest, scale, _ = off(1e-6)
+    assert rms < 1e-3
+    assert largest < 3e-3
+    assert abs(scale) < 1e-5
+    assert off(0.0) == pytest.approx((104.0, 259.0, -0.29, 27.0), rel=0.03)
+
+
+def test_fixed_dipoles_are_found_beside_where_they_are_as_the_page_says(table):
+    for wobble, expected in {0.0: (52.4, -44.8, 121.1, -161.6), 0.5: (27.4, -16.2, 48.5, -58.4)}.items():
+        planes = simulated.OBJECTIVE.pupil(
+            depth=1e-6,
+            z=np.array([0.0, 0.4e-6]),
+            wavelength=600e-9,
+            aberrations=simulated.ASTIGMATISM,
+            emitter=lm.Dipole(math.radians(60.0), 0.0, wobble=wobble),
+        )
+        found = lm.localize.fit(table, 5000.0 * lm.psf(planes, 15, simulated.PIXEL, dtype="float64").values + 10.0)
+        off = 1e9 * np.column_stack([(found.column - 7) * PIXEL, found.z - [0.0, 0.4e-6]]).ravel()
+        np.testing.assert_allclose(off, expected, atol=2.0)
+        np.testing.assert_allclose(found.row, 7.0, atol=1e-3)
+
+
+def test_a_molecule_deeper_in_the_sample_has_a_smaller_z(table):
+    depths, focus = np.array([0.8e-6, 1.0e-6, 1.2e-6]), float(simulated.pupil().focus)
+    emitters = simulated.OBJECTIVE.pupil(
+        depth=depths, z=focus, origin="coverslip", wavelength=600e-9, aberrations=simulated.ASTIGMATISM
+    )
+    found = lm.localize.fit(table, 5000.0 * lm.psf(emitters, 15, simulated.PIXEL, dtype="float64").values + 10.0)
+    assert np.all(np.diff(found.z) < -0.15e-6)
+    assert found.z[1] == pytest.approx(0.0, abs=1e-10)
+
+
+def test_gaussian_widths_are_those_of_gaussians_fitted_to_the_images(table):
+    heights, tall, wide = gaussian_widths(table)
+    assert (heights[0], heights[-1]) == table.z
+    from scipy.optimize import curve_fit
+
+    y, x = np.mgrid[-7:8, -7:8]
+
+    def gaussian(_, height, sy, sx, y0, x0):
+        return (height * np.exp(-(((y - y0) / sy) ** 2) / 2 - (((x - x0) / sx) ** 2) / 2)).ravel()
+
+    for k in (16, 32, 48):
+        image = np.asarray(table(7, 7, heights[k]), float)
+        (_, sy, sx, *_), _ = curve_fit(gaussian, None, image.ravel(), p0=(image.max(), 2.0, 2.0, 0.0, 0.0))
+        assert tall[k] == pytest.approx(abs(sy), rel=0.2)
+        assert wide[k] == pytest.approx(abs(sx), rel=0.2)
+    assert tall[0] > 2 * wide[0]
+    assert wide[-1] > 1.5 * tall[-1]
+
+
+def test_frames_without_molecules_have_none(table):
+    found = localize_movie(np.random.default_rng(0).poisson(5.0, (4, 40, 40)), table)
+    assert (len(found), found.spots) == (0, 0)
+    assert repr(found) == "<Localizations: 0 in 4 frames>"
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"movie": np.zeros((40, 40))}, r"movie must have the shape \(frames, rows, columns\), got \(40, 40\)"),
+        ({"movie": np.zeros((0, 40, 40))}, r"got \(0, 40, 40\)"),
+        ({"movie": np.zeros((2, 10, 40))}, "frames must have the shape"),
+        ({"movie": "movie.png"}, "No such file"),
+        ({"table": 5}, "table must be"),
+        ({"block": 0}, "block must be"),
+        ({"threshold": 1.0}, "threshold must be"),
+        ({"starts": 0}, "starts must be"),
+        ({"progress": 5}, "progress must be"),
+    ],
+)
+def test_bad_arguments_are_told(changes, message, table):
+    given = {"movie": np.zeros((2, 40, 40)), "table": table} | changes
+    with pytest.raises((TypeError, ValueError, OSError), match=message):
+        localize_movie(given.pop("movie"), given.pop("table"), **given)

@@ -74,12 +74,8 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Of all planes by all series: [series][plane], each as above.
-inline Doubles all_parts(Level level, const NodeSeries& given, int threads) {
-    std::size_t series = 0;
-    for (const FieldSet& set : given.sets) {
-        series = std::max(series, static_cast<std::size_t>(set.series) + 1);
-    }
+// Of all planes by the first so many series: [series][plane], each as above.
+inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, int threads) {
     Doubles parts(series * given.planes * given.parts_size());
     parallel_for(series * given.planes, threads, [&](std::size_t, std::size_t p) {
         sum_series(level, given, given.coefficients + p * given.total, parts.data() + p * given.parts_size());
@@ -144,7 +140,11 @@ inline void node_light(const NodeSeries& given, const DiskWindow& window, int th
     const std::size_t sets = given.sets.size(), fields = given.fields, jobs = given.jobs(), each = given.parts_size();
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
-    const Doubles parts = all_parts(level, given, threads);
+    std::size_t series = 0;
+    for (const FieldSet& set : given.sets) {
+        series = std::max(series, static_cast<std::size_t>(set.series) + 1);
+    }
+    const Doubles parts = all_parts(level, given, series, threads);
     // Of all fields of a plane, [plane][set][field].
     std::vector<std::complex<double>> u(jobs * pixels);
     parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {

@@ -102,6 +102,10 @@ class Molecules:
     def to_csv(self, path: str | PathLike[str]) -> None:
         """Write everything as a table with a row for each molecule, in pixels, metres and electrons.
 
+        Parameters
+        ----------
+        path : path
+
         Raises
         ------
         TypeError

@@ -363,6 +363,11 @@ class Table:
     def save(self, path: str | PathLike[str]) -> None:
         """Write the table to an .npz file, under a temporary name and moved into place.
 
+        Parameters
+        ----------
+        path : path
+            Ending in .npz.
+
         Raises
         ------
         TypeError, ValueError
@@ -384,6 +389,14 @@ class Table:
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Self:
         """Read a table written by :meth:`save`.
+
+        Parameters
+        ----------
+        path : path
+
+        Returns
+        -------
+        Table
 
         Raises
         ------

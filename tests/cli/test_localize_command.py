@@ -121,6 +121,17 @@ def test_maps_of_the_camera_and_other_options(folder, call_lommel):
     assert "z 0.2 um to 2 um, depth" in " ".join(depths.stdout.split())
 
 
+def test_an_objective_without_aberrations_is_told(folder, call_lommel):
+    text = EXAMPLE.read_text(encoding="utf-8")
+    plain = text[: text.index("\n[aberrations")] + text[text.index("\n[stack]") :]
+    (folder / "plain.toml").write_text(plain, encoding="utf-8")
+    result = call_lommel("localize", "movie.tif", "plain.toml", *NOISE, "-o", "a.csv", folder=folder)
+    assert result.returncode == 0, result.stderr
+    assert "has no section [aberrations.zernike]: images above and below focus are nearly alike" in result.stdout
+    with_them = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, "-o", "a.csv", folder=folder)
+    assert "nearly alike" not in with_them.stdout
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [

@@ -47,7 +47,7 @@ def test_thresholds_hold_for_pixels_of_unlike_read_noise():
 
 def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges():
     pixels = np.eye(23 * 31).reshape(-1, 23, 31)
-    kernel = _smooth(pixels, 1.2) - _smooth(pixels, 3.0)  # one response of each pixel to each other
+    kernel = np.stack([_smooth(one, 1.2) - _smooth(one, 3.0) for one in pixels])  # response of each pixel to each
     squares, cubes = _moments(23, 31, 1.2, 3.0)
     np.testing.assert_allclose(squares, (kernel**2).sum(axis=0), rtol=1e-12)
     np.testing.assert_allclose(cubes, (kernel**3).sum(axis=0), rtol=1e-10)
@@ -55,7 +55,10 @@ def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges():
 
 def test_heights_are_standard_deviations_where_there_are_many_electrons():
     draw = np.random.default_rng(6)
-    heights = _heights(draw.poisson(400.0, (10, 128, 128)).astype(float), 5.0, 1.5, 5.0)
+    frames = draw.poisson(400.0, (10, 128, 128)).astype(float) + draw.normal(0.0, 5.0, (10, 128, 128))
+    background = np.stack([_smooth(one, 5.0) for one in frames])
+    excess = np.stack([_smooth(one, 1.5) for one in frames]) - background
+    heights = _heights(excess, background + 25.0, *_moments(128, 128, 1.5, 5.0))
     above = heights[heights > 0.0]
     assert np.sqrt((above**2).mean()) == pytest.approx(1.0, abs=0.03)
     assert above.size == pytest.approx(heights.size / 2, rel=0.03)
@@ -134,6 +137,15 @@ def test_a_spot_beside_one_that_is_left_out_is_kept():
     assert list(found.column + 7) == [20, 44]
 
 
+@pytest.mark.parametrize("threads", [1, 3])
+def test_threads_change_nothing(threads):
+    frames = np.random.default_rng(10).poisson(4.0, (7, 60, 60))
+    frames[:, 20:23, 30:33] += np.arange(0, 70, 10)[:, None, None]
+    one, other = find(frames), find(frames, threads=threads)
+    np.testing.assert_array_equal(one.score, other.score)
+    np.testing.assert_array_equal(one.images, other.images)
+
+
 def test_spots_of_other_frames_do_not_overlap():
     frames = np.stack([spots((30, 30, 50.0)), spots((30, 32, 50.0)), spots((31, 31, 50.0))])
     found = find(frames)
@@ -184,6 +196,7 @@ def test_empty_movies_and_dark_frames_have_no_spots():
         ({"threshold": "high"}, "threshold must be a real number"),
         ({"width": 0.1}, "width must be >= 0.5"),
         ({"first": -1}, "first must be"),
+        ({"threads": 0}, "threads must be"),
         ({"noise": 1.6}, "noise must be"),
         ({"noise": lm.Noise(read=np.ones((5, 5)))}, r"read, of shape \(5, 5\), must have a value for each pixel"),
         ({"noise": lm.Noise(read=1.0, offset=np.ones((5, 5)))}, r"offset, of shape \(5, 5\), must have a value"),

@@ -154,8 +154,9 @@ def localize(
     if figure is not None:
         drawn: Any = found.plot().get_figure(root=True)
         save_figure(drawn, figure)
-    facts = _facts(found, table, time.perf_counter() - begun)
-    facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source} | facts
+    facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
+    facts |= {"aberrations": microscope.aberrations is not None}
+    facts |= _facts(found, table, time.perf_counter() - begun)
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
     return Report(facts, _parts(facts, maps)) + written([*places, figure])
 
@@ -220,7 +221,16 @@ def _parts(facts: Facts, camera: dict[str, float | Array]) -> list[RenderableTyp
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
         ("time", f"{facts['seconds']:.3g} s"),
     ]
-    return [Text(facts["name"], "bold"), list_of(lines), Wrapped("Drift is not corrected.", "dim")]
+    notes = [Wrapped("Drift is not corrected.", "dim")]
+    if not facts["aberrations"]:
+        notes.insert(0, Wrapped(_PLAIN))
+    return [Text(facts["name"], "bold"), list_of(lines), *notes]
+
+
+_PLAIN = (
+    "The file of the objective has no section [aberrations.zernike]: images above and below focus are nearly alike, "
+    "and z may have the wrong sign."
+)
 
 
 _STATES = {"border": "at a border of the range", "steps": "without convergence", "undetermined": "undetermined"}

@@ -29,6 +29,7 @@ from scipy.spatial import cKDTree
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.base.threads import side_by_side
 from lommel.estimation.noise import Noise
 
 _LEAST = 1e-3  # electrons a pixel, of a background that is 0
@@ -86,6 +87,7 @@ def find(
     threshold: float = 6.0,
     width: float = 2.0,
     first: int = 0,
+    threads: int | None = None,
 ) -> Spots:
     """Find spots of light above the background, and cut a box around each.
 
@@ -106,6 +108,8 @@ def find(
         the box.
     first : int, default 0
         Number of the first frame.
+    threads : int, optional
+        Maximum number of threads; by default the number of processors.
 
     Returns
     -------
@@ -137,6 +141,7 @@ def find(
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     start = validation.integer("first", first, least=0, most=validation.MAX_VALUES)
+    count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
     camera, stored = noise or Noise(read=0.0), _stack(frames, rows, columns)
     light, read = camera.electrons(stored), camera.read
@@ -145,11 +150,11 @@ def find(
             f"read, of shape {read.shape}, must have a value for each pixel, got frames of {light.shape}"
         )
     wide = min(rows, columns) / 3.0
-    heights = _heights(light, read, narrow, wide)
-    near = 2 * math.ceil(narrow) + 1
-    peaks = (heights == ndimage.maximum_filter(heights, (1, near, near))) & (heights >= level)
-    frame, row, column = np.nonzero(peaks)
-    score = heights[peaks]
+    kernel = _Kernel(light.shape[1:], narrow, wide)
+    variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
+    found = side_by_side(lambda one: kernel.maxima(one, variance, level), list(light), count)
+    frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
+    row, column, score = (np.concatenate([part[k] for part in found] or [np.empty(0, int)]) for k in range(3))
     kept = _apart(frame, row / rows, column / columns, score)
     overlapping = int(score.size - kept.sum())
     inside = (row >= rows // 2) & (column >= columns // 2)
@@ -180,26 +185,46 @@ def _stack(frames: ArrayLike, rows: int, columns: int) -> Values:
     return found.reshape(-1, *found.shape[-2:])
 
 
-def _heights(light: Array, read: float | Array, narrow: float, wide: float) -> Array:
-    """Return the height of each pixel above the background, in standard deviations of its noise."""
-    squares, cubes = _moments(*light.shape[1:], narrow, wide)
-    background = _smooth(light, wide)
-    excess = _smooth(light, narrow) - background
-    mean = np.maximum(background, 0.0) + (read**2 if isinstance(read, float) else _squared(read**2, narrow))
+class _Kernel:
+    """The difference of two Gaussians over frames of a shape."""
+
+    def __init__(self, shape: tuple[int, ...], narrow: float, wide: float) -> None:
+        self.narrow, self.wide = narrow, wide
+        self.squares, self.cubes = _moments(shape[0], shape[1], narrow, wide)
+
+    def maxima(self, light: Array, variance: Array, level: float) -> tuple[Values, Values, Array]:
+        """Return rows, columns and heights of the maxima of a frame that are higher than `level`."""
+        background = _smooth(light, self.wide)
+        excess = _smooth(light, self.narrow) - background
+        mean = np.maximum(np.maximum(background, 0.0) + variance, _LEAST)
+        # A height is less than the excess over its standard deviation: few pixels are left to compute it of.
+        bright = np.nonzero(excess * np.abs(excess) >= level**2 * self.squares * mean)
+        near = math.ceil(self.narrow)
+        heights = np.zeros((light.shape[0] + 2 * near, light.shape[1] + 2 * near))
+        own = _heights(excess[bright], mean[bright], self.squares[bright], self.cubes[bright])
+        row, column = bright[0] + near, bright[1] + near
+        heights[row, column] = own
+        peak = own >= level
+        for down in range(-near, near + 1):
+            for across in range(-near, near + 1):
+                peak &= own >= heights[row + down, column + across]
+        return bright[0][peak], bright[1][peak], own[peak]
+
+    def squared(self, variance: Array) -> Array:
+        """Return the variances of pixels averaged as the square of the narrow Gaussian weighs them."""
+        return _smooth(variance, self.narrow / math.sqrt(2.0))
+
+
+def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
+    """Return heights above the background, in standard deviations of its noise."""
     size = cubes / squares
-    expected = np.maximum(mean, _LEAST) * (squares / size**2)
-    above = np.maximum(excess / size, 0.0)
+    expected, above = mean * squares / size**2, np.maximum(excess / size, 0.0)
     ratio = (expected + above) * np.log1p(above / expected) - above
     return np.asarray(np.sqrt(2.0 * np.maximum(ratio, 0.0)))
 
 
 def _smooth(light: Array, sigma: float) -> Array:
-    return np.asarray(ndimage.gaussian_filter(light, (0.0, sigma, sigma), mode="reflect", truncate=_REACH))
-
-
-def _squared(variance: Array, narrow: float) -> Array:
-    """Return the variances of pixels averaged as the square of the narrow kernel weighs them."""
-    return np.asarray(ndimage.gaussian_filter(variance, narrow / math.sqrt(2.0), mode="reflect", truncate=_REACH))
+    return np.asarray(ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_REACH))
 
 
 @lru_cache(maxsize=16)

@@ -59,7 +59,7 @@ def localize_movie(
     block : int, optional
         Frames in memory at once; by default as many as have four million pixels.
     threads : int, optional
-        Maximum number of threads of fits; by default the number of processors.
+        Maximum number of threads; by default the number of processors.
     progress : callable, optional
         Called with the number of frames done and their total after each block.
 
@@ -123,7 +123,9 @@ def localize_blocks(
         recording = Recording(*shape, pixel, table.shape, table.along, name)
         done = 0
         for frames in blocks:
-            spots = find(frames, table.shape, noise=noise, threshold=threshold, width=width, first=done)
+            spots = find(
+                frames, table.shape, noise=noise, threshold=threshold, width=width, first=done, threads=threads
+            )
             found = fit(table, spots.images, noise=noise, corners=spots.corners, starts=starts, threads=threads)
             yield _localizations(spots, found, recording, widths)
             done += len(frames)

@@ -120,6 +120,12 @@ def folder(tmp_path, monkeypatch) -> Path:
     camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
     tifffile.imwrite("dark.tif", np.full((48, 48), 100, np.uint16))
     tifffile.imwrite("movie.tif", simulated_movies.recorded(mean, camera, 1), photometric="minisblack")
+    seen = lm.load_microscope("objective.toml")
+    astigmatic = lm.Wavefront.zernike({6: 0.5}, order="noll")
+    planes = {"depth": 1e-7, "z": [-2e-7, 0.0, 2e-7], "wavelength": seen.wavelength, "aberrations": astigmatic}
+    bead = 2e4 * lm.psf(seen.objective.pupil(**planes), 15, seen.pixel).values + 5.0
+    beads = lm.Noise(read=1.6, offset=100.0).record(bead, seed=1)
+    tifffile.imwrite("bead.tif", np.round(beads).astype(np.uint16), photometric="minisblack")
     lens = lm.load_instrument("lens.toml")
     light = lens.pupil()
     aberrated = light.wavefront + lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.5})

@@ -65,3 +65,19 @@ def test_what_an_objective_lacks_is_refused(pupil, more, told):
     images, _ = recorded(None, 1e3, 1)
     with pytest.raises(ValueError, match=told):
         lm.retrieve(images, OIL.pupil(**GIVEN, **pupil), pixel=6.5e-6, noise=NOISE, **more)
+
+
+def test_a_wrong_step_is_a_misfit_however_strong_the_aberrations_that_are_tried():
+    true = lm.Wavefront.zernike({5: 0.3, 6: 0.5, 7: -0.2}, order="noll")
+    images, _ = recorded(true, 5e4, 4)
+    found = lm.retrieve(images, OIL.pupil(**GIVEN, z=-Z / 3.0), pixel=6.5e-6, noise=NOISE, terms=6, starts=3)
+    assert not found.converged
+    assert "z (step, direction)" in found.message
+
+
+def test_starts_too_strong_to_be_computed_are_left_out(monkeypatch):
+    images, _ = recorded(lm.Wavefront.zernike({6: 0.5}, order="noll"), 5e4, 5)
+    monkeypatch.setattr(lm.estimation.phase_retrieval, "_SPREAD", 200.0)
+    found = lm.retrieve(images, OIL.pupil(**GIVEN, z=-Z / 3.0), pixel=6.5e-6, noise=NOISE, terms=3, starts=5)
+    assert not found.converged
+    assert found.starts == 5

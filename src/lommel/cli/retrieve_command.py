@@ -12,7 +12,7 @@ import click
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
+from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, STACK, instrument_of, microscope_of
 from lommel.cli.options import FILE, JSON, Command, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
@@ -21,6 +21,7 @@ from lommel.estimation.phase_retrieval import label
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.io import zernike_tables
 from lommel.io.photos import read_images
+from lommel.lensfiles.microscope_files import describes_microscope
 from lommel.special import zernike
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def _is_number(word: str) -> bool:
     Option("--defocus", metavar="NUMBERS",
            help="Known defocus coefficient C_d of each image in radians, such as -4 0 4, or one for all; of a single "
            "image 0 by default. Positive where the sensor was moved towards the lens. The phase is 2 C_d rho^2, "
-           "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi."),
+           "rho = 1 at the edge of the pupil, so that one wave of defocus is C_d = pi. Not of microscopes."),
     Option("--defocus-unit", type=click.Choice(("radians", "waves")), default="radians",
            help="Unit of --defocus: radians (C_d), or waves of W020 at the edge of the pupil."),
     Option("--terms", default="15",
@@ -87,6 +88,7 @@ def _is_number(word: str) -> bool:
         SQUARE_PIXEL,
         OBJECT_DISTANCE,
     ),
+    *STACK[1:],
     *under(
         "Search",
         documented(fit, "starts", type=int, help="Maximum number of random restarts."),
@@ -103,6 +105,8 @@ def retrieve(
     also: str,
     object_distance: float | None,
     pixel: float | None,
+    step: float | None,
+    depth: float | None,
     unit: str,
     output: Path | None,
     figure: Path | None,
@@ -117,6 +121,10 @@ def retrieve(
     undetermined: the solution nearer to the starting point is returned, or the one whose first even term is positive
     if both are equally near.
 
+    LENS may describe a microscope. IMAGES are then the planes of a z stack of a small bead at the depth of the file
+    (or --depth), in the order of the stage, towards the sample, --step apart; the middle one is at the origin of the
+    file. What is written serves as its [aberrations.zernike].
+
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The
     reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right. A misfit is said in the last
     line, and by "converged" and "reliable" of --json; the exit code is 0 all the same.
@@ -125,28 +133,37 @@ def retrieve(
     --------
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2 -o wave.json --plot fit.png
       lommel retrieve star-1.tif star-2.tif phone.toml --defocus 0 4 --terms "defocus, spherical" --read 2
+      lommel retrieve bead.tif zeiss-63x-1.4-oil.toml --step 200nm --depth 0.1um --read 1.6 --offset 100 -o wave.json
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
+    given_planes: Facts = {"object_distance": object_distance, "pixel": pixel, "step": step, "depth": depth}
+    microscope = microscope_of(lens, **given_planes | {"step": None}) if describes_microscope(lens) else None
+    if microscope is None:
+        microscope_of(lens, **given_planes)  # which refuses options that are not for lenses
+        instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
+    elif defocus is not None:
+        raise ValueError("--defocus is for lenses: images of a microscope are planes of a stack, --step apart")
     noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
     starts = given["starts"]
     with progress("reading") as started:
         files = _files(images)
         stars = read_images(files)
-        if defocus is None and len(stars) > 1:
+        if microscope is not None and (len(stars) > 1 or step is not None):
+            microscope = microscope_of(lens, **given_planes, stack=len(stars))
+        if microscope is None and defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
         known = np.multiply(_numbers(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0)
         started("fitting")
         found = fit(
             stars,
-            instrument.pupil(),
-            pixel=instrument.side,
+            instrument.pupil() if microscope is None else microscope.pupil(),
+            pixel=instrument.side if microscope is None else microscope.pixel,
             noise=noise,
             terms=int(terms) if terms.strip().isdecimal() else _terms(terms),
             also=_names(also),
             defocus=known,
-            integrate=instrument.integrate,
+            integrate=(microscope or instrument).integrate,
             progress=lambda share, chi2: started(
                 f"start {int(starts * share) + 1} of at most {starts}, chi2 {chi2:.3g}", share
             ),

@@ -14,6 +14,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
+from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.noise import Noise, random_numbers
 from lommel.estimation.star_images import (
     SURE,
@@ -357,7 +358,13 @@ def retrieve(
             if progress is not None:
                 progress((before + at_once * step / (most + 1)) / count, chi2)
 
-        x, scores, settled, steps_taken = climb(model, x, most, report, fast=True)
+        try:
+            x, scores, settled, steps_taken = climb(model, x, most, report, fast=True)
+        except (Declined, ToleranceError):  # a random start that is too strong to be computed
+            if tries == 0:
+                raise
+            tries += at_once
+            continue
         k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
@@ -517,8 +524,8 @@ def _retrieval(
     work = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     if chi2 >= limit:
         message = (
-            f"misfit: {work}; pupil, pixel, noise or the defocus of an image (unit, order) are wrong, terms are "
-            "missing, or all starts converged to local minima"
+            f"misfit: {work}; pupil, pixel, noise or {_between(model.pupil)} are wrong, terms are missing, or all "
+            "starts converged to local minima"
         )
     elif visible.min() < _VISIBLE:
         message = f"no star: {work}, but the flux of image {int(np.argmin(visible))} is within the noise"
@@ -554,6 +561,11 @@ def _retrieval(
         steps=steps,
         starts=starts,
     )
+
+
+def _between(pupil: Pupil | ObjectivePupil) -> str:
+    """Return what images differ in that is known."""
+    return "z (step, direction)" if isinstance(pupil, ObjectivePupil) else "the defocus of an image (unit, order)"
 
 
 def label(name: Name) -> str:

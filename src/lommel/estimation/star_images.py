@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Pixels
+from lommel.core.answers import Declined, Pixels, ToleranceError
 from lommel.core.engine import star_likelihood
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
@@ -401,9 +401,11 @@ def climb(
         at, step, promised = at[go], step[go], promised[go]
         reach = np.minimum(stretch[at], _FAR / np.maximum(model.rms(step), 1e-300))
         tried = model.within(x[at] + reach[:, None] * step, x[at])
-        new = model.scores(tried, fast=fast)
+        new: Scores | None = None
+        with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed are no better
+            new = model.scores(tried, fast=fast)
         taken += at.size
-        gain = now.deviance[at] - new.deviance
+        gain = np.full(at.size, -np.inf) if new is None else now.deviance[at] - new.deviance
         promised *= reach
         better = gain > 0.0
         stretched = stretch[at] > 1.0
@@ -414,6 +416,8 @@ def climb(
         np.maximum(damping, _DAMPING[1], out=damping)
         slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - model.limit(now)[at]))
         idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))
+        if new is None:
+            continue
         if at.size == count and better.all():
             x, now = tried, new
             continue

@@ -136,7 +136,7 @@ class Fitter {
                     offsets.shape(1) == channels && offsets.shape(2) == 2 && starts > 0 && threads >= 0,
                 "images, variances and offsets of each channel");
         std::vector<In<float, 3>> held;
-        std::vector<lommel::Stack> stacks;
+        std::vector<lommel::BoxStack> stacks;
         for (std::size_t c = 0; c < channels; ++c) {
             const lommel::MoleculeTable& table = nb::cast<const Table&>(tables_[c]).table();
             const auto electrons = nb::cast<In<float, 3>>(images[c]), read = nb::cast<In<float, 3>>(reads[c]);

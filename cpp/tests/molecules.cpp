@@ -150,7 +150,7 @@ void fits_find_what_is_there(const Made& made, std::mt19937& random) {
     // The same seen twice tells no other place.
     const lommel::Channel channel{table, {1.0, 0.0, 0.0, 1.0}};
     const lommel::Localizer two({channel, channel}, limits, places, 9);
-    const lommel::Stack stack{electrons.data(), read.data(), 0};
+    const lommel::BoxStack stack{electrons.data(), read.data(), 0};
     two.fit({stack, stack}, offsets.data(), count, 3, 2, both.data());
     std::size_t different = 0;
     for (std::size_t k = 0; k < count; ++k) {

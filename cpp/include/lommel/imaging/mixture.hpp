@@ -27,7 +27,7 @@ struct WindowBank {
 // Where a point is in a bank: the first of the four windows that it lies between, below 0 of one that spreads nothing, and how
 // far behind that.
 template <class T>
-struct Place {
+struct BankPlace {
     std::int32_t first;
     T within;
 };
@@ -55,13 +55,13 @@ class Mixer {
 
     std::size_t half(std::int32_t first) const { return halves_[static_cast<std::size_t>(first)]; }
 
-    LOMMEL_INLINE Place<T> place(double position, T value) const {
+    LOMMEL_INLINE BankPlace<T> place(double position, T value) const {
         const double inside = std::min(std::max(position, 0.0), static_cast<double>(last_));
         const std::int32_t first = std::min(std::max(static_cast<std::int32_t>(inside) - 1, 0), last_ - 3);
         return {position < 0.0 || value == T(0) ? -1 : first, static_cast<T>(inside - static_cast<double>(first))};
     }
 
-    LOMMEL_INLINE void operator()(const Place<T>& place, T value, Mixture<T>& m) const {
+    LOMMEL_INLINE void operator()(const BankPlace<T>& place, T value, Mixture<T>& m) const {
         m.any = place.first >= 0;
         if (!m.any) {
             m.first = m.half = 0;

@@ -107,7 +107,7 @@ class Spreader {
             : places((tall + 1) * broad), values(places.size()), layers(screened ? places.size() : 0), hidden(places.size()) {}
 
         std::size_t top, left, height, width;
-        std::vector<Place<T>> places;
+        std::vector<BankPlace<T>> places;
         std::vector<T> values, layers;
         std::vector<unsigned char> hidden;  // in part
     };
@@ -142,7 +142,7 @@ class Spreader {
     template <class Value>
     LOMMEL_INLINE void place(const Value& value, Tile& tile) const {
         double positions[Tile::broad];
-        std::fill_n(tile.places.data() + tile.height * Tile::broad, Tile::broad, Place<T>{-1, T(0)});
+        std::fill_n(tile.places.data() + tile.height * Tile::broad, Tile::broad, BankPlace<T>{-1, T(0)});
         for (std::size_t i = 0; i < tile.height; ++i) {
             const std::size_t row = static_cast<std::size_t>(scene_.rows[tile.top + i]) * scene_.across;
             const std::int64_t* const columns = scene_.columns + tile.left;

@@ -102,7 +102,7 @@ class Bank {
 
 // Images of many molecules in electrons, each of `height * width` pixels without gaps, and the variance of reading, of each of
 // them or, where `read_step` is 0, one for all; NaN where a pixel does not count.
-struct Stack {
+struct BoxStack {
     const float* electrons;
     const float* read;
     std::size_t read_step;
@@ -115,7 +115,7 @@ class Localizer {
 
     // Fits of `count` molecules from one start each and, where that is in doubt, from up to `starts`; offsets are (count,
     // channels, 2).
-    void fit(const std::vector<Stack>& stacks, const double* offsets, std::size_t count, int starts, int threads,
+    void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, int threads,
              Fitted* fitted) const {
         constexpr double microseconds = 20.0;
         for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()),
@@ -153,7 +153,7 @@ class Localizer {
 
    private:
     // Copies an image into rows of vectors, and less its mean; returns the mean.
-    static double take(const MoleculeTable& table, const Stack& stack, std::size_t index, Counts& counts, float* centred) {
+    static double take(const MoleculeTable& table, const BoxStack& stack, std::size_t index, Counts& counts, float* centred) {
         const std::size_t size = table.height * table.width;
         const float* const electrons = stack.electrons + index * size;
         const float* const read = stack.read + index * stack.read_step;

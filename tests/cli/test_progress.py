@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from lommel.cli import progress as bars
 from lommel.imaging import blur as blur_module
 from lommel.imaging import defocus_depth
 
+OBJECTIVES = Path(__file__).resolve().parents[2] / "examples" / "objectives"
 LENS = """\
 [lens]
 focal_length = "35 mm"
@@ -38,6 +40,7 @@ LONG = {
         "--between", "1.4m", "2m", "--candidates", "15", *NOISE,
     ),
     "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
+    "localize": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "--read", "0", "--block", "2", "-o", "a.csv"),
     "compare": ("compare", "lens.toml", "--shape", "5"),
     "paper": ("paper", "out", "--figure", "2", "--figure", "eq17"),
 }  # fmt: skip
@@ -52,6 +55,10 @@ def folder(tmp_path):
     pupil = lm.load_instrument(tmp_path / "lens.toml").pupil()
     star = lm.psf(pupil, 15, 6e-6).values
     tifffile.imwrite(tmp_path / "star.tif", lm.Noise(read=2.0).record(1e5 * star, seed=1).astype(np.float32))
+    frames = rng.poisson(5.0, (6, 24, 24)).astype(np.uint16)
+    tifffile.imwrite(tmp_path / "movie.tif", frames, photometric="minisblack")
+    objective = OBJECTIVES / "zeiss-63x-astigmatic.toml"
+    (tmp_path / objective.name).write_text(objective.read_text(encoding="utf-8"), encoding="utf-8")
     return tmp_path
 
 

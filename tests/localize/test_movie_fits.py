@@ -140,6 +140,26 @@ def test_images_taken_for_those_on_the_glass_are_as_wrong_as_the_page_says(table
     assert off(0.0) == pytest.approx((104.0, 259.0, -0.29, 27.0), rel=0.03)
 
 
+def test_the_wavefront_of_a_bead_on_the_glass_serves_for_molecules_deep_in_the_sample():
+    unknown = lm.Wavefront.zernike({6: 0.15, 7: 0.04, 8: -0.03, 11: 0.05}, order="noll", unit="waves")
+    planes = {"depth": 0.1e-6, "z": np.linspace(-8e-7, 8e-7, 9), "wavelength": 600e-9}
+    of_bead = 2e4 * lm.psf(simulated.OBJECTIVE.pupil(**planes, aberrations=unknown), 25, simulated.PIXEL).values + 5.0
+    camera = lm.Noise(read=1.6, offset=100.0)
+    bead = lm.retrieve(
+        camera.record(of_bead, seed=1),
+        simulated.OBJECTIVE.pupil(**planes),
+        pixel=simulated.PIXEL,
+        noise=camera,
+        terms=12,
+    )
+    z, deep = np.linspace(-0.5e-6, 0.5e-6, 21), {"depth": 1e-6, "wavelength": 600e-9}
+    images = lm.psf(simulated.OBJECTIVE.pupil(**deep, z=z, aberrations=unknown), 15, simulated.PIXEL).values
+    one = Table(simulated.OBJECTIVE.pupil(**deep, aberrations=bead.wavefront), z=(-0.9e-6, 0.9e-6))
+    error = 1e9 * (lm.localize.fit(one, 5000.0 * images + 10.0).z - z)
+    assert np.sqrt((error**2).mean()) < 2.0
+    assert abs(np.polyfit(1e9 * z, error, 1)[0]) < 0.003
+
+
 def test_fixed_dipoles_are_found_beside_where_they_are_as_the_page_says(table):
     for wobble, expected in {0.0: (52.4, -44.8, 121.1, -161.6), 0.5: (27.4, -16.2, 48.5, -58.4)}.items():
         planes = simulated.OBJECTIVE.pupil(

@@ -213,7 +213,7 @@ def test_errors_of_fields_become_those_of_intensities_and_slopes(monkeypatch):
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, emitter=lm.Scalar("aplanatic"), aberrations=FIVE)
     grid, d = lm.Grid(7, PIXEL), 1e-3
     monkeypatch.setattr(chordal_debye, "left_out", lambda *_: 0.0)
-    monkeypatch.setattr(chordal_debye, "sums_error", lambda series, *_: np.full(len(series), d))
+    monkeypatch.setattr(chordal_debye, "sums_error", lambda series, *_: np.full(series.shape[:-1], d))
     values, error = chordal_debye.intensities(pupil, grid, 1e-9, 1, chordal_debye.By((1,), ((2, 2),)))
     power = float(pupil.power[0])
     largest = np.sqrt(values[0].max() * power)

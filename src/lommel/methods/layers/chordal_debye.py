@@ -233,7 +233,8 @@ class Fields(NamedTuple):
 
     given: tuple[NodeTables, Complex, NodeWaves, Window]
     terms: NodeTerms
-    wrong: Callable[[int, int, int], Array]  # of a series, a term or -1, and a kind of waves, to (planes, fields)
+    # From sets of fields, of a series, a term or -1, and a kind of waves each, to (sets, planes, fields).
+    wrong: Callable[[list[tuple[int, int, int]]], Array]
     turns: tuple[float, float]  # what the two sets of derivatives by ln k are divided by, the second that of W
 
 
@@ -241,17 +242,18 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     """Return fields around one axis that are off by about `field`, and those of derivatives `by` parameters."""
     wavefront, step, model = (pupil.aberrations or _FLAT).flattened(), grid.step(pupil), pupil.light.model
     axis, shape, planes = np.array(grid.axis), np.array(grid.shape), pupil.depth.size
-    plain = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step)
     by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
+    plain = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step, phases)
     highest = max((n for n, _ in phases), default=0)
     size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
     norm = projection.norm(pupil.layers, model)
     degree = degree_for(size.around, norm, _SHARES[0] * field)
     found = projection.amplitudes(pupil, degree, _QUADRATURE * field, by.rates)
-    each_part = projection.by_part(found.coefficients, model.orders, degree)
-    # Bounds on the amplitudes of each part on the curves, (1 + rates, planes, b).
-    series = [np.abs(c) @ _powers(order, degree) for order, c in zip(model.orders, each_part, strict=True)]
-    most = np.log(np.max([each.max(axis=(0, 1)) for each in series], axis=0) + 1e-300)
+    moduli: Array = np.abs(found.coefficients)
+    each_part = projection.by_part(moduli, model.orders, degree)
+    # Bounds on the amplitudes of each part on the curves, (parts, 1 + rates, planes, b).
+    series = np.stack([c @ _powers(order, degree) for order, c in zip(model.orders, each_part, strict=True)])
+    most = np.log(series.max(axis=(0, 1, 2)) + 1e-300)
     chords = count_for(most + size.around + _OVER_CHORDS, _SHARES[1] * field)
     nodes = count_for(most + size.along + _OVER_NODES, _SHARES[2] * field)
     rule = Rule(chords, nodes, degree)
@@ -260,18 +262,23 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     lost = 2.0 * chords + 2.0 * nodes + 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
     # Weights sum to 1, so that an amplitude is at most the sum of the moduli of its terms.
-    light = np.stack([np.abs(c).sum(axis=2) for c in each_part])
-    sizes, parts = np.abs(_rows(pupil.emitter)), list(pupil.light.waves.parts)
+    light = np.stack([c.sum(axis=2) for c in each_part])
+    sizes = _shares(pupil.emitter)
 
     # Films change s and p waves, which add up to a part, by factors of their own.
     norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
 
-    def wrong(which: int, term: int, kind: int) -> Array:
-        n = highest if kind else 0 if term < 0 else by.terms[term][0]
-        here, rounded = plain.times(n), lost + 6.0 * n * n + (of_terms.max() if kind else 0.0)
-        off = np.stack([sums_error(each[which], here, rule) for each in series])
-        off += norms[which] * left_out(here.around, degree) + rounded * _ROUNDING * light[:, which]
-        return np.asarray((sizes @ off[parts]).T + sizes.sum(axis=1) * found.error)
+    def wrong(sets: list[tuple[int, int, int]]) -> Array:
+        factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
+        here = [plain.times(n) for n in factors]
+        size = Growth(*(np.stack(each)[:, None] for each in zip(*here, strict=True)))
+        more = [of_terms.max() if kind else 0.0 for *_, kind in sets]
+        rounded = [lost + 6.0 * n * n + of_kind for n, of_kind in zip(factors, more, strict=True)]
+        which = [each for each, *_ in sets]
+        off = sums_error(series[:, which], size, rule)
+        off += (np.array(norms)[which] * left_out(size.around[:, 0], degree))[:, None]
+        off += (_ROUNDING * np.array(rounded))[:, None] * light[:, which]
+        return np.asarray(np.moveaxis(np.tensordot(sizes, off, 1), 0, 2) + sizes.sum(axis=1) * found.error)
 
     tables = _tables(rule, model.orders, pupil.emitter)
     largest = sum(phases.values())
@@ -291,7 +298,7 @@ def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, b
     if turned:
         sets.append((0, -1, 1))
     values, largest = chordal_series_light(*made.given, np.array(sets, dtype=np.int32), made.terms, threads)
-    off = np.stack([made.wrong(*each) for each in sets])
+    off = made.wrong(sets)
     error = 2.0 * (off[0] * largest + off * largest[0] + off[0] * off).sum(axis=2)
     error[0] = error_of_light(off[0], largest[0])
     error[1:] += 16.0 * _ROUNDING * 2.0 * (largest[0] * largest[1:]).sum(axis=2)
@@ -313,7 +320,7 @@ def sums(
     made = fields(pupil, grid, field, by)
     asked = np.array(_series(by), dtype=np.int32)
     found, largest = chordal_series_gradient(*made.given, asked, made.terms, weights, threads)
-    top, error = largest[:, 0], error_of_light(made.wrong(0, -1, 0), largest[:, 1:])
+    top, error = largest[:, 0], error_of_light(made.wrong([(0, -1, 0)])[0], largest[:, 1:])
     return found / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
 
 
@@ -334,6 +341,13 @@ def _rows(emitter: Emitter) -> Complex:
 
 
 @lru_cache(maxsize=64)
+def _shares(emitter: Emitter) -> Array:
+    """Return what parts of the amplitudes add to the fields of an emitter, in modulus, shape (fields, parts)."""
+    parts, count = np.array(emitter.light.waves.parts), len(emitter.light.model.orders)
+    return np.asarray(np.abs(_rows(emitter)) @ (parts[:, None] == np.arange(count)).astype(np.float64))
+
+
+@lru_cache(maxsize=64)
 def _powers(order: int, degree: int) -> Array:
     """Return what bounds each term of an amplitude on the curves, shape (terms, b)."""
     return np.asarray(np.exp(np.outer(projection.degrees(order, degree), _B)))
@@ -347,27 +361,45 @@ class Growth(NamedTuple):
 
     def times(self, n: int) -> Growth:
         """Return bounds with a Zernike term of degree n as a factor, at most ``cosh(n b)`` there."""
-        factor = n * _B + np.log(0.5 + 0.5 * np.exp(-2.0 * n * _B))
-        return Growth(self.around + factor, self.along + factor)
+        return Growth(self.around + _factor(n), self.along + _factor(n)) if n else self
 
 
-def growth(wavefront: Wavefront, low: Array, high: Array) -> Growth:
-    """Return bounds for a stack of wavefronts in a window from v = `low` to `high`, (y, x)."""
-    terms = wavefront.edge_terms()
-    tilts = [np.atleast_1d(terms.get(term, 0.0)) for term in ((1, -1), (1, 1))]
-    reach = [
-        max(float(np.abs(edge - tilt).max()) for edge in (a, b)) for a, b, tilt in zip(low, high, tilts, strict=True)
-    ]
+@lru_cache(maxsize=256)
+def _factor(n: int) -> Array:
+    return np.asarray(n * _B + np.log(0.5 + 0.5 * np.exp(-2.0 * n * _B)))
+
+
+@lru_cache(maxsize=256)
+def _sinh(n: int) -> Array:
+    return np.asarray(np.sinh(n * _B))
+
+
+def growth(
+    wavefront: Wavefront, low: Array, high: Array, phases: dict[tuple[int, int], float] | None = None
+) -> Growth:
+    """Return bounds for a stack of wavefronts in a window from v = `low` to `high`, (y, x).
+
+    `phases` are the amplitudes of its terms, if these are known.
+    """
+    terms, reach = wavefront.edge_terms(), []
+    for edges, term in zip(zip(low.tolist(), high.tolist(), strict=True), ((1, -1), (1, 1)), strict=True):
+        tilt = terms.get(term, 0.0)
+        reach.append(max(float(np.abs(edge - tilt).max()) for edge in edges))
     total = np.zeros(_B.shape)
-    for (n, _), w in wavefront.amplitudes().items():
+    for (n, _), w in (wavefront.amplitudes() if phases is None else phases).items():
         if n > 1:
-            total += w * np.sinh(n * _B)
+            total += w * _sinh(n)
     return Growth(total + math.hypot(*reach) * _SINH, total + reach[0] * _SINH)
 
 
-def left_out(size: Array, degree: int) -> float:
-    """Bound what terms of higher degree add to a field, over their norm."""
-    return math.exp(min(700.0, float((size + _tail(degree + 1.0) - (degree + 1.0) * _B).min())))
+def left_out(size: Array, degree: int) -> Array:
+    """Bound what terms of higher degree add to a field, over their norm, for `size` of shape (..., b)."""
+    return np.asarray(np.exp(np.minimum(700.0, (size + _beyond(degree)).min(axis=-1))))
+
+
+@lru_cache(maxsize=256)
+def _beyond(degree: int) -> Array:
+    return np.asarray(_tail(degree + 1.0) - (degree + 1.0) * _B)
 
 
 def _tail(first: Array | float) -> Array:
@@ -376,11 +408,14 @@ def _tail(first: Array | float) -> Array:
     return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
 
 
+_FIRST_TAIL = _tail(40.0)
+
+
 def degree_for(size: Array, norm: float, error: float) -> int:
     """Return a degree of amplitudes of such a norm beyond which terms add at most about `error`."""
-    first, needed = np.full(_B.shape, 40.0), size + math.log(norm / error)
-    for _ in range(2):
-        first = np.maximum((needed + _tail(first)) / _B, 1.0)
+    needed = size + math.log(norm / error)
+    first = np.maximum((needed + _FIRST_TAIL) / _B, 1.0)
+    first = np.maximum((needed + _tail(first)) / _B, 1.0)
     degree = math.ceil(float(first.min())) - 1
     if degree > _MOST_DEGREE:
         raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
@@ -396,12 +431,19 @@ def count_for(size: Array, error: float) -> int:
 
 
 def sums_error(series: Array, size: Growth, rule: Rule) -> Array:
-    """Bound the errors of fields, (planes,), of amplitudes within `series` (planes, b) on the curves, by a rule."""
-    chords = np.exp(np.minimum(size.around - 2.0 * rule.chords * _B, 600.0)) * (1.0 + np.exp(-4.0 * _B))
-    chords /= -np.expm1(-2.0 * (rule.chords + 1) * _B)
-    nodes = np.exp(np.minimum(size.along - 2.0 * rule.nodes * _B, 600.0)) * (32.0 / 15.0) / -np.expm1(-2.0 * _B)
+    """Bound the errors of fields, (...,), of amplitudes within `series` (..., b) on the curves, by a rule."""
+    of_chords, of_nodes = _falling(rule.chords, rule.nodes)
+    chords = np.exp(np.minimum(size.around + of_chords, 600.0))
+    nodes = np.exp(np.minimum(size.along + of_nodes, 600.0))
     with np.errstate(over="ignore"):
-        return np.asarray((series * chords).min(axis=1) + (series * nodes).min(axis=1))
+        return np.asarray((series * chords).min(axis=-1) + (series * nodes).min(axis=-1))
+
+
+@lru_cache(maxsize=64)
+def _falling(chords: int, nodes: int) -> tuple[Array, Array]:
+    """Return the logarithms of what so many chords, and nodes, make of what an integrand is at most."""
+    around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
+    return around, _OVER_NODES - 2.0 * nodes * _B
 
 
 class _Quadrant(NamedTuple):
@@ -466,6 +508,10 @@ def _folded(wavefront: Wavefront, rule: Rule, largest: float) -> Complex:
     values, parity = _terms(rule.chords, rule.nodes, wavefront.terms)
     flat = values.reshape(len(values), -1)
     phases = _SIGNS @ np.stack([wavefront.edge[:, parity == p] @ flat[parity == p] for p in range(4)], axis=1)
-    waves = np.exp(1j * phases) * at.weight.ravel()
-    kinds = waves[None] if largest == 0.0 else np.stack([waves, 1j / largest * phases * waves])
-    return np.asarray(_SIGNS @ kinds).reshape(len(kinds), -1, 4, *at.rho.shape)
+    # Sines and cosines of real numbers take a fraction of the time of complex exponentials.
+    re, im = np.cos(phases) * at.weight.ravel(), np.sin(phases) * at.weight.ravel()
+    kinds = [(re, im)] if largest == 0.0 else [(re, im), (phases / -largest * im, phases / largest * re)]
+    folded = np.empty((len(kinds), *phases.shape), dtype=np.complex128)
+    for to, (real, imaginary) in zip(folded, kinds, strict=True):
+        to.real, to.imag = _SIGNS @ real, _SIGNS @ imaginary
+    return folded.reshape(len(kinds), -1, 4, *at.rho.shape)

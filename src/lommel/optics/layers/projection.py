@@ -13,7 +13,7 @@ import itertools
 import math
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ from lommel.optics.layers.quadrature_bounds import Complex, Model, Piece
 from lommel.optics.layers.stratified import Layers
 from lommel.special import zernike
 
+_Number = TypeVar("_Number", np.float64, np.complex128)
 _LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6
 
 
@@ -67,7 +68,8 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     made = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
     waves = made.rule.waves(depth, focus)
     # So small a matrix product takes a threaded BLAS as long as its threads take to wake up.
-    found = np.einsum("pq,kqt->kpt", waves, made.weights[[0, *(1 + rate if rate < 2 else 0 for rate in rates)]])
+    each = [made.weights[1 + rate if rate < 2 else 0] for rate in (-1, *rates)]
+    found = np.stack([np.einsum("pq,qt->pt", waves, weights) for weights in each])
     if by_k:
         fixed, by_depth, by_focus = debye.turning(made.rule, layers, model).rates
         turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
@@ -78,8 +80,8 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * made.rule.rounding, made.steepest)
 
 
-def by_part(coefficients: Complex, orders: tuple[int, ...], degree: int) -> list[Complex]:
-    """Return the coefficients of each part."""
+def by_part(coefficients: NDArray[_Number], orders: tuple[int, ...], degree: int) -> list[NDArray[_Number]]:
+    """Return the coefficients of each part, or their moduli."""
     ends = np.cumsum([0, *(degrees(order, degree).size for order in orders)])
     return [coefficients[..., low:high] for low, high in itertools.pairwise(ends)]
 
@@ -158,7 +160,8 @@ def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float
     off = focus - layers.immersion / layers.sample * depth
 
     def widened(values: Array, least: float) -> tuple[float, float]:
-        step = 0.25 * 2.0 ** math.ceil(math.log2(max(float(np.abs(values).max()), least)))
-        return step * math.floor(float(values.min()) / step), step * math.ceil(float(values.max()) / step)
+        low, high = float(values.min()), float(values.max())
+        step = 0.25 * 2.0 ** math.ceil(math.log2(max(-low, high, least)))
+        return step * math.floor(low / step), step * math.ceil(high / step)
 
     return widened(depth, _LEAST_DEPTH), widened(off, _LEAST_FOCUS)

@@ -150,6 +150,23 @@ lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_
     return given;
 }
 
+Out<complex, 5> folded_waves(In<double, 3> terms, In<std::int32_t, 1> parities, In<double, 2> edge, In<double, 2> weights,
+                             double largest) {
+    require(parities.size() == terms.shape(0) && edge.shape(1) == terms.shape(0), "one parity and coefficient a term");
+    require(terms.shape(0) == 0 || (terms.shape(1) == weights.shape(0) && terms.shape(2) == weights.shape(1)),
+            "tables must be at the same nodes");
+    require(std::all_of(parities.data(), parities.data() + parities.size(), [](std::int32_t p) { return p >= 0 && p < 4; }),
+            "parities must be from 0 to 3");
+    require(largest >= 0.0 && largest < 1e300, "largest must be finite and at least 0");
+    const std::size_t waves = edge.shape(0), nodes = weights.size(), each = 4 * nodes, kinds = largest > 0.0 ? 2 : 1;
+    auto values = new_array<complex, 5>({kinds, waves, 4, weights.shape(0), weights.shape(1)});
+    for (std::size_t i = 0; i < waves; ++i) {
+        lommel::fold_waves(lommel::processor_level(), nodes, terms.data(), parities.data(), terms.shape(0),
+                           edge.data() + i * edge.shape(1), weights.data(), largest, values.data() + i * each, waves * each);
+    }
+    return values;
+}
+
 std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<std::int32_t, 1> ends,
                                                        In<complex, 3> coefficients, In<std::int32_t, 2> shares,
                                                        In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
@@ -253,6 +270,8 @@ void bindings::define_chordal(nb::module_& m) {
     m.def("chordal_sums", &sums, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "step"_a,
           "chords"_a, "nodes"_a, "threads"_a, "images"_a.noconvert(),
           "Intensities by so many chords and nodes, in single precision, of each pupil column by column.");
+    m.def("folded_waves", &folded_waves, "terms"_a, "parities"_a, "edge"_a, "weights"_a, "largest"_a,
+          "Weighted sums by parity of exp(i W) at the images of nodes, and of i W exp(i W) over a largest W above 0.");
     m.def("chordal_series_light", &series_light, "radial"_a, "ends"_a, "coefficients"_a, "shares"_a, "factors"_a, "sets"_a,
           "terms"_a, "parities"_a, "waves"_a, "wave"_a, "center_y"_a, "center_x"_a, "height"_a, "width"_a, "step"_a,
           "threads"_a,

@@ -279,6 +279,15 @@ class NodeTerms(NamedTuple):
     parities: NDArray[np.int32]
 
 
+def folded_waves(terms: NodeTerms, edge: Array, weights: Array, largest: float) -> NDArray[np.complex128]:
+    """Return weighted sums of ``exp(i W)`` over the images of each node, by parity, (kinds, wavefronts, 4, ...).
+
+    W is a sum of `terms` times the coefficients `edge`, shape (wavefronts, terms). The second kind, for a `largest` W
+    above 0, is ``i W exp(i W)`` over it.
+    """
+    return _core.folded_waves(*terms, edge, weights, largest)
+
+
 def chordal_series_light(
     tables: NodeTables,
     coefficients: NDArray[np.complex128],

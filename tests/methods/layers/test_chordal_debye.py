@@ -7,6 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel import _core
+from lommel.core.engine import folded_waves
 from lommel.methods.layers import chordal_debye
 from lommel.optics.layers import debye, projection
 from lommel.optics.layers.quadrature_bounds import Model
@@ -188,6 +189,23 @@ def test_sums_of_each_term_are_within_the_bound_of_chords_and_nodes(few, count, 
         assert error <= bound + 1e-14
         found.append(error / bound if error > 1e-13 else 0.0)
     assert max(found) > 1e-5 or count > 10  # far from the bound, were it a wrong one
+
+
+@pytest.mark.parametrize(("chords", "nodes"), [(4, 4), (6, 10), (54, 50)])
+def test_waves_are_folded_by_parity(chords, nodes):
+    coefficients = {(2, 2): [0.7, 1.0], (3, 1): [0.2, -3.0], (2, -2): [0.4, 90.0], (1, 1): 1.3, (4, 0): -2.0}
+    wavefront = lm.Wavefront.zernike(coefficients).flattened()
+    at, terms = chordal_debye._quadrant(chords, nodes), chordal_debye._terms(chords, nodes, wavefront.terms)
+    signs = np.array([[1, 1, 1, 1], [1, -1, 1, -1], [1, 1, -1, -1], [1, -1, -1, 1]])
+    phases = np.zeros((2, 4, *at.rho.shape))
+    for image, theta in enumerate((at.theta, -at.theta, np.pi - at.theta, np.pi + at.theta)):
+        for j, (n, m) in enumerate(wavefront.terms):
+            phases[:, image] += wavefront.edge[:, j, None, None] * zernike.polynomial(n, m, at.rho, theta)
+    waves = at.weight * np.exp(1j * phases)
+    for largest, kinds in ((0.0, [waves]), (7.0, [waves, 1j / 7.0 * phases * waves])):
+        found = folded_waves(terms, wavefront.edge, at.weight, largest)
+        expected = np.einsum("pi,kwihn->kwphn", signs, np.array(kinds))
+        assert found == pytest.approx(expected, rel=0.0, abs=1e-13 * np.abs(expected).max())
 
 
 def test_tilts_shift_the_window():

@@ -16,6 +16,7 @@
 #include "lommel/chordal/batch.hpp"
 #include "lommel/chordal/kernels.hpp"
 #include "lommel/chordal/tables.hpp"
+#include "lommel/special/sincos.hpp"
 
 namespace lommel {
 
@@ -54,6 +55,58 @@ struct NodeSeries {
     }
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
+
+// exp(i W) at the four images of each node of a quadrant, weighted, as sums of these by parity, [parity][node]; then, for a `largest`
+// W above 0, i W exp(i W) over it likewise, `apart` numbers on. W is a sum of `count` terms, [term][node], each of a parity.
+inline void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
+                       const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t apart) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using V = typename decltype(isa)::pack;
+        constexpr std::size_t lanes = decltype(isa)::lanes;
+        // Of even and odd parts, from four images to four parities and back: the first two odd in y, then in x.
+        const auto folded = [](const V(&p)[4], V(&q)[4]) LOMMEL_INLINE_LAMBDA {
+            const V a = p[0] + p[1], b = p[0] - p[1], c = p[2] + p[3], d = p[2] - p[3];
+            q[0] = a + c, q[1] = b + d, q[2] = a - c, q[3] = b - d;
+        };
+        for (std::size_t first = 0; first < nodes; first += lanes) {
+            const std::size_t here = std::min(lanes, nodes - first);
+            const auto taken = [&](const double* from) LOMMEL_INLINE_LAMBDA {
+                double some[lanes] = {};
+                std::copy_n(from + first, here, some);
+                return load<V>(some);
+            };
+            V sums[4] = {}, phases[4], re[4], im[4];
+            for (std::size_t t = 0; t < count; ++t) {
+                V& sum = sums[parities[t]];
+                sum = sum + splat<V>(edge[t]) * taken(terms + t * nodes);
+            }
+            folded(sums, phases);
+            const V weight = taken(weights);
+            for (std::size_t image = 0; image < 4; ++image) {
+                V sine, cosine;
+                sincos(isa, phases[image], sine, cosine);
+                re[image] = cosine * weight, im[image] = sine * weight;
+            }
+            const auto put = [&](std::complex<double>* at) LOMMEL_INLINE_LAMBDA {
+                V a[4], b[4];
+                folded(re, a), folded(im, b);
+                for (std::size_t parity = 0; parity < 4; ++parity) {
+                    for (std::size_t lane = 0; lane < here; ++lane) {
+                        at[parity * nodes + first + lane] = {a[parity][lane], b[parity][lane]};
+                    }
+                }
+            };
+            put(to);
+            if (largest > 0.0) {
+                for (std::size_t image = 0; image < 4; ++image) {
+                    const V phase = phases[image] * splat<V>(1.0 / largest), turned = splat<V>(0.0) - phase * im[image];
+                    im[image] = phase * re[image], re[image] = turned;
+                }
+                put(to + apart);
+            }
+        }
+    });
+}
 
 // Parts of the amplitudes of one plane by one series: to[part][re, im][node].
 inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, double* to) {

@@ -19,6 +19,7 @@ from lommel.core.engine import (
     Window,
     chordal_series_gradient,
     chordal_series_light,
+    folded_waves,
 )
 from lommel.methods.layers.debye_rings import squares
 from lommel.methods.layers.debye_wolf import LEAST, AberratedMethod, likely_peak
@@ -282,7 +283,9 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
 
     tables = _tables(rule, model.orders, pupil.emitter)
     largest = sum(phases.values())
-    waves = NodeWaves(_folded(wavefront, rule, largest if by_k else 0.0), own.astype(np.int32))
+    of_phases, weight = _terms(chords, nodes, wavefront.terms), _quadrant(chords, nodes).weight
+    folded = folded_waves(of_phases, wavefront.edge, weight, largest if by_k else 0.0)
+    waves = NodeWaves(folded, own.astype(np.int32))
     given = tables, found.coefficients, waves, Window(grid.shape, grid.axis, step)
     return Fields(given, _terms(chords, nodes, by.terms), wrong, (found.steepest, largest))
 
@@ -493,25 +496,3 @@ def _terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> NodeT
     odd_x = np.array([(abs(m) + (m < 0)) % 2 for _, m in terms], dtype=np.int32)
     values = [zernike.polynomial(n, m, at.rho, at.theta) for n, m in terms]
     return NodeTerms(np.reshape(values, (len(terms), *at.rho.shape)), 2 * odd_x + odd_y)
-
-
-# Signs of even and odd parts, 2 for odd in x plus 1 for odd in y, at (x, y), (x, -y), (-x, y) and (-x, -y).
-_SIGNS = np.array([[1, 1, 1, 1], [1, -1, 1, -1], [1, 1, -1, -1], [1, -1, -1, 1]], dtype=np.float64)
-
-
-def _folded(wavefront: Wavefront, rule: Rule, largest: float) -> Complex:
-    """Return weighted sums of ``exp(i W)`` over the images of each node, by parity, (kinds, wavefronts, 4, ...).
-
-    The second kind, for a `largest` W above 0, is ``i W exp(i W)`` over it.
-    """
-    at = _quadrant(rule.chords, rule.nodes)
-    values, parity = _terms(rule.chords, rule.nodes, wavefront.terms)
-    flat = values.reshape(len(values), -1)
-    phases = _SIGNS @ np.stack([wavefront.edge[:, parity == p] @ flat[parity == p] for p in range(4)], axis=1)
-    # Sines and cosines of real numbers take a fraction of the time of complex exponentials.
-    re, im = np.cos(phases) * at.weight.ravel(), np.sin(phases) * at.weight.ravel()
-    kinds = [(re, im)] if largest == 0.0 else [(re, im), (phases / -largest * im, phases / largest * re)]
-    folded = np.empty((len(kinds), *phases.shape), dtype=np.complex128)
-    for to, (real, imaginary) in zip(folded, kinds, strict=True):
-        to.real, to.imag = _SIGNS @ real, _SIGNS @ imaginary
-    return folded.reshape(len(kinds), -1, 4, *at.rho.shape)

@@ -321,6 +321,11 @@ class Plan:
         validation.choice("precision", precision, ("auto", "float64", "float32"))
         if not self.plain:
             raise ValueError("pixel must be one number for a traced plan, and fill and blur left out")
+        if isinstance(pupil, BasePupil) and pupil.layered:
+            raise TypeError(
+                "pupil must be that of a lens for a traced plan, got that of an Objective; PSF.pullback has the "
+                "gradient of a loss by its aberrations, stage and depth"
+            )
         grid = self.grid(checked(pupil))
         values = self.tol, self.normalize, str(self.dtype)
         return traced_psf.traced(pupil, grid, self.method, values, (xp, device, precision))

@@ -105,6 +105,11 @@ def test_without_aberrations_terms_are_by_chords_and_all_else_by_rings():
             assert np.abs(one[name] - exact).max() <= 1e-7 * np.abs(exact).max(), name
 
 
+def test_traced_plans_name_the_way_to_gradients():
+    with pytest.raises(TypeError, match=r"that of an Objective; .* has the gradient"):
+        lm.Plan(9, PIXEL).traced(stack())
+
+
 def test_circles_have_the_gradient_by_chords_or_that_of_their_own_derivatives():
     pupil = stack(depth=2e-6, z=[0.1e-6, 0.4e-6])
     answer = lm.psf(pupil, 9, PIXEL, method=lm.DebyeRings(1e-7), dtype=np.float64)

@@ -199,7 +199,9 @@ inline void node_light(const NodeSeries& given, const DiskWindow& window, int th
     }
     const Doubles parts = all_parts(level, given, series, threads);
     // Of all fields of a plane, [plane][set][field].
-    std::vector<std::complex<double>> u(jobs * pixels);
+    thread_local Doubles scratch;
+    scratch.resize(2 * jobs * pixels);
+    double* const u = scratch.data();  // of this thread, whoever computes them
     parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {
         thread_local Doubles at, room, chords, row;
         const std::size_t first = b * lanes, here = std::min(lanes, jobs - first), line = given.count.half_chords() * 4 * lanes;
@@ -221,15 +223,15 @@ inline void node_light(const NodeSeries& given, const DiskWindow& window, int th
             look();
             Kernels::columns(level, *kernel, chords.data() + y * line, row.data());
             for (std::size_t lane = 0; lane < here; ++lane) {
-                std::complex<double>* to = u.data() + (first + lane) * pixels + y * window.width;
-                for (std::size_t x = 0; x < window.width; ++x) {
-                    to[x] = {row[2 * x * lanes + lane], row[(2 * x + 1) * lanes + lane]};
+                double* to = u + 2 * ((first + lane) * pixels + y * window.width);
+                for (std::size_t x = 0; x < 2 * window.width; ++x) {
+                    to[x] = row[x * lanes + lane];
                 }
             }
         }
     });
     parallel_for(given.planes, threads, [&](std::size_t, std::size_t plane) {
-        const auto* own = reinterpret_cast<const double*>(u.data() + plane * sets * fields * pixels);
+        const double* own = u + 2 * plane * sets * fields * pixels;
         dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t set = 0; set < sets; ++set) {
                 double* to = values + (set * given.planes + plane) * pixels;

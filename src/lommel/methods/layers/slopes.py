@@ -178,8 +178,10 @@ def _by_chords(
     shares += [(1.0, np.zeros(1))] * len(terms)
     for k, (share, given) in enumerate(shares):
         own = np.broadcast_to(given, made.scale.shape)
-        slope = share * raw[k] * made.scale[:, None, None] + own[:, None, None] * made.values
-        largest = np.abs(slope).reshape(len(slope), -1).max(axis=1) / made.scale
+        slope = (share * made.scale)[:, None, None] * raw[k]
+        if given.any():
+            slope += own[:, None, None] * made.values
+        largest = np.maximum(slope.max(axis=(1, 2)), -slope.min(axis=(1, 2))) / made.scale
         rounded = (storing(wanted.dtype) + 2.0**-48) * largest
         error[k] = (abs(share) * wrong[k] + rounded) / made.brightest + np.abs(own) * (made.bound + 1e-12)
         values[k] = slope

@@ -160,16 +160,13 @@ def _averaged(
     tol_stored = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
     err_samples, err_response = _first_errors(tol_stored, step)
     for _ in range(5):
-        taps = (
-            filtered_by(step, err_response, widest)
-            if widest < _WIDEST or gradients
-            else _shared_by(step, err_response, grid.shape)
-        )
         slope = None
         if gradients:
-            # Derivatives have no tolerance: as long a filter as that of averages, or little longer.
-            rough = _ROUGHER * err_response
-            taps, slope = as_long(taps, sloping(step, rough, averages=True, widest=widest))
+            taps, slope = _with_slope(step, err_response, widest)
+        elif widest < _WIDEST:
+            taps = filtered_by(step, err_response, widest)
+        else:
+            taps = _shared_by(step, err_response, grid.shape)
         try:
             tol_samples = err_samples / taps.gain**2
             # What sums in single precision along both axes cost averages, of the largest sample.
@@ -405,6 +402,13 @@ def _fitted(response: Function, wave: Function, step: float, error: float, wides
         if (reached <= error and gain <= most) or half > stride + 60:
             return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
         half += 1
+
+
+@lru_cache(maxsize=64)
+def _with_slope(step: float, error: float, widest: float) -> tuple[Taps, Taps]:
+    """Return a filter of averages that is off by `error`, and as long a one of their derivatives along an axis."""
+    # Derivatives have no tolerance: theirs need not be much longer.
+    return as_long(filtered_by(step, error, widest), sloping(step, _ROUGHER * error, averages=True, widest=widest))
 
 
 def as_long(one: Taps, other: Taps) -> tuple[Taps, Taps]:

@@ -43,7 +43,7 @@ class Spots:
     Attributes
     ----------
     frame : ndarray of int, shape (n,)
-        Counted as `first` of :func:`find` says; rising.
+        Counted as `first` of :func:`lommel.localize.find` says; rising.
     row, column : ndarray of int, shape (n,)
         First pixel of the box; its centre is pixel ``rows // 2, columns // 2`` of the box.
     score : ndarray, shape (n,)

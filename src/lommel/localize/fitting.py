@@ -62,7 +62,7 @@ class Molecules:
         Pearson's chi2 less its expectation, over its standard deviation: about 0 +- 1 where the PSF and the noise are
         right; large with a second molecule in the box, a wrong PSF or a wrong gain.
     state : ndarray of int, shape (n,)
-        Index into :attr:`states`.
+        Index into ``states``.
     steps : ndarray of int, shape (n,)
         Steps of all starts together.
     states : tuple of str

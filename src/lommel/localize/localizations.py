@@ -26,7 +26,7 @@ _OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
 
 @dataclass(frozen=True, eq=False)
 class Localizations:
-    """Molecules of a movie, one row for each fit, by :func:`localize_movie`.
+    """Molecules of a movie, one row for each fit, by :func:`lommel.localize.localize_movie`.
 
     Attributes
     ----------
@@ -35,12 +35,12 @@ class Localizations:
         rows, metres; ``z``, metres; ``photons``, electrons; ``background``, electrons a pixel; the Cramer-Rao
         standard deviations of these five, ``x_deviation`` and so on; ``sigma_x``, ``sigma_y``, the standard
         deviations of a Gaussian fitted to the PSF at this z, metres; ``discrepancy`` and ``log_likelihood`` of the
-        fit; ``score`` of the spot; ``state``, an index into :attr:`states`. ``pandas.DataFrame(found.table)`` makes
+        fit; ``score`` of the spot; ``state``, an index into ``states``. ``pandas.DataFrame(found.table)`` makes
         a data frame.
     recording : Recording
         Size of the movie, pixel pitch, direction of z.
     spots, borders, overlapping : int
-        Spots found and fitted, and those left out; see :class:`Spots`.
+        Spots found and fitted, and those left out; see :class:`lommel.localize.Spots`.
     states : tuple of str
         "converged"; "border", "steps" and "undetermined", whose positions are no estimates.
     """
@@ -78,7 +78,9 @@ class Localizations:
         return dict(zip(self.states, found.tolist(), strict=True))
 
     def save(self, *paths: str | PathLike[str]) -> None:
-        """Write those that converged to files: ThunderSTORM's .csv or Picasso's .hdf5; see :func:`writer`.
+        """Write those that converged to files: ThunderSTORM's .csv or Picasso's .hdf5.
+
+        See :func:`lommel.localize.writer`.
 
         Parameters
         ----------
@@ -127,7 +129,7 @@ class Localizations:
 
 
 def columns() -> np.dtype[np.void]:
-    """Return the type of a row of :attr:`Localizations.table`."""
+    """Return the type of a row of ``Localizations.table``."""
     return np.dtype(
         [("frame", np.int64), *((name, np.float64) for name in (*_COLUMNS, *_OTHERS)), ("state", np.int32)]
     )
@@ -151,8 +153,8 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
     Yields
     ------
     callable
-        Called with :class:`Localizations` of one movie, in turn; those that did not converge are left out. Files
-        have temporary names until the end of the block, and there is none after an error.
+        Called with :class:`lommel.localize.Localizations` of one movie, in turn; those that did not converge are left
+        out. Files have temporary names until the end of the block, and there is none after an error.
 
     Raises
     ------

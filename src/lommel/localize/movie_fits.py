@@ -36,9 +36,10 @@ def localize_movie(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Localizations:
-    """Find the molecules of a movie and estimate where they are, by :func:`find` and :func:`fit`.
+    """Find the molecules of a movie and estimate where they are.
 
-    Drift of the sample is not corrected, and molecules that shine in several frames are a row in each.
+    By :func:`lommel.localize.find` and :func:`lommel.localize.fit`, frames in blocks. Drift of the sample is not
+    corrected, and molecules that shine in several frames are a row in each.
 
     Parameters
     ----------
@@ -101,17 +102,17 @@ def localize_blocks(
     Parameters
     ----------
     movie, table, noise, threshold, width, starts, block, threads, progress
-        As of :func:`localize_movie`.
+        As of :func:`lommel.localize.localize_movie`.
 
     Yields
     ------
     Localizations
-        Of each block of frames, at least one, also without molecules; :func:`writer` writes them.
+        Of each block of frames, at least one, also without molecules; :func:`lommel.localize.writer` writes them.
 
     Raises
     ------
     TypeError, ValueError, OSError
-        As of :func:`localize_movie`.
+        As of :func:`lommel.localize.localize_movie`.
     """
     validation.instance("table", table, Table)
     validation.function("progress", progress, required=False)

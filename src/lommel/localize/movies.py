@@ -24,7 +24,9 @@ class MovieError(ValueError):
 
 
 class Movie:
-    """The frames of a TIFF file, which stay on the disk; made by :func:`open_movie`, closed by ``with`` or `close`.
+    """The frames of a TIFF file, which stay on the disk.
+
+    Made by :func:`lommel.localize.open_movie`; closed by ``with`` or `close`.
 
     Attributes
     ----------

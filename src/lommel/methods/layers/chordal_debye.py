@@ -106,7 +106,7 @@ class ChordalDebye(AberratedMethod):
         """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and derivatives `by` parameters.
 
         These are those of I, (k, n, height, width), with bounds, (k, n), and not held to `tol`. Raises ToleranceError
-        and ValueError as :meth:`images`.
+        and ValueError as ``images``.
         """
         n = pupil.depth.size
         values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out

@@ -61,11 +61,12 @@ def test_estimates_scatter_by_the_cramer_rao_bound_without_bias(table, photons, 
     off = np.stack([found.row, found.column, found.z, found.photons, found.background], axis=1)
     off -= np.stack([*at, np.full(1200, photons), np.full(1200, background)], axis=1)
     off /= least
-    assert found.converged.mean() > 0.99
+    assert found.converged.mean() > 0.98
+    assert set(np.unique(found.state)) <= {0, 1}  # all that are not at a limit end
     assert (np.abs(off[:, :3]) < 6.0).all()
     # Five standard errors of a mean and of a deviation of so many.
     np.testing.assert_allclose(off[:, :3].mean(axis=0), 0.0, atol=5.0 / math.sqrt(1200))
-    np.testing.assert_allclose(np.sqrt((off**2).mean(axis=0)), 1.0, atol=0.11)
+    np.testing.assert_allclose(np.sqrt((off**2).mean(axis=0)), 1.0, atol=0.12)
     # The estimated deviations are those at the estimates, and the discrepancies those of the right model.
     np.testing.assert_allclose(np.median(found.deviation.z / least[:, 2]), 1.0, atol=0.02)
     assert abs(found.discrepancy.mean()) < 0.15
@@ -231,7 +232,7 @@ def test_what_is_found_is_fitted_where_it_is(table, maps):
 
 
 def test_two_planes_tell_more_than_one(table):
-    # A biplane: the second channel sees the molecule 400 nm away, turned and magnified by a transform.
+    # A biplane: the second channel sees the molecule 400 nm away, mirrored, turned and magnified.
     shift = 0.4e-6
     pupil = OBJECTIVE.pupil(depth=1e-6, **LIGHT)
     start = OBJECTIVE.pupil(depth=1e-6, z=shift, **LIGHT)
@@ -241,9 +242,9 @@ def test_two_planes_tell_more_than_one(table):
     layers = OBJECTIVE.pupil(depth=1e-6, z=shift, **LIGHT)
     other = type(pupil).from_dict(layers.to_dict() | {"z": 0.0})
     lower = Table(other, shape=13, pixel=6.5e-6, z=RANGE)
-    angle = 0.02
-    turn = 1.01 * np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
-    transform = np.column_stack([turn, [3.3, -2.1]])
+    angle = 0.4
+    turn = 1.05 * np.array([[math.cos(angle), math.sin(angle)], [math.sin(angle), -math.cos(angle)]])
+    transform = np.column_stack([turn @ [[1.0, 0.1], [0.0, 1.0]], [3.3, 180.1]])
     rng = np.random.default_rng(16)
     n = 300
     row, column, z = (

@@ -56,6 +56,7 @@ namespace localize {
 constexpr double least_background = 0.01;  // electrons
 constexpr double settled = 0.01;  // of a deviation, that nothing moves by any more
 constexpr double noise = 1e-6;  // of a deviance, a sum of floats
+constexpr double singular = 1e-6;  // pivots of sums of floats over the diagonal: what is less may be 0
 constexpr int most_steps = 50;
 
 // Sums over the pixels of a channel: the score and the information by row, column, z, photons and background, and the deviance.
@@ -155,7 +156,7 @@ inline bool factor(std::size_t n, double (&a)[most_unknown][most_unknown]) {
             }
             if (i > j) {
                 a[i][j] = sum / a[j][j];
-            } else if (sum > 1e-12 * a[i][i]) {
+            } else if (sum > singular * a[i][i]) {
                 a[i][i] = std::sqrt(sum);
             } else {
                 return false;
@@ -348,7 +349,7 @@ class MoleculeFit {
         found.discrepancy = (pearson.chi2 - free) / std::sqrt(std::max(pearson.variance, 1.0));
         double a[most_unknown][most_unknown];
         std::memcpy(a, system.information, sizeof a);
-        if (free < 0.0 || !localize::factor(unknown_, a)) {
+        if (!localize::factor(unknown_, a)) {
             found.state = FitState::undetermined;
             found.deviation.fill(std::numeric_limits<double>::infinity());
             return;

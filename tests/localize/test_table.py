@@ -306,6 +306,11 @@ def test_what_no_float_can_hold_is_refused():
         Table(far, shape=5, pixel=3e-6, z=(-6e-6, 6e-6), tol=1e-5)
 
 
+def test_the_pupil_may_be_of_any_plane_of_the_stage(table):
+    moved = Table(plane(PUPIL, 0.2e-6), shape=(11, 13), pixel=6.5e-6, z=RANGE)
+    np.testing.assert_allclose(moved(5.2, 6.1, 0.1e-6), table(5.2, 6.1, 0.1e-6), rtol=0.0, atol=1e-9)
+
+
 def test_a_thick_cover_glass_takes_part():
     pupil = OIL.pupil(depth=1e-6, wavelength=520e-9, aberrations=ASTIGMATISM)
     made = Table(pupil, shape=9, pixel=6.5e-6, z=(-0.1e-6, 0.1e-6))

@@ -117,8 +117,8 @@ inline void add_up(const float* images, std::size_t pixels, const Counts& counts
     });
 }
 
-// Pearson's chi2, what it is expected to be, and its variance, of one channel: the square of Poisson(mu) + N(0, read) - mu has
-// the mean v = mu + read and the variance mu + 2 v^2.
+// Pearson's chi2, what it is expected to be, and its variance, of one channel. The square of x = Poisson(mu) + N(0, read) - mu has
+// the mean v = mu + read and the variance mu + 2 v^2, of which mu^2 / v goes with x, whose sum is fitted away.
 struct Pearson {
     double chi2 = 0.0, expected = 0.0, variance = 0.0;
 };
@@ -137,7 +137,7 @@ inline void compare(const float* images, std::size_t pixels, const Counts& count
             const V light = larger(flux * load<V>(images + i) + level, least), mean = light + read;
             const V off = load<V>(&counts.electrons[i]) - mean, weight = valid / mean;
             chi2 = chi2 + weight * off * off;
-            variance = variance + weight * (light / mean) + valid * two;
+            variance = variance + weight * (light / mean) * (read / mean) + valid * two;
             count = count + valid;
         }
         found.chi2 += total(chi2);

@@ -184,7 +184,6 @@ def test_options_of_the_other_kind_and_numbers_out_of_range_are_refused_in_a_lin
         "restore photo.png depth.tif objective.toml --focus 1m --white 1 --read 2 -o out.png",
         "depth depth.tif depth.tif objective.toml --focus 1m --focus 2m --between 1m 3m --white 9 --read 2",
         "precision objective.toml --focus 1m --focus 2m --between 1m 3m --photons 9",
-        "retrieve depth.tif objective.toml --read 2",
     ],
     ids=lambda line: line.split()[0],
 )
@@ -194,5 +193,5 @@ def test_commands_that_need_a_lens_refuse_a_microscope_in_a_sentence(line, folde
     result = call_lommel(*line.split(), folder=folder)
     assert result.returncode == 2
     assert "objective.toml: describes a microscope, [objective], not a lens: " in result.stderr
-    assert "the commands info and psf take it" in result.stderr
+    assert "the commands info, psf, retrieve and localize take it" in result.stderr
     assert len(result.stderr.splitlines()) == 1

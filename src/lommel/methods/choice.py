@@ -5,7 +5,7 @@
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -14,6 +14,9 @@ from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
+
+if TYPE_CHECKING:
+    from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _LOOKS = 8  # pupils that stand for a stack
 _Answer = TypeVar("_Answer")
@@ -117,11 +120,14 @@ def _made(rule: Rule, tol: float) -> tuple[Method, ...]:
     return tuple(method(tol) for method in rule.methods)
 
 
-def with_terms(ways: tuple[Method, ...]) -> tuple[Method, ...]:
-    """Return the methods for an objective with that which derivatives by Zernike terms are left to."""
-    from lommel.methods.layers.chordal_debye import ChordalDebye
+def of_derivatives(pupil: "ObjectivePupil", ways: tuple[Method, ...]) -> tuple[Method, ...]:
+    """Return the methods for derivatives of an objective, with that which those by Zernike terms are left to."""
+    from lommel.methods.layers.chordal_debye import ChordalDebye, ChordalDebyeIfCheaper
 
-    return (*ways, ChordalDebye(ways[0].tol))
+    tol = ways[0].tol
+    # Tables over circles of light that depends on the azimuth are made anew for other planes.
+    first = () if pupil.aberrated or pupil.light.radial else (ChordalDebyeIfCheaper(tol),)
+    return (*first, *ways, ChordalDebye(tol))
 
 
 def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:

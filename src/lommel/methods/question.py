@@ -13,7 +13,7 @@ from numpy.typing import DTypeLike
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import DType, Images, Pixels, Wanted
-from lommel.methods.choice import candidates, first_proven, with_terms
+from lommel.methods.choice import candidates, first_proven, of_derivatives
 from lommel.methods.method import Method, Shortcut, require_period, widened
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -48,7 +48,7 @@ class Asked(NamedTuple):
 
             layers = cast("ObjectivePupil", pupil)
             return first_proven(
-                self.ways if self.named else with_terms(self.ways),
+                self.ways if self.named else of_derivatives(layers, self.ways),
                 lambda way: layered_slopes(way, layers, self.grid, names, question, energy=self.energy),
             )[1]
         if names:

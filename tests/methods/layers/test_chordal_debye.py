@@ -139,6 +139,14 @@ def test_few_samples_are_taken_by_chords_and_many_by_circles():
     plain = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE)
     assert lm.psf(plain, 15, PIXEL, derivatives=("z",)).method == lm.Stratified(1e-6)
     assert lm.psf(plain, 15, PIXEL, derivatives=("z", (2, 2))).method == lm.ChordalDebye(1e-6)
+    # Circles of light that depends on the azimuth are made anew for each plane.
+    fixed = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 9), emitter=lm.Dipole(0.7, 0.4), wavelength=WAVE)
+    assert lm.psf(fixed[:8], 15, PIXEL, derivatives=("z",)).method == lm.ChordalDebye(1e-6)
+    assert lm.psf(fixed[:8], 15, PIXEL).method == lm.Stratified(1e-6)
+    assert lm.psf(fixed, 15, PIXEL, derivatives=("z",)).method == lm.Stratified(1e-6)
+    assert lm.psf(fixed[0], 65, PIXEL, derivatives=("z",)).method == lm.ChordalDebye(
+        1e-6
+    )  # which Stratified declines
 
 
 def fine(function):

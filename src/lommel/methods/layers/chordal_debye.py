@@ -202,16 +202,19 @@ class ChordalDebye(AberratedMethod):
 
 
 _MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
+_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # the same without aberrations, whose circles are shared by all azimuths
 
 
 class ChordalDebyeIfCheaper(ChordalDebye):
-    """The same where it is likely to take less time than :class:`DebyeRings`; Declined elsewhere, at once."""
+    """The same where it is likely to take less time than methods by circles; Declined elsewhere, at once."""
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
     ) -> tuple[Images, Array, Array]:
         """Return I at the centres of pixels and its derivatives."""
-        if pupil.depth.size * math.prod(grid.shape) > _MOST_SAMPLES:
+        planes, samples = pupil.depth.size, pupil.depth.size * math.prod(grid.shape)
+        plain = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
+        if plain or samples > _MOST_SAMPLES:
             raise Declined("so many samples take less time by circles")
         return super().differentiated(pupil, grid, tol, wanted, by)
 

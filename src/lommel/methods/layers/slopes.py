@@ -123,7 +123,7 @@ def _by_engine(
     way = Stratified(max(tol, Stratified.least_tol))
     found = engine_slopes(pupil, grid, by, way.tol, wanted, lambda: way._samples(pupil, grid, tol, wanted))
     if found is None:
-        raise ValueError(
+        raise Declined(
             "derivatives of light that depends on the azimuth are in windows up to "
             f"{110.0 / grid.step(pupil):.0f} pixels from each axis; ask for a smaller shape, or a larger tol"
         )

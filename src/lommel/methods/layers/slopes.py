@@ -90,9 +90,6 @@ def sampled_slopes(
     for each, size in zip(values, sizes, strict=True):
         each *= size
     error *= np.abs(sizes)[:, None]
-    if moved:
-        # What is left out of the phase moves fields and their gradients by as much.
-        error[-2:] += 4.0 * grid.step(pupil) * pupil.left_out[0] / made.brightest
     return made._replace(slopes=Slopes(values, error))
 
 

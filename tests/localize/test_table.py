@@ -26,7 +26,7 @@ RANGE = (-0.3e-6, 0.35e-6)
 
 @pytest.fixture(scope="module")
 def table() -> Table:
-    return Table(PUPIL, shape=(11, 13), pixel=6.5e-6, z=RANGE)
+    return Table(PUPIL, shape=(11, 13), pixel=6.5e-6, z=RANGE, reach=2.0)
 
 
 def plane(pupil, z: float, along: str = "z"):
@@ -307,7 +307,7 @@ def test_what_no_float_can_hold_is_refused():
 
 
 def test_the_pupil_may_be_of_any_plane_of_the_stage(table):
-    moved = Table(plane(PUPIL, 0.2e-6), shape=(11, 13), pixel=6.5e-6, z=RANGE)
+    moved = Table(plane(PUPIL, 0.2e-6), shape=(11, 13), pixel=6.5e-6, z=RANGE, reach=2.0)
     np.testing.assert_allclose(moved(5.2, 6.1, 0.1e-6), table(5.2, 6.1, 0.1e-6), rtol=0.0, atol=1e-9)
 
 

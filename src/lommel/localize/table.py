@@ -52,7 +52,7 @@ class Table:
         the glass.
     along : {"z", "depth"}, default "z"
         What z is: the position of the stage, the emitter's depth fixed; or the depth, the stage fixed.
-    reach : float, default 2
+    reach : float, default 3
         How far the molecule may be from the middle of pixel ``(height // 2, width // 2)`` along rows and columns,
         pixels, 0.5 to 16.
     tol : float, default 1e-4
@@ -105,7 +105,7 @@ class Table:
         *,
         z: tuple[float, float],
         along: str = "z",
-        reach: float = 2.0,
+        reach: float = 3.0,
         tol: float = 1e-4,
         threads: int | None = None,
     ) -> None:

@@ -79,7 +79,8 @@ def psf(
     center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels from the middle of the first; by default the middle of pixel
         ``(height // 2, width // 2)``. Arrays of rows and columns, broadcast with the stack of pupils, give each pupil
-        its own axis (`NijboerZernike`, `ChordalGauss` and a `Polychromatic` of these).
+        its own axis (`NijboerZernike`, `ChordalGauss`, a `Polychromatic` of these; of objectives `Stratified`,
+        `DebyeRings` and `ChordalDebye`).
     integrate : bool, optional
         True for pixel-integrated values (averages over the area of each pixel), False for point samples at pixel
         centres. By default pixels in metres integrate and pixels in units of lambda*N sample; `Geometric`, which has

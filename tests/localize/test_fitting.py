@@ -170,6 +170,15 @@ def test_states_are_told(table):
     assert np.isinf(found.deviation.z[0])
 
 
+def test_what_is_dark_has_no_place(table):
+    rng = np.random.default_rng(37)
+    found = fit(table, rng.normal(-5.0, 1.0, (20, 15, 15)), noise=lm.Noise(read=1.0))
+    assert not found.converged.any()
+    dark = found.state == 3
+    assert dark.sum() >= 15
+    assert np.isinf(found.deviation.photons[dark]).all()
+
+
 def test_two_molecules_in_a_box_are_told_by_the_discrepancy(table):
     two = images(np.array([5.0, 9.0]), np.array([6.0, 8.0]), np.array([-0.2e-6, 0.3e-6])).sum(axis=0)
     counts = np.random.default_rng(0).poisson(3000.0 * two + 10.0)
@@ -350,6 +359,7 @@ def test_molecules_are_chosen_and_written(table, tmp_path):
     found = fit(table, counts)
     assert repr(found) == "<Molecules: 6: 6 converged>"
     assert len(found) == 6
+    assert repr(found.deviation) == "<Deviation of 6 molecules>"
     some = found[found.z > 0.0]
     assert isinstance(some, Molecules)
     np.testing.assert_array_equal(some.deviation.row, found.deviation.row[found.z > 0.0])

@@ -47,6 +47,27 @@ def errors(found: lm.localize.Localizations, true: simulated.Molecules) -> pd.Da
     return pd.DataFrame(off | {"molecule": mine})
 
 
+def test_molecules_off_the_brightest_part_of_their_images_are_found():
+    # With coma the brightest part is up to four pixels aside, beyond the reach of a box around it.
+    objective = lm.Objective(NA=1.45, magnification=100, immersion=1.518, sample=1.34)
+    coma = lm.Wavefront.zernike({6: 0.2, 8: 0.05}, order="noll", unit="waves")
+    light = {"depth": 0.4e-6, "wavelength": 670e-9, "aberrations": coma}
+    rng = np.random.default_rng(3)
+    z = rng.uniform(0.45e-6, 0.65e-6, 60)
+    row, column = 20.0 + rng.uniform(-0.5, 0.5, (2, 60))
+    images = lm.psf(objective.pupil(z=z, **light), 41, 11e-6, center=(row, column), tol=1e-4).values
+    movie = CAMERA.record(1500.0 * images + 12.0, rng)
+    table = Table(objective.pupil(**light), shape=15, pixel=11e-6, z=(-0.7e-6, 0.7e-6))
+    found = localize_movie(movie, table, noise=CAMERA)
+    rows = found.table[found.converged]
+    assert len(rows) >= 57
+    frame = rows["frame"]
+    for name, truth in (("x", (column + 0.5) * 110e-9), ("y", (row + 0.5) * 110e-9), ("z", z)):
+        off = (rows[name] - truth[frame]) / rows[f"{name}_deviation"]
+        assert np.abs(off).max() < 5.0
+        assert 0.75 < math.sqrt((off**2).mean()) < 1.25
+
+
 def test_molecules_are_where_they_were_put_within_the_stated_deviations(table, molecules, counts):
     found = localize_movie(counts, table, noise=CAMERA)
     assert (found.spots, found.borders, found.recording.frames) == (molecules.frame.size, 0, FRAMES)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
+from functools import partial
 from os import PathLike
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
@@ -127,11 +128,46 @@ def localize_blocks(
             spots = find(
                 frames, table.shape, noise=noise, threshold=threshold, width=width, first=done, threads=threads
             )
-            found = fit(table, spots.images, noise=noise, corners=spots.corners, starts=starts, threads=threads)
+            again = partial(fit, table, noise=noise, starts=starts, threads=threads)
+            found = _recentred(frames, spots.frame - done, spots.corners, table, again)
             yield _localizations(spots, found, recording, widths)
             done += len(frames)
             if progress is not None:
                 progress(done, shape[0])
+
+
+_ROUNDS = 3  # of boxes moved
+
+
+def _recentred(
+    frames: Values,
+    which: NDArray[np.int64],
+    corners: NDArray[np.int64],
+    table: Table,
+    again: Callable[..., Molecules],
+) -> Molecules:
+    """Return fits of boxes in frames; of molecules off the middle, as with coma, of boxes around their estimates."""
+    height, width = table.shape
+    down, across = np.arange(height)[:, None], np.arange(width)
+
+    def boxes(of: NDArray[np.int64], at: NDArray[np.int64]) -> Values:
+        return np.asarray(frames[of[:, None, None], at[:, :1, None] + down, at[:, 1:, None] + across])
+
+    found = again(boxes(which, corners), corners=corners)
+    most, middle = np.array(frames.shape[1:]) - table.shape, np.array([height // 2, width // 2])
+    corners, moved = corners.copy(), np.arange(len(which))
+    for _ in range(_ROUNDS):
+        places = np.round(np.stack([found.row[moved], found.column[moved]], axis=1)).astype(np.int64) - middle
+        places = np.clip(places, 0, most)
+        other_place = (places != corners[moved]).any(axis=1)
+        moved, places = moved[other_place], places[other_place]
+        if not moved.size:
+            break
+        other = again(boxes(which[moved], places), corners=places)
+        better = other.converged | ~found.converged[moved]
+        moved, places = moved[better], places[better]
+        found, corners[moved] = found.replaced(moved, other[better]), places
+    return found
 
 
 @contextmanager

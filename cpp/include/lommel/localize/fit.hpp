@@ -349,7 +349,11 @@ class MoleculeFit {
         found.discrepancy = (pearson.chi2 - free) / std::sqrt(std::max(pearson.variance, 1.0));
         double a[most_unknown][most_unknown];
         std::memcpy(a, system.information, sizeof a);
-        if (!localize::factor(unknown_, a)) {
+        bool dark = false;
+        for (std::size_t k = 3; k < unknown_; k += 2) {
+            dark = dark || found.value[k] <= localize::least_background;
+        }
+        if (dark || !localize::factor(unknown_, a)) {
             found.state = FitState::undetermined;
             found.deviation.fill(std::numeric_limits<double>::infinity());
             return;

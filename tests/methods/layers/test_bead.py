@@ -11,8 +11,10 @@ import lommel as lm
 from lommel.methods import Bead, DebyeWolf, method_from_dict
 from lommel.methods.layers.disc_means import ETA
 from lommel.special.legendre import gauss_legendre
-from objectives import OIL
+from objectives import FIVE, OIL
 from plane_waves import intensity
+
+EACH = lm.Wavefront.zernike({6: [0.3, -0.5], 8: [0.4, 0.1]}, order="noll")
 
 
 def ball(pupil, v, diameter):
@@ -47,9 +49,11 @@ def test_the_image_of_a_bead_is_the_mean_over_it_within_its_bound(diameter, dept
         assert np.all(made.error <= tol)
 
 
-@pytest.mark.parametrize("emitter", [lm.Dipole(0.7, 0.4), lm.Dipole(1.3, -2.0, wobble=0.4)], ids=repr)
-def test_a_bead_of_dipoles_is_the_sum_of_their_plane_waves(emitter):
-    pupil = OIL.pupil(depth=0.1e-6, z=np.array([-0.3e-6, 0.1e-6]), wavelength=520e-9, emitter=emitter)
+@pytest.mark.parametrize("emitter", ["isotropic", lm.Dipole(0.7, 0.4), lm.Dipole(1.3, -2.0, wobble=0.4)], ids=repr)
+@pytest.mark.parametrize("aberrations", [None, FIVE, EACH], ids=["none", "one for all planes", "one a plane"])
+def test_a_bead_is_the_sum_of_its_plane_waves(emitter, aberrations):
+    given = {"wavelength": 520e-9, "emitter": emitter, "aberrations": aberrations}
+    pupil = OIL.pupil(depth=0.1e-6, z=np.array([-0.3e-6, 0.1e-6]), **given)
     radius, pixel = 0.1e-6, 7.1e-6
     y, x = np.mgrid[-1:1, -1:2] * pixel
     u, share = gauss_legendre(7, -1.0, 1.0)
@@ -60,7 +64,7 @@ def test_a_bead_of_dipoles_is_the_sum_of_their_plane_waves(emitter):
         s = radius * OIL.magnification * np.sqrt((1.0 - height**2) * t)[:, None]
         across = x[..., None, None] + s * np.cos(theta), y[..., None, None] + s * np.sin(theta)
         deep = replace(pupil, depth=pupil.depth + radius * height)
-        values = intensity(OIL, deep, *(axis.ravel() for axis in across), 36, 60).reshape(2, *across[0].shape)
+        values = intensity(OIL, deep, *(axis.ravel() for axis in across), 40, 72).reshape(2, *across[0].shape)
         known = known + part * (values.mean(axis=-1) @ w)
         power = power + part * deep.power
     known = known / power[:, None, None]

@@ -180,33 +180,6 @@ def test_what_depletion_leaves_is_that_of_plane_waves(depleting, saturation, tol
     assert spot.error_bound <= tol
 
 
-@pytest.mark.parametrize("emitter", ["isotropic", lm.Dipole(1.3, -2.0, wobble=0.4)], ids=repr)
-@pytest.mark.parametrize("own", [False, True])
-def test_a_bead_is_the_sum_of_its_plane_waves(emitter, own):
-    aberrations = lm.Wavefront.zernike({6: [0.3, -0.5], 8: [0.4, 0.1]}, order="noll") if own else FIVE
-    given = {"wavelength": 520e-9, "emitter": emitter, "aberrations": aberrations}
-    pupil = OIL.pupil(depth=0.1e-6, z=np.array([-0.3e-6, 0.1e-6]), **given)
-    radius = 0.1e-6
-    y, x = np.mgrid[-1:1, -1:2] * PIXEL
-    u, share = gauss_legendre(7, -1.0, 1.0)
-    t, w = gauss_legendre(6)
-    theta = 2.0 * np.pi * (np.arange(14) + 0.3) / 14
-    known, power = 0.0, 0.0
-    for height, part in zip(u, share * (1.0 - u * u) * 0.75, strict=True):
-        s = radius * OIL.magnification * np.sqrt((1.0 - height**2) * t)[:, None]
-        across = x[..., None, None] + s * np.cos(theta), y[..., None, None] + s * np.sin(theta)
-        deep = replace(pupil, depth=pupil.depth + radius * height)
-        values = intensity(OIL, deep, *(axis.ravel() for axis in across), 40, 72).reshape(2, *across[0].shape)
-        known = known + part * (values.mean(axis=-1) @ w)
-        power = power + part * deep.power
-    known = known / power[:, None, None]
-    for tol in (1e-3, 1e-6, 1e-8):
-        made = lm.microscopy.bead(pupil, 2.0 * radius, (2, 3), PIXEL, tol=tol, integrate=False)
-        off = np.abs(made.values / made.scale[:, None, None] - known).max(axis=(1, 2))
-        assert np.all(off <= made.error_bound * known.max(axis=(1, 2)) + 1e-9)
-        assert made.error_bound <= tol
-
-
 def test_small_aberrations_change_light_without_by_little():
     tiny = lm.Wavefront.zernike({(2, 2): 1e-9})
     excitation, emission = colours(lm.Beam(), "isotropic", None, None)

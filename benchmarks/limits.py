@@ -224,6 +224,16 @@ TARGETS = [
         )
         for starts, must, aim in ((1, 2.5, 4), (5, 20, 30))
     ),
+    *(
+        Target(
+            f"the gradient of 15² averages of an aberrated objective by {terms} Zernike terms, tol 1e-4",
+            "the image",
+            *(must, aim, "", False),
+            partial(localization.gradient_over_image, terms=terms),
+            localization.TOL,
+        )
+        for terms, must, aim in ((21, 3, 1.5), (231, 4, 2))
+    ),
     Target("one 33² by a plan", "np.abs of a complex 33²", 4, 2.5, "", False, partial(t.plan, pupils=False)),
     Target(
         "the same, and making its pupil",

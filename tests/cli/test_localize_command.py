@@ -87,6 +87,8 @@ def test_it_is_what_python_gives_with_the_same_defaults(folder, call_lommel):
     assert facts["medians"]["z_deviation"] == pytest.approx(float(np.median(found.table["z_deviation"])), rel=1e-3)
     assert facts["table_error_bound"] <= 1e-4
     assert facts["files"] == ["a.csv"]
+    assert facts["notes"] == []
+    assert facts["z"] == [-7e-7, 7e-7]
 
 
 def test_maps_of_the_camera_and_other_options(folder, call_lommel):
@@ -119,6 +121,78 @@ def test_maps_of_the_camera_and_other_options(folder, call_lommel):
                          "-o", "b.csv", folder=folder)  # fmt: skip
     assert depths.returncode == 0, depths.stderr
     assert "z 0.2 um to 2 um, depth" in " ".join(depths.stdout.split())
+
+
+def test_fits_at_the_range_of_z_and_beyond_the_reach_are_counted_apart(folder, call_lommel):
+    """A narrow range of z, and a narrow reach: what is not written is told with the option that does it."""
+    options = ["--z", "-300nm", "300nm", "--reach", 0.5, "-o", "a.csv"]
+    result = call_lommel("localize", "movie.tif", "objective.toml", *NOISE, *options, "--json", folder=folder)
+    facts = json.loads(result.stdout)
+    table = lm.localize.Table(simulated.pupil(), shape=15, pixel=6.5e-6, z=(-300e-9, 300e-9), reach=0.5)
+    found = lm.localize.localize_movie(folder / "movie.tif", table, noise=CAMERA).table
+    ended = found["z"][found["state"] == 1]
+    count = int((abs(ended) > 299.99e-9).sum())
+    assert facts["border_fits"] == {"z": count, "reach": len(ended) - count}
+    assert min(facts["border_fits"].values()) > 0
+    text = " ".join(
+        call_lommel("localize", "movie.tif", "objective.toml", *NOISE, *options, folder=folder).stdout.split()
+    )
+    assert f"not written: {count} at an end of the range of z (--z), {len(ended) - count} farther from" in text
+    assert "farther from the middle of their box than --reach" in text
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (["--gain", 0.1], "is far from 0: the gain or the offset may be wrong: check --gain and --offset."),
+        (["--gain", 2], "is far from 0: the PSF, the gain or the offset may be wrong."),
+        (["--offset", 150], "of the counts of the first frames are below the offset: check --offset."),
+        (["--offset", "offset.npy"], "of the counts of the first frames are below the offset: check --offset."),
+        (["--pixel", "0.1um", "--block", 8, "--width", 2], "A pixel is 1.59 nm in the sample, far below Nyquist's "
+         "107 nm: the pixel, of the file or by --pixel, is that of the camera, before magnification."),
+    ],
+)  # fmt: skip
+def test_a_wrong_camera_is_told(options, told, folder, call_lommel):
+    np.save(folder / "offset.npy", np.full((SIDE, SIDE), 150.0))
+    arguments = ["movie.tif", "objective.toml", *NOISE, *options, "-o", "a.csv"]
+    facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
+    assert any(note.endswith(told) for note in facts["notes"])
+    result = call_lommel("localize", *arguments, folder=folder)
+    assert result.returncode == 0
+    assert told in " ".join(result.stdout.split())
+
+
+def test_maps_single_frames_and_lengths_are_said_in_plain_words(folder, call_lommel):
+    tifffile.imwrite(folder / "one.tif", tifffile.imread(folder / "movie.tif")[0])
+    np.save(folder / "read.npy", np.full((SIDE, SIDE), 1.6))
+    arguments = ["one.tif", "objective.toml", *NOISE, "--read", "read.npy", "--pixel", "6.93um", "-o", "a.csv"]
+    text = " ".join(call_lommel("localize", *arguments, folder=folder).stdout.split())
+    assert "movie 1 frame of 72 x 72, 110 nm a pixel" in text
+    assert "gain 0.46 electrons per count, offset 100, read noise by a map " in text
+    facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
+    assert facts["pixel_in_sample"] == 1.1e-7 != 6.93e-6 / 63
+
+
+@pytest.mark.parametrize(
+    ("terms", "ambiguous"),
+    [
+        ("terms.6 = 0", True),
+        ("terms.7 = 0.1", True),  # coma
+        ("terms.4 = 0.02", True),  # defocus
+        ("terms.10 = 0.1", True),  # trefoil
+        ("terms.11 = 0.02", False),  # spherical
+        ("terms.5 = 0.1", False),
+    ],
+)
+def test_wavefronts_that_leave_the_sign_of_z_open_are_told(terms, ambiguous, folder, call_lommel):
+    text = EXAMPLE.read_text(encoding="utf-8")
+    assert "terms.6 = 0.15" in text
+    (folder / "other.toml").write_text(text.replace("terms.6 = 0.15", terms), encoding="utf-8")
+    arguments = ["movie.tif", "other.toml", *NOISE, "--tol", 1e-3, "--json", "-o", "a.csv"]
+    result = call_lommel("localize", *arguments, folder=folder)
+    notes = json.loads(result.stdout)["notes"]
+    told = any("no even term besides defocus" in note and "z may have the wrong sign" in note for note in notes)
+    assert told == ambiguous
 
 
 def test_an_objective_without_aberrations_is_told(folder, call_lommel):
@@ -155,9 +229,18 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
         ([*GIVEN, "--z", "1", "2", "-o", "a.csv"], "Invalid value for '--z'"),
         ([*GIVEN, "--threshold", 1, "-o", "a.csv"], "Error: --threshold must be >= 3"),
         ([*GIVEN, "--box", 100, "-o", "a.csv"], "Error: --box must be"),
+        ([*GIVEN, "--box", 4, "-o", "a.csv"], "Error: --box must be at least 5 pixels a side, got 4: smaller boxes"),
+        ([*GIVEN, "--box", "15x3", "-o", "a.csv"], "Error: --box must be at least 5 pixels a side, got 3"),
+        (["objective.toml", "movie.tif", "--read", 1, "-o", "a.csv"],
+         "Error: the order is MOVIE LENS, the movie first, got objective.toml and then movie.tif"),
+        (["broken.tif", *GIVEN[1:], "-o", "a.csv"],
+         "Error: broken.tif cannot be read as a movie: its values must be finite, got nan in frame 2, row 3"),
     ],
 )  # fmt: skip
 def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lommel):
+    broken = tifffile.imread(folder / "movie.tif").astype(np.float32)
+    broken[2, 3, 4] = np.nan
+    tifffile.imwrite(folder / "broken.tif", broken, photometric="minisblack")
     (folder / "lens.toml").write_text((ROOT / "examples" / "lenses" / "phone.toml").read_text(encoding="utf-8"))
     before = sorted(path.name for path in folder.iterdir())
     result = call_lommel("localize", *arguments, folder=folder)

@@ -24,7 +24,9 @@ OBJECT_DISTANCE = Option(
 PIXEL = Option(
     "--pixel", type=SIDES, help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file."
 )
-SQUARE_PIXEL = Option("--pixel", type=MICROMETRES, help="Pixel pitch, such as 3.45um; overrides the file.")
+SQUARE_PIXEL = Option(
+    "--pixel", type=MICROMETRES, help="Pixel pitch on the camera, such as 6.5um; overrides the file."
+)
 SHAPE = Option(
     "--shape", type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
 )

@@ -20,13 +20,16 @@ from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
 from lommel.io import registry
 from lommel.io.photos import read_images
-from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
+from lommel.localize import Localizations, Movie, Table, find, fit, localize_blocks, open_movie, writer
+from lommel.localize.fitting import STATES
 from lommel.localize.localizations import joined
+from lommel.localize.movies import BLOCK
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.base.arrays import Array
+    from lommel.lensfiles.microscope_files import Microscope
 
 _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 
@@ -70,7 +73,7 @@ _CAMERA = under(
         documented(Table, "along", type=click.Choice(("z", "depth"))),
         DEPTH,
         Option("--box", "shape", type=WINDOW, default="15",
-               help="Pixels of the boxes that are fitted, such as 15 or 15x17."),
+               help="Pixels of the boxes that are fitted, such as 15 or 15x17, at least 5 a side."),
         documented(find, "threshold", type=float),
         documented(localize_blocks, "width", type=float,
                    help="Standard deviation in pixels by which frames are smoothed to find spots; by default that of "
@@ -114,8 +117,8 @@ def localize(
     x and y are in the sample, from the outer corner of the first pixel along columns and rows. z is the position of
     the stage at which a molecule at this depth would look so, positive towards the sample: molecules deeper in the
     sample have a smaller z. With --along depth it is the depth of the molecule below the cover glass, the stage at
-    rest at the origin of the file. Fits that end at a border of the range or do not converge are counted, not
-    written. Drift is not corrected, and molecules seen in several frames are a row in each.
+    rest at the origin of the file. Fits that end at the range of z (--z) or beyond --reach, or do not converge, are
+    counted, not written. Drift is not corrected, and molecules seen in several frames are a row in each.
 
     Examples
     --------
@@ -125,12 +128,21 @@ def localize(
     for path in outputs:
         registry.find("molecules", path, "--output")
         require_folder(path)
+    if movie.suffix.lower() == ".toml" != lens.suffix.lower():
+        raise ValueError(f"the order is MOVIE LENS, the movie first, got {line(movie)} and then {line(lens)}")
+    side = shape if isinstance(shape, int) else min(shape)
+    if side < _LEAST_SIDE:
+        raise ValueError(
+            f"--box must be at least {_LEAST_SIDE} pixels a side, got {side}: smaller boxes do not hold "
+            "the image of a molecule; 15 is the default"
+        )
     microscope = microscope_of(lens, pixel=pixel, depth=depth)
     if microscope is None:
         raise ValueError(f"lommel localize needs a microscope, a file with a section [objective]; {lens} has none")
     maps = {name: _map(text, flag) for name, text, flag in _named(white, read, offset)}
     camera, begun = Noise(**maps), time.perf_counter()
     parts: list[Localizations] = []
+    ends = 0
     with progress("table of images") as step, open_movie(movie) as frames:
         table = Table(
             dataclasses.replace(microscope, planes=1).pupil(),
@@ -149,14 +161,17 @@ def localize(
         with writer(*outputs) as write:
             for part in localize_blocks(frames, table, noise=camera, threads=threads, progress=done, **given):
                 write(part)
+                ends += _at_ends(part, table)
                 parts.append(part if figure is not None else _brief(part))
+        dark = _below(frames, camera)
     found = joined(parts)
     if figure is not None:
         drawn: Any = found.plot().get_figure(root=True)
         save_figure(drawn, figure)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
     facts |= {"aberrations": microscope.aberrations is not None}
-    facts |= _facts(found, table, time.perf_counter() - begun)
+    facts |= _facts(found, table, ends, time.perf_counter() - begun)
+    facts |= {"notes": _notes(facts, microscope, dark)}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
     return Report(facts, _parts(facts, maps)) + written([*places, figure])
 
@@ -179,39 +194,90 @@ def _brief(part: Localizations) -> Localizations:
     return dataclasses.replace(part, table=kept)
 
 
-def _facts(found: Localizations, table: Table, seconds: float) -> Facts:
+def _at_ends(part: Localizations, table: Table) -> int:
+    """Return how many fits are at an end of the range of z; all others at a border are beyond the reach."""
+    return int(np.isin(part.table["z"][part.table["state"] == _BORDER], table.z).sum())
+
+
+def _below(frames: Movie, camera: Noise) -> float:
+    """Return the share of counts of the first frames that are below the offset."""
+    _, rows, columns = frames.shape
+    first = frames.frames(0, min(len(frames), max(1, BLOCK // (rows * columns))))
+    return float(np.mean(first < camera.offset))
+
+
+def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
+    """Return what is likely to be wrong, in sentences."""
+    notes, told = [], microscope.aberrations
+    if not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in ({} if told is None else told.amplitudes())):
+        notes.append(f"{_PLAIN if told is None else _ODD}: {_ALIKE}")
+    finest = microscope.objective.nyquist(wavelength=microscope.wavelength).lateral
+    if facts["pixel_in_sample"] < _FINE * finest:
+        notes.append(
+            f"A pixel is {format_length(facts['pixel_in_sample'], digits=3)} in the sample, far below Nyquist's "
+            f"{format_length(finest, digits=3)}: the pixel, of the file or by --pixel, is that of the camera, before "
+            "magnification."
+        )
+    if dark > _DARK:
+        notes.append(f"{100 * dark:.0f} % of the counts of the first frames are below the offset: check --offset.")
+    value = facts["medians"]["discrepancy"]
+    if value is not None and abs(value) > _DISCREPANT:
+        why = (
+            "the gain or the offset may be wrong: check --gain and --offset"
+            if value < 0.0
+            else "the PSF, the gain or the offset may be wrong"
+        )
+        notes.append(f"The median discrepancy, {value:.2g}, is far from 0: {why}.")
+    return notes
+
+
+def _facts(found: Localizations, table: Table, ends: int, seconds: float) -> Facts:
     kept = found.table[found.converged]
     medians = {name: float(np.median(kept[name])) if kept.size else None for name in _MEDIANS}
     return {
         "frames": found.recording.frames,
         "shape": [found.recording.rows, found.recording.columns],
-        "pixel_in_sample": found.recording.pixel,
+        "pixel_in_sample": _rounded(found.recording.pixel),
         "spots": found.spots,
         "borders": found.borders,
         "overlapping": found.overlapping,
         "states": found.counts,
+        "border_fits": {"z": ends, "reach": found.counts["border"] - ends},
         "written": kept.size,
         "medians": medians,
         "along": table.along,
-        "z": list(table.z),
+        "z": [_rounded(end) for end in table.z],
         "table_error_bound": table.error_bound,
         "seconds": seconds,
     }
 
 
+def _rounded(length: float) -> float:
+    """Return a length without the digits that divisions leave."""
+    return float(f"{length:.12g}")
+
+
 def _parts(facts: Facts, camera: dict[str, float | Array]) -> list[RenderableType]:
     """Return the table of what was found, and what was not corrected."""
-    rows, columns = facts["shape"]
-    each = {name: f"{value:g}" if isinstance(value, float) else "a map" for name, value in camera.items()}
-    told = f"gain {each['white']} electrons per count, offset {each['offset']}, read noise {each['read']} electrons"
+    n, (rows, columns) = facts["frames"], facts["shape"]
+    units = {
+        "white": ("gain", " electrons per count"),
+        "offset": ("offset", ""),
+        "read": ("read noise", " electrons"),
+    }
+    told = ", ".join(
+        f"{name} {f'{camera[key]:g}{unit}' if isinstance(camera[key], float) else 'by a map'}"
+        for key, (name, unit) in units.items()
+    )
     left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"
-    others = ", ".join(f"{n} {_STATES[name]}" for name, n in facts["states"].items() if n and name != "converged")
+    counts = facts["border_fits"] | facts["states"]
+    others = ", ".join(f"{counts[name]} {words}" for name, words in _OTHERS.items() if counts[name])
     low, high = (format_length(end, like=1e-6) for end in facts["z"])
     what = "depth" if facts["along"] == "depth" else "position of the stage"
     lines = [
         (
             "movie",
-            f"{facts['frames']} frames of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel",
+            f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel",
         ),
         ("camera", told),
         ("spots", f"{facts['spots']}; {left}"),
@@ -221,19 +287,24 @@ def _parts(facts: Facts, camera: dict[str, float | Array]) -> list[RenderableTyp
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
         ("time", f"{facts['seconds']:.3g} s"),
     ]
-    notes = [Wrapped("Drift is not corrected.", "dim")]
-    if not facts["aberrations"]:
-        notes.insert(0, Wrapped(_PLAIN))
+    notes = [*map(Wrapped, facts["notes"]), Wrapped("Drift is not corrected.", "dim")]
     return [Text(facts["name"], "bold"), list_of(lines), *notes]
 
 
-_PLAIN = (
-    "The file of the objective has no section [aberrations.zernike]: images above and below focus are nearly alike, "
-    "and z may have the wrong sign."
-)
-
-
-_STATES = {"border": "at a border of the range", "steps": "without convergence", "undetermined": "undetermined"}
+_LEAST_SIDE = 5  # pixels of a box
+_BORDER = STATES.index("border")
+_FINE = 0.1  # of Nyquist's pixel
+_DARK = 0.75  # of the counts: half are below where there is no light
+_DISCREPANT = 3.0
+_PLAIN = "The file of the objective has no section [aberrations.zernike]"
+_ODD = "The wavefront of the objective has no even term besides defocus, such as astigmatism"
+_ALIKE = "images above and below focus are nearly alike, and z may have the wrong sign."
+_OTHERS = {
+    "z": "at an end of the range of z (--z)",
+    "reach": "farther from the middle of their box than --reach",
+    "steps": "without convergence",
+    "undetermined": "undetermined",
+}
 
 
 def _of_medians(medians: dict[str, float | None]) -> list[tuple[str, str]]:

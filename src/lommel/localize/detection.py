@@ -31,6 +31,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
 from lommel.estimation.noise import Noise
+from lommel.localize.movies import not_finite
 
 _LEAST = 1e-3  # electrons a pixel, of a background that is 0
 _REACH = 4.0  # standard deviations after which kernels end
@@ -144,6 +145,8 @@ def find(
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
     camera, stored = noise or Noise(read=0.0), _stack(frames, rows, columns)
+    if place := not_finite(stored, start):
+        raise ValueError(f"frames must be finite, got {place}")
     light, read = camera.electrons(stored), camera.read
     if not isinstance(read, float) and read.shape != light.shape[1:]:
         raise ValueError(

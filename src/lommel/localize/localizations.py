@@ -57,7 +57,8 @@ class Localizations:
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{n} {name}" for name, n in self.counts.items() if n)
-        return f"<Localizations: {len(self)} in {self.recording.frames} frames{': ' if counts else ''}{counts}>"
+        n = self.recording.frames
+        return f"<Localizations: {len(self)} in {n} frame{'s' * (n != 1)}{': ' if counts else ''}{counts}>"
 
     def __getitem__(self, which: Any) -> Localizations:
         """Return some of them, by a slice, a mask or an array of indices."""

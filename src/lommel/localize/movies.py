@@ -39,7 +39,7 @@ class Movie:
     Raises
     ------
     MovieError
-        By all methods, where the file is damaged.
+        By all methods, where the file is damaged; where a value of the frames read is not finite.
     """
 
     def __init__(self, path: Path) -> None:
@@ -117,15 +117,18 @@ class Movie:
         Raises
         ------
         TypeError, ValueError
-            If there are no such frames; MovieError if one is damaged or missing.
+            If there are no such frames; MovieError if one is damaged or missing, or has a value that is not finite.
         """
         begin = validation.integer("first", first, least=0, most=len(self))
         end = validation.integer("last", last, least=begin, most=len(self))
         if self._mapped is not None:
-            return np.array(self._mapped[begin:end], self.dtype)
-        found = np.empty((end - begin, *self.shape[1:]), self.dtype)
-        for k in range(begin, end):
-            found[k - begin] = self._frame(k)
+            found = np.array(self._mapped[begin:end], self.dtype)
+        else:
+            found = np.empty((end - begin, *self.shape[1:]), self.dtype)
+            for k in range(begin, end):
+                found[k - begin] = self._frame(k)
+        if place := not_finite(found, begin):
+            self._refuse(f"its values must be finite, got {place}")
         return found
 
     def blocks(self, size: int | None = None) -> Iterator[Values]:
@@ -143,7 +146,7 @@ class Movie:
         Raises
         ------
         TypeError, ValueError
-            If `size` is out of range; MovieError if a frame is damaged or missing.
+            If `size` is out of range; MovieError if a frame is damaged or missing, or has a value that is not finite.
         """
         count, rows, columns = self.shape
         each = max(1, BLOCK // (rows * columns)) if size is None else size
@@ -181,6 +184,14 @@ class Movie:
 
     def _refuse(self, why: str, error: BaseException | None = None) -> NoReturn:
         raise MovieError(f"{validation.line(self.path)} cannot be read as a movie: {why}") from error
+
+
+def not_finite(frames: Values, first: int) -> str:
+    """Return the first value of frames from `first` on that is not finite, with its place, or ""."""
+    if frames.dtype.kind != "f" or np.isfinite(frames).all():
+        return ""
+    frame, row, column = np.argwhere(~np.isfinite(frames))[0]
+    return f"{frames[frame, row, column]} in frame {first + frame}, row {row}, column {column}, counted from 0"
 
 
 def open_movie(path: str | PathLike[str]) -> Movie:

@@ -103,7 +103,19 @@ class Molecules:
         )
 
     def replaced(self, which: NDArray[np.intp], others: Molecules) -> Molecules:
-        """Return the same with other estimates of the molecules with these indices."""
+        """Return the same with other estimates of some molecules.
+
+        Parameters
+        ----------
+        which : ndarray of int
+            Indices of these molecules.
+        others : Molecules
+            Their estimates.
+
+        Returns
+        -------
+        Molecules
+        """
 
         def joined(of: Molecules | Deviation, by: Molecules | Deviation, names: Sequence[str]) -> dict[str, Any]:
             made = {name: getattr(of, name).copy() for name in names}

@@ -8,7 +8,7 @@ import pytest
 import lommel as lm
 import simulated_movies as simulated
 from lommel.localize import find
-from lommel.localize.detection import _density, _heights, _moments, _smooth
+from lommel.localize.detection import _density, _heights, _moments, smoothed
 
 
 @pytest.mark.parametrize(
@@ -47,7 +47,7 @@ def test_thresholds_hold_for_pixels_of_unlike_read_noise():
 
 def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges():
     pixels = np.eye(23 * 31).reshape(-1, 23, 31)
-    kernel = np.stack([_smooth(one, 1.2) - _smooth(one, 3.0) for one in pixels])  # response of each pixel to each
+    kernel = np.stack([smoothed(one, 1.2) - smoothed(one, 3.0) for one in pixels])  # response of each pixel to each
     squares, cubes = _moments(23, 31, 1.2, 3.0)
     np.testing.assert_allclose(squares, (kernel**2).sum(axis=0), rtol=1e-12)
     np.testing.assert_allclose(cubes, (kernel**3).sum(axis=0), rtol=1e-10)
@@ -56,15 +56,15 @@ def test_the_sums_of_the_kernel_are_those_of_every_pixel_also_at_edges():
 def test_heights_are_standard_deviations_where_there_are_many_electrons():
     draw = np.random.default_rng(6)
     frames = draw.poisson(400.0, (10, 128, 128)).astype(float) + draw.normal(0.0, 5.0, (10, 128, 128))
-    background = np.stack([_smooth(one, 5.0) for one in frames])
-    excess = np.stack([_smooth(one, 1.5) for one in frames]) - background
+    background = np.stack([smoothed(one, 5.0) for one in frames])
+    excess = np.stack([smoothed(one, 1.5) for one in frames]) - background
     heights = _heights(excess, background + 25.0, *_moments(128, 128, 1.5, 5.0))
     above = heights[heights > 0.0]
     assert np.sqrt((above**2).mean()) == pytest.approx(1.0, abs=0.03)
     assert above.size == pytest.approx(heights.size / 2, rel=0.03)
 
 
-def test_the_density_of_maxima_is_that_of_a_smooth_normal_field():
+def test_the_density_of_maxima_is_that_of_asmoothed_normal_field():
     # Of one Gaussian the correlation is exp(-r^2 / (4 s^2)), whose curvature is 1 / (2 s^2).
     expected = 4.5 * np.exp(-(4.5**2) / 2.0) / (2.0 * np.pi) ** 1.5 / (2.0 * 1.5**2)
     assert _density(4.5, 1.5, 1e4) == pytest.approx(expected, rel=1e-6)

@@ -153,7 +153,7 @@ def find(
             f"read, of shape {read.shape}, must have a value for each pixel, got frames of {light.shape}"
         )
     wide = min(rows, columns) / 3.0
-    kernel = _Kernel(light.shape[1:], narrow, wide)
+    kernel = Kernel(light.shape[1:], narrow, wide)
     variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
     found = side_by_side(lambda one: kernel.maxima(one, variance, level), list(light), count)
     frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
@@ -188,7 +188,7 @@ def _stack(frames: ArrayLike, rows: int, columns: int) -> Values:
     return found.reshape(-1, *found.shape[-2:])
 
 
-class _Kernel:
+class Kernel:
     """The difference of two Gaussians over frames of a shape."""
 
     def __init__(self, shape: tuple[int, ...], narrow: float, wide: float) -> None:
@@ -197,8 +197,8 @@ class _Kernel:
 
     def maxima(self, light: Array, variance: Array, level: float) -> tuple[Values, Values, Array]:
         """Return rows, columns and heights of the maxima of a frame that are higher than `level`."""
-        background = _smooth(light, self.wide)
-        excess = _smooth(light, self.narrow) - background
+        background = smoothed(light, self.wide)
+        excess = smoothed(light, self.narrow) - background
         mean = np.maximum(np.maximum(background, 0.0) + variance, _LEAST)
         # A height is less than the excess over its standard deviation: few pixels are left to compute it of.
         bright = np.nonzero(excess * np.abs(excess) >= level**2 * self.squares * mean)
@@ -215,7 +215,7 @@ class _Kernel:
 
     def squared(self, variance: Array) -> Array:
         """Return the variances of pixels averaged as the square of the narrow Gaussian weighs them."""
-        return _smooth(variance, self.narrow / math.sqrt(2.0))
+        return smoothed(variance, self.narrow / math.sqrt(2.0))
 
 
 def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
@@ -226,7 +226,8 @@ def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
     return np.asarray(np.sqrt(2.0 * np.maximum(ratio, 0.0)))
 
 
-def _smooth(light: Array, sigma: float) -> Array:
+def smoothed(light: Array, sigma: float) -> Array:
+    """Return an image after a Gaussian of this standard deviation, reflected at edges."""
     return np.asarray(ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_REACH))
 
 

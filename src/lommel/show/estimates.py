@@ -125,3 +125,35 @@ def fit(
     drawn.set_ylabel(f"coefficient and standard error ({'µm' if unit == 'um' else unit})")
     drawn.set_title(title, fontsize=9)
     return figure
+
+
+_REASONS = {"saturated": ("s", "C3"), "edge": ("^", "C1"), "neighbor": ("o", "C4"), "defect": ("x", "C2")}
+
+
+def spots(
+    image: Array,
+    places: Values,
+    box: tuple[int, int],
+    refused: Sequence[tuple[int, int, str]],
+    title: str,
+    ax: Axes | None,
+) -> Axes:
+    """Draw an image with the windows around spots, and those refused by reason."""
+    axes = new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
+    low, high = np.percentile(image, [1.0, 99.8])
+    norm = library("matplotlib.colors", *USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
+    axes.imshow(image, cmap="gray_r", norm=norm, interpolation="nearest")
+    rectangle = library("matplotlib.patches", *USER).Rectangle
+    for k, (row, column) in enumerate(places.tolist()):
+        corner = column - box[1] // 2 - 0.5, row - box[0] // 2 - 0.5
+        label = "window" if k == 0 else None
+        axes.add_patch(rectangle(corner, box[1], box[0], fill=False, edgecolor="C0", linewidth=1.0, label=label))
+    for reason, (marker, colour) in _REASONS.items():
+        at = np.array([(column, row) for row, column, why in refused if why == reason])
+        if at.size:
+            axes.plot(*at.T, marker, markersize=6, color=colour, fillstyle="none", label=f"refused: {reason}")
+    if len(places) or refused:
+        axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.06), ncols=5, frameon=False)
+    axes.set(xlabel="column", ylabel="row", xlim=(-0.5, image.shape[1] - 0.5), ylim=(image.shape[0] - 0.5, -0.5))
+    axes.set_title(fitted(title, axes, 10), fontsize=10)
+    return axes

@@ -1,0 +1,318 @@
+"""Isolated stars, beads and pinholes in images: windows around each, and why others are refused."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import ndimage
+from scipy.spatial import cKDTree
+
+from lommel import show
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.estimation.noise import Noise
+from lommel.localize.detection import Kernel, smoothed
+from lommel.localize.movies import not_finite
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+REASONS = {
+    "saturated": "a pixel of the window is saturated in a plane",
+    "edge": "the window extends beyond the image",
+    "neighbor": "another spot is within reach of the window",
+    "defect": "all of the light is in one pixel, as of a hot pixel or a cosmic ray",
+}
+"""Why spots are refused, in the order in which the reasons are tried."""
+
+_STRUCTURE = 0.25  # of a window: maxima that near belong to one image
+# Share of the light of a spot above the background that one pixel holds, at least: sharp images hold less of theirs.
+_ONE_PIXEL = 0.8
+
+
+class Refused(NamedTuple):
+    """A spot that was refused: place, brightness in standard deviations, and one of the reasons."""
+
+    row: int
+    column: int
+    score: float
+    reason: str
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PointSources:
+    """Isolated point sources in an image or stack: the answer of :func:`lommel.find_spots`.
+
+    Attributes
+    ----------
+    places : ndarray of int, shape (n, 2)
+        Row and column, in the image, of the middle pixel ``(rows // 2, columns // 2)`` of each window, brightest
+        first.
+    centers : ndarray, shape (n, 2)
+        Row and column of the centroid of the light of each, in the image.
+    windows : ndarray, shape (n, rows, columns), of a stack (n, planes, rows, columns)
+        Cut from the image, in its unit and type.
+    score : ndarray, shape (n,)
+        Height above the background in standard deviations of its noise.
+    flux : ndarray, shape (n,)
+        Electrons above the background in the window, of all planes; a rough estimate.
+    refused : tuple of Refused
+        Row, column, score and reason of the others: "saturated", "edge", "neighbor" or "defect".
+    shape : (int, int)
+        Of the image.
+    """
+
+    places: NDArray[np.int64]
+    centers: Array
+    windows: Values
+    score: Array
+    flux: Array
+    refused: tuple[Refused, ...]
+    shape: tuple[int, int]
+    _image: Array = field(repr=False)
+
+    @property
+    def message(self) -> str:
+        """How many were found, and how many refused for each reason."""
+        counts = Counter(each.reason for each in self.refused)
+        left = ", ".join(f"{counts[reason]} {reason}" for reason in REASONS if counts[reason])
+        return f"{len(self)} spot{'s' * (len(self) != 1)} found; refused: {left or 'none'}"
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Return matplotlib axes with the image, the windows, and the refused spots by reason.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, optional
+            Axes to draw into; by default those of a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is not installed.
+        """
+        rows, columns = self.windows.shape[-2:]
+        refused = [(each.row, each.column, each.reason) for each in self.refused]
+        return show.estimates.spots(self._image, self.places, (rows, columns), refused, self.message, ax)
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def __repr__(self) -> str:
+        return f"<PointSources: {self.message}>"
+
+
+def find_spots(
+    images: ArrayLike,
+    *,
+    noise: Noise,
+    window: int | tuple[int, int] = 33,
+    threshold: float = 8.0,
+    width: float = 2.0,
+    apart: float = 1.0,
+    faintest: float = 0.02,
+    saturation: float | None = None,
+    most: int | None = None,
+) -> PointSources:
+    """Find isolated stars, beads or pinholes, and cut a window around each.
+
+    Parameters
+    ----------
+    images : array_like, shape (height, width) or (planes, height, width)
+        As recorded, in the unit of `noise`; a stack is of one field, such as the planes of a z stack or exposures at
+        several defoci, and spots are found in its sum.
+    noise : Noise
+        Gain, offset and read noise of the camera, each a number or a map of the image.
+    window : int or (int, int), default 33
+        Rows and columns of the windows, at least 5. A window should hold the image of a point and some background.
+    threshold : float, default 8.0
+        Least height of a spot in standard deviations of the background noise, at least 3.
+    width : float, default 2.0
+        Standard deviation of the smoothing in pixels, at most a quarter of the window: about that of the images. Of
+        defocused stars (rings) about the radius of the ring, so that it is found as one spot.
+    apart : float, default 1.0
+        Least distance from the middle of a window to other spots, along rows or columns, in windows; at 0.5 other
+        spots are outside of it, at 1.0 windows of the same size do not overlap.
+    faintest : float, default 0.02
+        Spots dimmer than this share of another do not count as its neighbours. Maxima within a quarter of a window
+        are parts of one image.
+    saturation : float, optional
+        Values from here on, in the unit of the images, are saturated. In images of integers the largest value of
+        their type always is.
+    most : int, optional
+        Keep only so many, the brightest.
+
+    Returns
+    -------
+    PointSources
+        Places, windows, and the spots refused with the reason of each.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, an image is smaller than the window, or a value is not finite.
+
+    Notes
+    -----
+    Detection by a difference of Gaussians, the wide one a third of the window, as of :func:`lommel.localize.find`. A
+    window is centred on the pixel nearest to the centroid of the light above three standard deviations of the
+    background within a quarter of a window of the maximum.
+
+    Examples
+    --------
+    >>> noise = Noise(read=2.0)
+    >>> sky = np.full((100, 200), 20.0)
+    >>> sky[48:53, 60:65] += 400.0
+    >>> sky[70:75, 2:7] += 400.0
+    >>> spots = find_spots(noise.record(sky, seed=1), noise=noise, window=21)
+    >>> spots.places, spots.message
+    (array([[50, 62]]), '1 spot found; refused: 1 edge')
+    """
+    rows, columns = validation.image_shape(window)
+    if min(rows, columns) < 5:
+        raise ValueError(f"window must be at least 5 x 5 pixels, got {rows} x {columns}")
+    validation.instance("noise", noise, Noise)
+    level = validation.real("threshold", threshold, least=3.0, most=1e3)
+    narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
+    far = validation.real("apart", apart, least=0.0, most=100.0)
+    faint = validation.real("faintest", faintest, least=0.0, most=1.0)
+    count = None if most is None else validation.integer("most", most, least=1, most=10**9)
+    stored = validation.number_array("images", images)
+    single = stored.ndim == 2
+    planes = stored[None] if single else stored
+    if planes.ndim != 3 or planes.shape[0] == 0 or planes.shape[1] < rows or planes.shape[2] < columns:
+        raise ValueError(
+            f"images must have the shape (height, width) or (planes, height, width), at least the window of {rows} x "
+            f"{columns}, got {stored.shape}"
+        )
+    if place := not_finite(planes, 0):
+        raise ValueError(f"images must be finite, got {place}")
+    full = _saturated(planes, saturation)
+    electrons = noise.electrons(planes)
+    variance = noise.variance(np.zeros_like(electrons)).sum(axis=0)
+    light = electrons.sum(axis=0)
+    kernel = Kernel(light.shape, narrow, min(rows, columns) / 3.0)
+    row, column, score = kernel.maxima(light, kernel.squared(variance), level)
+    row, column, score = _one_each(row, column, score, _STRUCTURE * min(rows, columns))
+    background = _level(light, (rows, columns))
+    bright = (smoothed(light, narrow) - background)[row, column]
+    center, flux, peak = np.zeros((row.size, 2)), np.zeros(row.size), np.zeros(row.size)
+    for k, at in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
+        center[k], flux[k], peak[k] = _centroid(light, background, variance, at, (rows, columns))
+    middle = np.rint(center).astype(np.int64)
+    reasons = _reasons(middle, full, (rows, columns), _neighbors(middle / [rows, columns], bright, far, faint), peak)
+    kept = np.array([not reason for reason in reasons], dtype=bool)
+    order = [k for k in np.argsort(-score, kind="stable").tolist() if kept[k]][:count]
+    top, left = middle[order, 0] - rows // 2, middle[order, 1] - columns // 2
+    down, across = top[:, None, None] + np.arange(rows)[:, None], left[:, None, None] + np.arange(columns)
+    cut = np.ascontiguousarray(np.moveaxis(planes[:, down, across], 0, 1))
+    refused = [
+        Refused(int(middle[k, 0]), int(middle[k, 1]), float(score[k]), reasons[k]) for k in np.flatnonzero(~kept)
+    ]
+    return PointSources(
+        places=middle[order],
+        centers=center[order],
+        windows=cut[:, 0] if single else cut,
+        score=score[order],
+        flux=flux[order],
+        refused=tuple(sorted(refused, key=lambda each: -each.score)),
+        shape=(light.shape[0], light.shape[1]),
+        _image=light,
+    )
+
+
+def _saturated(planes: Values, saturation: float | None) -> NDArray[np.bool_]:
+    """Return the pixels that are saturated in a plane."""
+    full = np.zeros(planes.shape[1:], dtype=bool)
+    if planes.dtype.kind in "iu":
+        full |= (planes == np.iinfo(planes.dtype).max).any(axis=0)
+    if saturation is not None:
+        full |= (planes >= validation.real("saturation", saturation)).any(axis=0)
+    return full
+
+
+def _one_each(row: Values, column: Values, score: Array, near: float) -> tuple[Values, Values, Array]:
+    """Return the brightest of maxima that belong to one image."""
+    places = np.column_stack([row, column]).astype(np.float64)
+    kept = np.ones(score.size, dtype=bool)
+    if score.size:
+        beside = cKDTree(places).query_ball_point(places, near, p=np.inf)
+        for k in np.argsort(-score, kind="stable"):
+            if kept[k]:
+                kept[beside[k]] = False
+                kept[k] = True
+    return row[kept], column[kept], score[kept]
+
+
+def _level(light: Array, box: tuple[int, int]) -> Array:
+    """Return the background: the median of cells of about a window, which few pixels of a spot do not move."""
+    cells = tuple(max(1, round(side / size)) for side, size in zip(light.shape, box, strict=True))
+    edges = [np.linspace(0, side, n + 1).astype(int) for side, n in zip(light.shape, cells, strict=True)]
+    found = np.array(
+        [[np.median(light[a:b, c:d]) for c, d in zip(edges[1], edges[1][1:], strict=False)]
+         for a, b in zip(edges[0], edges[0][1:], strict=False)]
+    )  # fmt: skip
+    # A cell that a spot fills is as its neighbours are.
+    smooth = ndimage.median_filter(found, size=3, mode="nearest")
+    at = [(np.arange(side) + 0.5) * n / side - 0.5 for side, n in zip(light.shape, cells, strict=True)]
+    return np.asarray(ndimage.map_coordinates(smooth, np.meshgrid(*at, indexing="ij"), order=1, mode="nearest"))
+
+
+def _centroid(
+    light: Array, background: Array, variance: Array, at: tuple[int, int], box: tuple[int, int]
+) -> tuple[Array, float, float]:
+    """Return the centroid of a spot, its electrons in a window, and the share of them in the brightest pixel."""
+    middle = np.array(at, dtype=np.float64)
+    for turn in range(3):  # twice near the middle, then the whole window for its light
+        share = 0.5 if turn == 2 else _STRUCTURE
+        reach = [max(1, int(share * side)) for side in box]
+        low = np.clip(np.rint(middle).astype(int) - reach, 0, np.array(light.shape) - 1)
+        high = np.minimum(np.rint(middle).astype(int) + reach + 1, light.shape)
+        part = np.s_[low[0] : high[0], low[1] : high[1]]
+        above = light[part] - background[part]
+        noise = np.sqrt(np.maximum(background[part], 0.0) + variance[part] + 1e-12)
+        bright = np.where(above > 3.0 * noise, above, 0.0)
+        total = float(bright.sum())
+        if turn < 2 and total > 0.0:
+            rows, columns = np.mgrid[low[0] : high[0], low[1] : high[1]]
+            middle = np.array([(bright * rows).sum() / total, (bright * columns).sum() / total])
+    return middle, float(above.sum()), float(bright.max()) / total if total > 0.0 else 0.0
+
+
+def _reasons(
+    middle: NDArray[np.int64], full: NDArray[np.bool_], box: tuple[int, int], neighbors: list[bool], peak: Array
+) -> list[str]:
+    """Return the reason why each spot is refused, or ""."""
+    rows, columns = box
+    found = []
+    for (row, column), near, share in zip(middle.tolist(), neighbors, peak.tolist(), strict=True):
+        top, left = row - rows // 2, column - columns // 2
+        window = full[max(top, 0) : max(top + rows, 0), max(left, 0) : max(left + columns, 0)]
+        if window.any():
+            found.append("saturated")
+        elif window.shape != box or min(top, left) < 0:
+            found.append("edge")
+        elif share > _ONE_PIXEL:
+            found.append("defect")
+        else:
+            found.append("neighbor" if near else "")
+    return found
+
+
+def _neighbors(places: Array, bright: Array, reach: float, faint: float) -> list[bool]:
+    """Return which places, in windows, have another within reach that is not much dimmer."""
+    found = [False] * len(places)
+    if len(places) > 1 and reach > 0.0:
+        for one, other in cKDTree(places).query_pairs(reach * (1.0 - 1e-9), p=math.inf):
+            found[one] |= bool(bright[other] >= faint * bright[one])
+            found[other] |= bool(bright[one] >= faint * bright[other])
+    return found

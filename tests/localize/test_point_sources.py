@@ -1,0 +1,135 @@
+"""Windows around stars and beads, and the reasons why others are refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+NOISE = lm.Noise(read=2.0)
+AIRY = lm.psf(lm.Pupil(lm.Wavefront(1.5)), 61, 0.5).values.astype(np.float64)
+
+
+def sky(stars, shape=(240, 300), background=20.0):
+    """Return the mean electrons of stars (row, column, flux) of a lens a little out of focus."""
+    wide = np.full((shape[0] + 60, shape[1] + 60), background)
+    for row, column, flux in stars:
+        wide[row : row + 61, column : column + 61] += flux * AIRY
+    return wide[30:-30, 30:-30]
+
+
+def found_in(stars, **options):
+    return lm.find_spots(NOISE.record(sky(stars), seed=1), noise=NOISE, window=options.pop("window", 21), **options)
+
+
+def reasons(found):
+    return {(each.row, each.column): each.reason for each in found.refused}
+
+
+def test_isolated_stars_are_found_brightest_first_with_their_windows():
+    stars = [(60, 60, 4e4), (60, 200, 1e5), (180, 120, 2e4)]
+    image = NOISE.record(sky(stars), seed=1)
+    found = lm.find_spots(image, noise=NOISE, window=21)
+    assert found.places.tolist() == [[60, 200], [60, 60], [180, 120]]
+    assert found.refused == ()
+    np.testing.assert_array_equal(found.windows[1], image[50:71, 50:71])
+    np.testing.assert_allclose(found.centers, found.places, atol=0.1)
+    np.testing.assert_allclose(found.flux, [1e5, 4e4, 2e4], rtol=0.2)
+    assert np.all(np.diff(found.score) < 0.0)
+    assert found.message == "3 spots found; refused: none"
+
+
+def test_centers_follow_places_between_pixels():
+    pupil = lm.Pupil(lm.Wavefront(1.5))
+    image = np.full((80, 80), 10.0)
+    image[20:61, 20:61] += 1e6 * lm.psf(pupil, 41, 0.5, center=(20.3, 19.6)).values
+    found = lm.find_spots(NOISE.record(image, seed=2), noise=NOISE, window=21)
+    np.testing.assert_allclose(found.centers, [[40.3, 39.6]], atol=0.1)
+
+
+def test_each_reason_of_refusal_is_told():
+    stars = [(60, 60, 4e4), (60, 72, 3e4), (120, 5, 4e4), (180, 200, 6e6)]
+    image = NOISE.record(sky(stars), seed=3)
+    image[100, 250] += 3000.0  # a hot pixel
+    found = lm.find_spots(image, noise=NOISE, window=21, saturation=5e5, faintest=0.1)
+    told = reasons(found)
+    assert told[60, 60] == told[60, 72] == "neighbor"
+    assert told[120, 5] == "edge"
+    assert told[180, 200] == "saturated"
+    assert told[100, 250] == "defect"
+    assert len(found) == 0
+    assert found.message.startswith("0 spots found; refused: ")
+
+
+def test_a_dim_neighbor_is_one_of_the_dim_star_alone():
+    stars = [(60, 60, 1e6), (60, 78, 8e3)]
+    image = NOISE.record(sky(stars), seed=1)
+    found = lm.find_spots(image, noise=NOISE, window=21, faintest=0.02)
+    assert found.places.tolist() == [[60, 60]]
+    assert reasons(found).get((60, 78)) == "neighbor"
+
+
+def test_neighbors_farther_than_apart_are_none():
+    stars = [(60, 60, 4e4), (60, 75, 4e4)]
+    assert len(found_in(stars, apart=1.0)) == 0
+    assert len(found_in(stars, apart=0.5)) == 2
+
+
+@pytest.mark.parametrize("plane", [0, 2])
+def test_saturated_in_any_plane_is_a_reason(plane):
+    stack = np.stack([sky([(60, 60, 3e4), (150, 200, 3e4)])] * 3).astype(np.uint16)
+    stack[plane, 61, 61] = 2**16 - 1
+    found = lm.find_spots(stack, noise=NOISE, window=21)
+    assert found.places.tolist() == [[150, 200]]
+    assert found.windows.shape == (1, 3, 21, 21)
+    assert found.windows.dtype == np.uint16
+    np.testing.assert_array_equal(found.windows[0], stack[:, 140:161, 190:211])
+    assert [each.reason for each in found.refused] == ["saturated"]
+
+
+def test_rings_of_defocused_stars_are_one_spot_each():
+    ring = lm.psf(lm.Pupil(lm.Wavefront(8.0), obscuration=0.3), 61, 0.5).values
+    image = np.full((200, 300), 20.0)
+    for row, column in ((100, 80), (100, 200)):
+        image[row - 30 : row + 31, column - 30 : column + 31] += 3e6 * ring
+    found = lm.find_spots(NOISE.record(image, seed=4), noise=NOISE, window=61, width=10.0)
+    assert sorted(found.places[:, 1].tolist()) == [80, 200]
+    np.testing.assert_allclose(found.places[:, 0], 100, atol=1)
+
+
+def test_at_most_so_many_are_kept():
+    stars = [(60, 60, 4e4), (60, 200, 1e5), (180, 120, 2e4)]
+    assert found_in(stars, most=2).places.tolist() == [[60, 200], [60, 60]]
+
+
+def test_noise_alone_has_no_spots():
+    found = lm.find_spots(NOISE.record(np.full((200, 200), 30.0), seed=5), noise=NOISE)
+    assert len(found) == 0
+    assert found.windows.shape == (0, 33, 33)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"images": np.zeros((20, 20))}, "images must have the shape .* at least the window of 33 x 33"),
+        ({"images": np.full((60, 60), np.nan)}, "images must be finite"),
+        ({"noise": 2.0}, "noise must be a Noise"),
+        ({"window": 3}, "window must be at least 5 x 5"),
+        ({"width": 20.0}, "width must be"),
+        ({"threshold": 1.0}, "threshold must be"),
+        ({"apart": -1.0}, "apart must be"),
+        ({"most": 0}, "most must be"),
+    ],
+)
+def test_bad_input_is_told(change, message):
+    options = {"images": np.zeros((60, 60)), "noise": NOISE} | change
+    with pytest.raises((TypeError, ValueError), match=message):
+        lm.find_spots(options.pop("images"), **options)
+
+
+def test_the_picture_has_a_window_for_each_spot_and_the_reasons():
+    axes = found_in([(60, 60, 4e4), (60, 72, 3e4), (150, 200, 4e4)]).plot()
+    assert len(axes.patches) == 1
+    labels = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert labels == ["window", "refused: neighbor"]

@@ -136,7 +136,7 @@ SECTIONS = [
         "Fisher information and phase retrieval",
         "Cramér-Rao bounds of parameters and depth; the wavefront from star images.",
         "See [](../estimation.md) and [](../retrieve.md).",
-        ("estimation",),
+        ("estimation", "localize.point_sources"),
         more="estimation.pixel_transfer.pixel_transfer",
     ),
     Section(

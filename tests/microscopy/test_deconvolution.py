@@ -224,9 +224,9 @@ print((most() - before) * 1024 / (4 * stack.size))
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="there is no /proc elsewhere")
-def test_memory_is_at_most_eight_times_the_stack_in_float32():
+def test_memory_is_at_most_ten_times_the_stack_in_float32():
     found = subprocess.run([sys.executable, "-c", _MEMORY], capture_output=True, text=True, check=True)
-    assert 2.0 < float(found.stdout) < 8.0
+    assert 2.0 < float(found.stdout) < 10.0
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,9 +11,9 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
-from lommel.imaging.deconvolution import MISFIT, TINY, Counts, Course, RichardsonLucy, Tell
+from lommel.imaging.deconvolution import MISFIT, STEPS, TINY, Counts, Course, RichardsonLucy, Tell
 from lommel.imaging.restoration import Restoration, shown
-from lommel.microscopy.stack_blur import Part, Piece, TiledBlur, overlap
+from lommel.microscopy.stack_blur import Part, TiledBlur, overlap
 from lommel.psf import PSF
 
 STACK_MISFIT = (
@@ -24,7 +25,6 @@ STACK_MISFIT = (
 TOO_QUIET = "misfit: the stack is quieter than its noise; is the offset left out, or the read noise too large?"
 
 _LEAST_PLANES = 8  # of the margin, where the PSF has so many
-_MOST_CHANGE = 6e4  # that half precision holds
 _EVERY = 2  # along each axis, of the voxels that say how far to extrapolate
 
 
@@ -54,8 +54,8 @@ def deconvolve(
         where the PSF is much wider than a voxel.
     margin : (int, int), optional
         Number of planes and pixels restored beyond each face of the recording, to account for light from outside; by
-        default half of those of the PSF, and at most half as many planes as the stack has, or 8. Planes farther away
-        are taken to be like the outermost one, pixels to be dark.
+        default half of those of the PSF, and at most a quarter as many planes as the stack has, or 8. Planes farther
+        away are taken to be like the outermost one, pixels to be dark.
     progress : callable, optional
         As of :func:`lommel.imaging.restore_with`.
 
@@ -72,8 +72,8 @@ def deconvolve(
 
     Notes
     -----
-    The steps of :class:`lommel.imaging.RichardsonLucy`. Memory besides the stack: about twice its size in float32,
-    and 1.6 times that of the stack with its margin.
+    The steps of :class:`lommel.imaging.RichardsonLucy`, on as many threads as there are processors. Memory besides
+    the stack: about three times that of the stack with its margin in float32, and once its own.
     """
     validation.optional("method", method, RichardsonLucy)
     recorded = validation.array("stack", stack)
@@ -84,7 +84,7 @@ def deconvolve(
         raise ValueError(f"stack must have planes, rows and columns, got the shape {recorded.shape}")
     validation.instance("psf", psf, PSF)
     validation.instance("noise", noise, Noise)
-    usual = min(psf.shape[0] // 2, max(_LEAST_PLANES, recorded.shape[0] // 2)), max(psf.grid.shape) // 2
+    usual = min(psf.shape[0] // 2, max(_LEAST_PLANES, recorded.shape[0] // 4)), max(psf.grid.shape) // 2
     asked = usual if margin is None else margin
     if not isinstance(asked, tuple | list) or len(asked) != 2:
         raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
@@ -95,10 +95,10 @@ def deconvolve(
                 f"noise must have one {name}, or a map of the shape {recorded.shape[1:]}, got the shape {given}"
             )
     planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
-    counted = _Counted(recorded, noise)
+    counted = Counted(recorded, noise)
     blur = TiledBlur(psf, (recorded.shape[0], recorded.shape[1], recorded.shape[2]), (planes, pixels))
-    before = counted.mean(counted.discrepancies(blur.forward(counted.scene(planes, pixels))))
-    walk = _Walk(blur, counted)
+    before = counted.mean(counted.discrepancies(blur, counted.scene(planes, pixels)))
+    walk = Walk(blur, counted)
     with shown(progress) as tell:
         steps, stopped, each = walk.solve(method or RichardsonLucy(target=1.0), tell)
     values, found = walk.inside(planes, pixels), counted.mean(each)
@@ -110,30 +110,37 @@ def deconvolve(
     return Restoration(values, values, found, tuple(map(float, each)), before, steps, stopped, unknown=unknown)
 
 
-class _Counted(Counts):
+class Counted(Counts):
     """A stack as counts, in units of light as :class:`lommel.imaging.deconvolution.Observed`, by parts."""
 
-    def __init__(self, recorded: Values, noise: Noise) -> None:
+    def __init__(self, recorded: Values, noise: Noise, saturation: float = np.inf) -> None:
         side = recorded.shape[1:]
-        self._recorded = recorded
-        self._offset = np.broadcast_to(noise.offset, side)
-        gain = np.broadcast_to(1.0 if noise.white is None else noise.white, side)
-        self._added = np.asarray(noise.variance(np.zeros(side)) / gain)
+        self._recorded, self._saturation = recorded, saturation
+        offset = np.asarray(noise.offset, dtype=np.float64)
+        gain = np.asarray(1.0 if noise.white is None else noise.white)
+        read = np.asarray(noise.read, dtype=np.float64)
+        added = (read / gain) ** 2 * gain  # the variance of reading over the gain, in units of light
         self.known = np.zeros(len(recorded), dtype=np.int64)  # how many voxels of each plane are
         total = weights = counts = 0.0
-        for plane, values in enumerate(recorded):
+        for plane in range(len(recorded)):
+            values = np.asarray(recorded[plane])
             if np.isinf(values).any():
                 raise ValueError("stack must be finite, or NaN where a value is unknown, got infinity")
-            known = np.isfinite(values)
-            seen = np.maximum(values[known] - self._offset[known] + self._added[known], 0.0)
-            self.known[plane] = seen.size
-            weights += float(gain[known].sum())
-            counts += float((gain[known] * seen).sum())
-            total += float((gain[known] * np.maximum(seen - self._added[known], 0.0)).sum())
+            known = np.isfinite(values) & (values < saturation)
+            seen = np.where(known, np.maximum(values - offset + added, 0.0), 0.0)
+            each = np.where(known, gain, 0.0)
+            self.known[plane] = int(known.sum())
+            weights += float(each.sum())
+            counts += float((each * seen).sum())
+            total += float((each * np.maximum(seen - added, 0.0)).sum())
         if not self.known.any():
-            raise ValueError("stack must have voxels that are known, got NaN everywhere")
+            raise ValueError("stack must have voxels that are known, got NaN or saturated ones everywhere")
+        self._all = bool((self.known == np.prod(side)).all())
         self.white = weights / float(self.known.sum())
-        self._weight = np.asarray(gain / self.white, dtype=np.float32)
+        # Maps have the sides of a plane, so that parts of them can be taken.
+        self._added, self._shift, self._weight = (
+            np.asarray(each, dtype=np.float32) for each in (added, added - offset, gain / self.white)
+        )
         self.most_weight = float(self._weight.max())
         self.level = total / weights  # mean light
         # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
@@ -142,11 +149,17 @@ class _Counted(Counts):
 
     def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
         """Return counts and weights; both are 0 where nothing is known."""
-        values = self._recorded[plane, rows, columns] - self._offset[rows, columns]
-        values += self._added[rows, columns]
-        known = np.isfinite(values)
-        counts = np.where(known, np.maximum(values, 0.0), 0.0).astype(np.float32)
-        return counts, np.where(known, self._weight[rows, columns], np.float32(0.0))
+        given = np.asarray(self._recorded[plane, rows, columns])
+        shift, weight = (_at(each, rows, columns) for each in (self._shift, self._weight))
+        if given.dtype.itemsize > 4:  # what is near an offset must not lose its digits
+            counts = (given + shift.astype(np.float64)).astype(np.float32)
+        else:
+            counts = np.add(given, shift, dtype=np.float32)
+        np.maximum(counts, 0.0, out=counts)
+        if self._all:
+            return counts, weight
+        known = np.isfinite(given) & (given < self._saturation)
+        return np.where(known, counts, np.float32(0.0)), np.where(known, weight, np.float32(0.0))
 
     def scene(self, planes: int, pixels: int) -> Part:
         """Return the stack itself as a specimen, with these margins: as bright as its mean where nothing is known."""
@@ -157,45 +170,79 @@ class _Counted(Counts):
                 sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
                 (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
                 counts, weight = self.part(plane - planes, y, x)
-                light = np.maximum(counts - self._added[y, x], 0.0)
+                light = np.maximum(counts - _at(self._added, y, x), 0.0)
                 out[down, across] = np.where(weight > 0.0, light, self.level)
             return out
 
         return part
 
-    def discrepancies(self, models: Iterable[Piece], misfit: Values | None = None) -> Array:
+    def discrepancies(self, blur: TiledBlur, specimen: Part, misfit: Values | None = None) -> Array:
         """Return the Poisson deviance per voxel of each plane; `misfit` becomes the weighted ratio less 1."""
-        sums = np.zeros(len(self.known))
-        for plane, rows, columns, light in models:
+
+        def compared(plane: int, rows: slice, columns: slice, light: Values) -> tuple[int, float]:
             counts, weight = self.part(plane, rows, columns)
-            model = np.maximum(light + self._added[rows, columns], TINY).astype(np.float32)
-            ratio = counts / model
+            # In place throughout: new memory costs more than what is done in it.
+            model = np.add(light, _at(self._added, rows, columns), out=light)
+            np.maximum(model, TINY, out=model)
+            ratio = np.divide(counts, model, out=counts)
+            terms = np.maximum(ratio, TINY)
+            np.log(terms, out=terms)
+            terms *= ratio
+            ratio -= 1.0
+            # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
+            terms -= ratio
+            terms *= model
+            if weight.ndim or self.most_weight != 1.0:
+                terms *= weight
+                ratio *= weight
             if misfit is not None:
-                misfit[plane, rows, columns] = weight * (ratio - 1.0)
-            terms = ratio * np.log(np.maximum(ratio, TINY)) + (1.0 - ratio)
-            sums[plane] += float((terms * model * weight).sum(dtype=np.float64))
+                misfit[plane, rows, columns] = ratio
+            return plane, float(terms.sum(axis=1).sum(dtype=np.float64))
+
+        sums = np.zeros(len(self.known))
+        for plane, found in blur.forward(specimen, compared):
+            sums[plane] += found
         return self.per_pixel(sums)
 
 
-class _Walk:
-    """Steps of Richardson and Lucy, with no more memory than the specimen and half of it again."""
+def _at(each: Values, rows: slice, columns: slice) -> Values:
+    """Return a part of a map, or the number that is the same everywhere."""
+    return each[rows, columns] if each.ndim else each
 
-    def __init__(self, blur: TiledBlur, counted: _Counted) -> None:
+
+class Walk:
+    """Steps of Richardson and Lucy, with no more memory than twice the specimen and once the recording.
+
+    A walk with `paces` takes as many steps as there are, each extrapolated as far as they say: that of another part
+    of the same stack.
+    """
+
+    def __init__(self, blur: TiledBlur, counted: Counted, paces: Sequence[float] | None = None) -> None:
         self._blur, self._counted = blur, counted
         self._light = np.full(blur.whole, counted.level, dtype=np.float32)
-        self._change = np.zeros(blur.whole, dtype=np.float16)
-        self._misfit = np.zeros(blur.shape, dtype=np.float32)
+        self._before: Values | None = None
+        self._misfit = np.empty(blur.shape, dtype=np.float32)
+        blur.weigh(counted.most_weight)
+        self._given = None if paces is None else list(paces)
         self._pace = 0.0
+        self.paces: list[float] = []
+        self.discrepancies = np.full(len(counted.known), np.inf)
 
     def solve(self, method: RichardsonLucy, tell: Tell) -> tuple[int, str, Array]:
         """Iterate until there is a reason to stop; return number of steps, reason and discrepancies of the planes."""
+        if self._given is not None:
+            method = replace(method, steps=max(len(self._given), 1), target=0.0)
         course = Course(method, self._counted.slack, tell)
         earlier = np.zeros([-(-side // _EVERY) for side in self._blur.whole], dtype=np.float32)
         while True:
             self._pace = course.pace
-            discrepancies = self._counted.discrepancies(self._blur.forward(self._guess), self._misfit)
-            if stopped := course.judge(self._counted.mean(discrepancies)):
-                return course.steps, stopped, discrepancies
+            if self._given:
+                self._pace = self._given[min(course.steps + 1, len(self._given) - 1)]
+            self.discrepancies = self._counted.discrepancies(self._blur, self._guess, self._misfit)
+            self.paces.append(self._pace)
+            stopped = course.judge(self._counted.mean(self.discrepancies))
+            if stopped or (self._given is not None and course.steps == len(self._given) - 1):
+                return course.steps, stopped or STEPS, self.discrepancies
             size = float(np.vdot(earlier, earlier))
             overlap = self._step(earlier)
             if method.accelerate and course.steps > 0:
@@ -204,40 +251,47 @@ class _Walk:
     def _guess(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the light, extrapolated."""
         light = self._light[plane, rows, columns]
-        if self._pace == 0.0:
+        if self._pace == 0.0 or self._before is None:
             return light
-        ahead = self._change[plane, rows, columns].astype(np.float32)
+        ahead = np.subtract(light, self._before[plane, rows, columns])
         ahead *= self._pace
-        ahead += 1.0
-        ahead *= light
+        ahead += light
         return np.maximum(ahead, self._counted.smallest, out=ahead)
 
     def _step(self, earlier: Values) -> float:
         """Take a step, replace some of the earlier change by its own, and return the product of the two."""
-        overlap = 0.0
-        for plane, rows, columns, back in self._blur.adjoint(lambda plane, *part: self._misfit[(plane, *part)]):
+        following = np.empty_like(self._light) if self._before is None else self._before
+
+        def stepped(plane: int, rows: slice, columns: slice, back: Values) -> float:
             guess = self._guess(plane, rows, columns)
-            seen = self._counted.most_weight * self._blur.seen(plane, rows, columns)
             # What no voxel of the recording sees stays as it is.
-            found = np.where(seen > 1e-6, back / np.maximum(seen, 1e-6), 0.0).astype(np.float32)
+            found = np.multiply(back, self._blur.per_seen(plane, rows, columns), out=back)
             found += 1.0
             found *= guess
             np.maximum(found, 0.0, out=found)
+            overlap = 0.0
             if plane % _EVERY == 0:
                 first = -rows.start % _EVERY, -columns.start % _EVERY
-                moved = (found - guess)[first[0] :: _EVERY, first[1] :: _EVERY]
+                here = np.s_[first[0] :: _EVERY, first[1] :: _EVERY]
+                moved = found[here] - guess[here]
                 at = (rows.start + first[0]) // _EVERY, (columns.start + first[1]) // _EVERY
                 kept = earlier[plane // _EVERY, at[0] :, at[1] :][: moved.shape[0], : moved.shape[1]]
-                overlap += float(np.vdot(moved, kept))
+                overlap = float(np.vdot(moved, kept))
                 kept[...] = moved
-            light = self._light[plane, rows, columns]
-            change = (found - light) / np.maximum(found, TINY)
-            self._change[plane, rows, columns] = np.maximum(change, -_MOST_CHANGE)
-            light[...] = found
+            following[plane, rows, columns] = found
+            return overlap
+
+        misfit = self._misfit
+        overlap = sum(self._blur.adjoint(lambda plane, *part: misfit[(plane, *part)], stepped))
+        self._before, self._light = self._light, following
         return overlap
 
     def inside(self, planes: int, pixels: int) -> Values:
         """Return the light within these margins; ends the walk."""
+        self._misfit = np.empty((0, 0, 0), np.float32)
+        self._blur.release()
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
-        del self._misfit
-        return np.stack([self._guess(planes + plane, rows, columns) for plane in range(self._blur.shape[0])])
+        out = np.empty(self._blur.shape, np.float32)
+        for plane, values in enumerate(out):
+            values[...] = self._guess(planes + plane, rows, columns)
+        return out

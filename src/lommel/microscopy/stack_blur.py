@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import DTypeLike
+from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.base.threads import side_by_side
 from lommel.imaging.linear import LinearBlur
 from lommel.measures.axial import stage
 from lommel.psf import PSF
@@ -81,129 +84,327 @@ def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
     return values.astype(np.float64), (origin, values.shape[1] // 2, values.shape[2] // 2)
 
 
+_Places = tuple[NDArray[np.intp], int, int]
 Plane = tuple[slice, slice]
 """Rows and columns of part of a plane."""
 # Takes the number of a plane, rows and columns, and returns its values there.
 Part = Callable[[int, slice, slice], Values]
-# The number of a plane, rows and columns, and its values there.
-Piece = tuple[int, slice, slice, Values]
+Made = TypeVar("Made")
+# Takes the number of a plane, rows and columns, and its values there; several are called at the same time.
+Take = Callable[[int, slice, slice, Values], Made]
 
-_SHARE = 1.5  # of the recording that the two transforms of a tile take, in memory
-_SMALL = 2**21  # values that they may have in any case
+
+class _Job(NamedTuple):
+    """A tile: part of a plane that comes out, part that goes in, and where both are in the tile."""
+
+    core: Plane
+    taken: Plane
+    placed: Plane
+    inside: Plane
+
+
+_SHARE = 3.0  # of the recording that the transform of a tile takes, in memory
+_SMALL = 2**23  # values that it may have in any case
+_UNSEEN = 1e-6  # share of the light of a point that is next to nothing
+_ROWS = 8  # of a transform that are filtered in one go
+_ALIKE = 1e-6  # of the largest value, by which a kernel may differ from its mirror image
 
 
 class TiledBlur:
-    """Convolution of a specimen larger than its recording by a margin, by FFTs of tiles, and its transpose."""
+    """Convolution of a specimen larger than its recording by a margin, by FFTs of tiles, and its transpose.
 
-    def __init__(self, psf: PSF, shape: tuple[int, int, int], margin: tuple[int, int]) -> None:
-        from scipy.fft import fft, next_fast_len, rfft2
+    With several PSFs the image is ``sum_s h_s * (w_s x)``, with a weight of each PSF at each plane of the specimen.
+    Results depend neither on the number of threads nor on where the arrays are.
+    """
 
-        self._kernel, middle = kernel_of(psf)
-        self.shape, self._margin = shape, (margin[0], margin[1], margin[1])
+    def __init__(
+        self,
+        psf: PSF | Sequence[PSF],
+        shape: tuple[int, int, int],
+        margin: tuple[int, int],
+        *,
+        weights: Array | None = None,
+        threads: int = 0,
+    ) -> None:
+        from scipy.fft import next_fast_len
+
+        found = [kernel_of(each) for each in ([psf] if isinstance(psf, PSF) else psf)]
+        self._kernels, middle = [values for values, _ in found], found[0][1]
+        self.shape, self._margin, self._threads = shape, (margin[0], margin[1], margin[1]), threads
         self.whole = tuple(side + 2 * more for side, more in zip(shape, self._margin, strict=True))
+        sides = self._kernels[0].shape
         # Light reaches so many voxels towards lower and higher numbers.
         self._lower = middle
-        self._upper = tuple(side - 1 - at for side, at in zip(self._kernel.shape, middle, strict=True))
+        self._upper = tuple(side - 1 - at for side, at in zip(sides, middle, strict=True))
         self._before, self._after = (max(0, reach[0] - margin[0]) for reach in (self._upper, self._lower))
         self._depth = next_fast_len(self.whole[0] + self._before + self._after)
-        most = max(_SHARE * math.prod(shape), _SMALL) / (2.0 * self._depth)
-        self._tile = tuple(
-            _tile(side, more, int(math.sqrt(most)))
-            for side, more in zip(self.whole[1:], self._kernel.shape[1:], strict=True)
-        )
-        # The transform of the kernel, with the point in the first voxel.
-        self._transfer = np.zeros((self._depth, self._tile[0], self._tile[1] // 2 + 1), dtype=np.complex64)
+        self._weights = None if weights is None else np.asarray(weights, dtype=np.float32)
+        most = max(_SHARE * math.prod(shape), _SMALL) / self.whole[0]
+        # One tile has what it lacks at its other end, where it is dark.
+        full = [
+            max(whole, side + more + max(low, high))
+            for whole, side, more, low, high in zip(
+                self.whole[1:], shape[1:], self._margin[1:], self._lower[1:], self._upper[1:], strict=True
+            )
+        ]
+        one = [int(next_fast_len(side, real=True)) for side in full]
+        self._single = math.prod(one) <= most
+        self._tile = (one[0], one[1])
+        if not self._single:
+            down, across = (
+                _tile(side, more, int(math.sqrt(most))) for side, more in zip(self.whole[1:], sides[1:], strict=True)
+            )
+            self._tile = down, across
+        self._even = all(_mirrored(values) for values in self._kernels)
+        self._transfers = [self._transfer(values) for values in self._kernels]
+        self._places, self._seen = self._shares()
+        self.weigh(1.0)
+        self._room: Values | None = None
+
+    def _transfer(self, kernel: Array) -> Values:
+        """Return the transform of a kernel, with the point in the first voxel.
+
+        That of an even one is real until planes are transformed, and the same in rows of opposite frequencies: an
+        eighth of the values says it all.
+        """
+        from scipy.fft import fft, rfft, rfft2
+
+        middle = self._lower
+        rows = self._tile[0] // 2 + 1 if self._even else self._tile[0]
+        planes = self._depth // 2 + 1 if self._even else self._depth
+        made = np.zeros((len(kernel), rows, self._tile[1] // 2 + 1), np.float32 if self._even else np.complex64)
         tile = np.zeros(self._tile, dtype=np.float32)
-        for plane, values in enumerate(self._kernel):
+        for plane, values in enumerate(kernel):
             tile[: values.shape[0], : values.shape[1]] = values
-            moved = np.roll(tile, [-at for at in middle[1:]], axis=(0, 1))
-            self._transfer[plane - middle[0]] = rfft2(moved)
-        for row in range(self._tile[0]):
-            self._transfer[:, row] = fft(self._transfer[:, row], axis=0)
-        # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
-        along = np.cumsum(np.pad(self._kernel, ((1, 0), (0, 0), (0, 0))), axis=0)
-        sums = np.zeros((self.whole[0], *(side + 1 for side in self._kernel.shape[1:])))
-        for at in range(-self._before, self.whole[0] + self._after):
-            first = self._margin[0] + self._lower[0] - at
-            low, high = np.clip((first, first + self.shape[0]), 0, len(self._kernel))
-            sums[min(max(at, 0), self.whole[0] - 1), 1:, 1:] += along[high] - along[low]
-        self._sums = sums.cumsum(axis=1).cumsum(axis=2)
+            found = rfft2(np.roll(tile, [-at for at in middle[1:]], axis=(0, 1)))[:rows]
+            made[plane] = found.real if self._even else found
+        out = np.empty((rows, planes, made.shape[2]), np.complex64)
+        column = np.zeros((self._depth, made.shape[2]), made.dtype)
+        order = np.arange(len(kernel)) - middle[0]
+        for row in range(rows):
+            column[order] = made[:, row]
+            out[row] = rfft(column, axis=0) if self._even else fft(column, axis=0)
+        return out
 
-    def forward(self, specimen: Part) -> Iterator[Piece]:
-        """Yield the recording of a specimen, each part of it once."""
-        from scipy.fft import irfft2
+    def _shares(self) -> tuple[list[_Places], Values]:
+        """Return the share of the light that falls on the recording, of few rows and columns that are all there are.
 
-        planes, (margin, across, _) = self.shape[0], self._margin
-        for core in self._cores(self.shape):
-            light = self._transformed(specimen, self.whole, 0, core, self._upper, across)
-            light[self.whole[0] :][: self._after] = light[self.whole[0] - 1]
-            light[self._depth - self._before :] = light[0]
-            self._along_planes(light)
-            inside = _inside(core, self._upper)
-            for plane in range(planes):
-                yield plane, *core, irfft2(light[margin + plane], self._tile)[inside]
+        With it, of both axes: which of them each row or column is, and from where to where all are the same.
+        """
+        limits, places = [], []
+        for axis in (1, 2):
+            first = self._margin[axis] + self._lower[axis] - np.arange(self.whole[axis])
+            both = np.clip(np.stack([first, first + self.shape[axis]]), 0, self._kernels[0].shape[axis])
+            each, place = np.unique(both, axis=1, return_inverse=True)
+            place = place.ravel()
+            counts = np.bincount(place)
+            start = int(np.argmax(place == counts.argmax()))
+            stop = start + int(np.argmin(np.append(place[start:], -1) == place[start]))
+            limits.append(each)
+            places.append((place, start, stop))
+        (top, bottom), (left, right) = limits
+        seen = np.zeros((self.whole[0], len(top), len(left)), np.float32)
+        for number, kernel in enumerate(self._kernels):
+            # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
+            along = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0).cumsum(axis=1).cumsum(axis=2)
+            for at in range(-self._before, self.whole[0] + self._after):
+                begin = self._margin[0] + self._lower[0] - at
+                low, high = np.clip((begin, begin + self.shape[0]), 0, len(kernel))
+                sums = along[high] - along[low]
+                between = sums[bottom] - sums[top]
+                plane = min(max(at, 0), self.whole[0] - 1)
+                share = 1.0 if self._weights is None else self._weights[number, plane]
+                seen[plane] += share * (between[:, right] - between[:, left])
+        return places, seen
 
-    def adjoint(self, recording: Part) -> Iterator[Piece]:
-        """Yield the transpose of :meth:`forward` applied to a recording, each part of the specimen once."""
-        from scipy.fft import irfft2
+    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+        """Hand the recording of a specimen to `take`, each part of it once; return what it makes of the parts."""
+        made: list[Made] = []
+        for job in self._jobs(self.shape, self.whole, self._upper, self._margin[1]):
+            self._transformed(specimen, self.whole[0], job)
+            self._over_rows(self._seen_rows)
+            made += self._planes(self.shape[0], job, take)
+        return made
 
-        planes, (margin, across, _) = self.whole[0], self._margin
-        for core in self._cores(self.whole):
-            seen = self._transformed(recording, self.shape, margin, core, self._lower, -across)
-            self._along_planes(seen, transposed=True)
-            if self._after:
-                seen[planes - 1] += seen[planes:][: self._after].sum(axis=0)
-            if self._before:
-                seen[0] += seen[self._depth - self._before :].sum(axis=0)
-            inside = _inside(core, self._lower)
-            for plane in range(planes):
-                yield plane, *core, irfft2(seen[plane], self._tile)[inside]
+    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+        """Hand the transpose of :meth:`forward` applied to a recording to `take`, each part of the specimen once."""
+        made: list[Made] = []
+        for job in self._jobs(self.whole, self.shape, self._lower, -self._margin[1]):
+            self._transformed(recording, self.shape[0], job)
+            self._over_rows(self._returned_rows)
+            made += self._planes(self.whole[0], job, take)
+        return made
+
+    def release(self) -> None:
+        """Give back what transforms took; they take it again."""
+        self._room = None
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
-        sums = self._sums[plane]
-        limits = []
-        for axis, part in ((1, rows), (2, columns)):
-            first = self._margin[axis] + self._lower[axis] - np.arange(part.start, part.stop)
-            both = np.stack([first, first + self.shape[axis]])
-            limits.append(np.clip(both, 0, self._kernel.shape[axis]))
-        (top, bottom), (left, right) = limits
-        between = sums[bottom] - sums[top]
-        return np.asarray(between[:, right] - between[:, left])
+        first, second = (_at(part, *places) for part, places in zip((rows, columns), self._places, strict=True))
+        return _spread(self._seen[plane], first, second)
 
-    def _cores(self, shape: tuple[int, ...]) -> Iterator[Plane]:
-        """Yield rows and columns of planes of this shape that are computed in one go."""
-        down, across = (tile - more + 1 for tile, more in zip(self._tile, self._kernel.shape[1:], strict=True))
+    def weigh(self, weight: float) -> None:
+        """State by what to divide besides, in :meth:`per_seen`."""
+        with np.errstate(divide="ignore"):
+            self._per = np.where(self._seen * weight > _UNSEEN, 1.0 / (self._seen * weight), 0.0).astype(np.float32)
+
+    def per_seen(self, plane: int, rows: slice, columns: slice) -> Values:
+        """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
+        first, second = (_at(part, *places) for part, places in zip((rows, columns), self._places, strict=True))
+        return _spread(self._per[plane], first, second)
+
+    def _jobs(
+        self, shape: tuple[int, ...], other: tuple[int, ...], reach: tuple[int, ...], shift: int
+    ) -> Iterator[_Job]:
+        """Yield tiles of planes of a shape, which need those of the other shape within a reach."""
+        if self._single:
+            core, taken = (_window((0, 0), sides[1:]) for sides in (shape, other))
+            put, out = (shift, 0) if shift < 0 else (0, shift)
+            yield _Job(core, taken, _window((-put, -put), other[1:]), _window((out, out), shape[1:]))
+            return
+        kernel = self._kernels[0].shape[1:]
+        down, across = (tile - more + 1 for tile, more in zip(self._tile, kernel, strict=True))
         for row in range(0, shape[1], down):
             for column in range(0, shape[2], across):
-                yield slice(row, min(row + down, shape[1])), slice(column, min(column + across, shape[2]))
+                core = slice(row, min(row + down, shape[1])), slice(column, min(column + across, shape[2]))
+                (rows, above), (columns, beside) = (
+                    overlap(part.start + shift - low, part.stop + shift - low + more - 1, side)
+                    for part, side, low, more in zip(core, other[1:], reach[1:], kernel, strict=True)
+                )
+                inside = _window(reach[1:], tuple(part.stop - part.start for part in core))
+                yield _Job(core, (rows, columns), (above, beside), inside)
 
-    def _transformed(
-        self, values: Part, shape: tuple[int, ...], first: int, core: Plane, reach: tuple[int, ...], shift: int
-    ) -> Values:
-        """Return Fourier transforms of planes, of all that lies within the reach of a core; the others are 0."""
+    def _transformed(self, values: Part, planes: int, job: _Job) -> None:
+        """Transform planes into the first of the room, each laterally."""
         from scipy.fft import rfft2
 
-        out = np.zeros((self._depth, self._tile[0], self._tile[1] // 2 + 1), dtype=np.complex64)
-        tile = np.zeros(self._tile, dtype=np.float32)
-        ends = zip(core, shape[1:], reach[1:], self._kernel.shape[1:], strict=True)
-        (rows, down), (columns, across) = (
-            overlap(part.start + shift - low, part.stop + shift - low + more - 1, side)
-            for part, side, low, more in ends
-        )
-        for plane in range(shape[0]):
-            tile[down, across] = values(plane, rows, columns)
-            out[first + plane] = rfft2(tile)
-        return out
+        if self._room is None:
+            self._room = np.empty((self.whole[0], self._tile[0], self._tile[1] // 2 + 1), np.complex64)
+        room, spare = self._room, _Spare(self._tile)
 
-    def _along_planes(self, transform: Values, *, transposed: bool = False) -> None:
-        """Convolve along the planes, in place; row by row, for the sake of memory."""
+        def transform(plane: int) -> None:
+            with spare.taken() as tile:
+                tile[job.placed] = values(plane, *job.taken)
+                room[plane] = rfft2(tile)
+
+        side_by_side(transform, range(planes), self._threads)
+
+    def _planes(self, planes: int, job: _Job, take: Take[Made]) -> list[Made]:
+        """Hand on the first planes of the room, transformed back."""
+        from scipy.fft import irfft2
+
+        room = self._room
+        assert room is not None
+
+        def back(plane: int) -> Made:
+            return take(plane, *job.core, irfft2(room[plane], self._tile, overwrite_x=True)[job.inside])
+
+        return side_by_side(back, range(planes), self._threads)
+
+    def _over_rows(self, task: Callable[[int], None]) -> None:
+        def several(first: int) -> None:
+            for row in range(first, min(first + _ROWS, self._tile[0])):
+                task(row)
+
+        side_by_side(several, range(0, self._tile[0], _ROWS), self._threads)
+
+    def _seen_rows(self, row: int) -> None:
+        """Convolve a row of the room along the planes, in place: the specimen becomes the recording."""
         from scipy.fft import fft, ifft
 
-        for row in range(transform.shape[1]):
-            made = fft(transform[:, row], axis=0)
-            made *= self._transfer[:, row].conj() if transposed else self._transfer[:, row]
-            transform[:, row] = ifft(made, axis=0, overwrite_x=True)
+        assert self._room is not None
+        here, total = self._room[:, row], None
+        planes, first = self.whole[0], self._margin[0]
+        for number in range(len(self._transfers)):
+            light = np.zeros((self._depth, here.shape[1]), np.complex64)
+            light[:planes] = here
+            if self._weights is not None:
+                light[:planes] *= self._weights[number][:, np.newaxis]
+            # Beyond the outermost planes it is taken to go on like these.
+            light[planes:][: self._after] = light[planes - 1]
+            light[self._depth - self._before :] = light[0]
+            made = fft(light, axis=0, overwrite_x=True)
+            self._filter(made, number, row)
+            total = made if total is None else np.add(total, made, out=total)
+        here[: self.shape[0]] = ifft(total, axis=0, overwrite_x=True)[first : first + self.shape[0]]
+
+    def _returned_rows(self, row: int) -> None:
+        """Apply the transpose of `_seen_rows`, in place."""
+        from scipy.fft import fft, ifft
+
+        assert self._room is not None
+        here, planes, first = self._room[:, row], self.whole[0], self._margin[0]
+        light = np.zeros((self._depth, here.shape[1]), np.complex64)
+        light[first : first + self.shape[0]] = here[: self.shape[0]]
+        seen = fft(light, axis=0, overwrite_x=True)
+        for number in range(len(self._transfers)):
+            made = seen if len(self._transfers) == 1 else seen.copy()
+            self._filter(made, number, row, transposed=True)
+            back = ifft(made, axis=0, overwrite_x=True)
+            if self._after:
+                back[planes - 1] += back[planes:][: self._after].sum(axis=0)
+            if self._before:
+                back[0] += back[self._depth - self._before :].sum(axis=0)
+            back = back[:planes]
+            if self._weights is not None:
+                back *= self._weights[number][:, np.newaxis]
+            if number:
+                here += back
+            else:
+                here[...] = back
+
+    def _filter(self, made: Values, number: int, row: int, *, transposed: bool = False) -> None:
+        """Multiply the transform of a row by that of a kernel, in place."""
+        transfers = self._transfers[number]
+        transfer = transfers[min(row, self._tile[0] - row)] if self._even else transfers[row]
+        half = len(transfer)
+        made[:half] *= transfer.conj() if transposed else transfer
+        if half < self._depth:
+            other = transfer[self._depth - half : 0 : -1]
+            made[half:] *= other if transposed else other.conj()
+
+
+class _Spare:
+    """Dark tiles, each of one thread at a time."""
+
+    def __init__(self, shape: tuple[int, int]) -> None:
+        self._shape, self._tiles = shape, list[Values]()
+
+    @contextmanager
+    def taken(self) -> Iterator[Values]:
+        try:
+            tile = self._tiles.pop()
+        except IndexError:
+            tile = np.zeros(self._shape, np.float32)
+        yield tile
+        self._tiles.append(tile)
+
+
+def _mirrored(kernel: Array) -> bool:
+    """Return whether a kernel is the same from left to right and from top to bottom, about its middle pixel."""
+    if kernel.shape[1] % 2 == 0 or kernel.shape[2] % 2 == 0:
+        return False
+    limit = _ALIKE * float(np.abs(kernel).max())
+    return all(np.allclose(kernel, np.flip(kernel, axis), rtol=0.0, atol=limit) for axis in (1, 2))
+
+
+def _at(part: slice, place: NDArray[np.intp], start: int, stop: int) -> _Places:
+    """Return what `TiledBlur._shares` says of an axis, of a part of it."""
+    low, high = (min(max(at, part.start), part.stop) - part.start for at in (start, stop))
+    return place[part], low, max(low, high)
+
+
+def _spread(values: Values, first: _Places, second: _Places) -> Values:
+    """Return a plane from values of few rows and columns."""
+    rows = values[first[0]]
+    place, start, stop = second
+    out = np.empty((len(rows), len(place)), np.float32)
+    out[:, :start] = rows[:, place[:start]]
+    if stop > start:
+        out[:, start:stop] = rows[:, place[start], np.newaxis]
+    out[:, stop:] = rows[:, place[stop:]]
+    return out
 
 
 def _tile(side: int, kernel: int, most: int) -> int:
@@ -215,9 +416,9 @@ def _tile(side: int, kernel: int, most: int) -> int:
     return int(next_fast_len(math.ceil(side / pieces) + kernel - 1, real=True))
 
 
-def _inside(core: Plane, reach: tuple[int, ...]) -> Plane:
-    """Return where a core is in its tile."""
-    rows, columns = (slice(low, low + part.stop - part.start) for part, low in zip(core, reach[1:], strict=True))
+def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
+    """Return rows and columns from a start."""
+    rows, columns = (slice(at, at + side) for at, side in zip(start, sides, strict=True))
     return rows, columns
 
 

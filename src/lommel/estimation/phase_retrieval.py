@@ -449,9 +449,12 @@ def _centroid_starts(model: StarImages, electrons: Array, valid: NDArray[np.bool
         # An obscuration of 0 changes nothing to first order.
         x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
     own = model.per_image(x)
+    edges = (0, -1, (..., 0), (..., -1))
     for i, (image, good) in enumerate(zip(electrons, valid, strict=True)):
-        rim = np.concatenate([image[edge][good[edge]] for edge in (0, -1, (..., 0), (..., -1))])
-        level = float(np.median(rim if rim.size else image[good]))
+        seen = np.concatenate([good[edge] for edge in edges])
+        rim = np.concatenate([image[edge] for edge in edges])[seen] if seen.any() else image[good]
+        rim.sort()
+        level = 0.5 * float(rim[(rim.size - 1) // 2] + rim[rim.size // 2])
         noise = np.sqrt(max(level, 0.0) + model.read[i].mean())
         light = np.where(good & (image > level + 3.0 * noise), image - level, 0.0)
         total = light.sum()
@@ -495,7 +498,7 @@ def _retrieval(
 ) -> Retrieval:
     """Return the result for parameters `x`, (1, p), of images `values`, after so many steps and starts."""
     steps, starts = tried
-    psf = model.plan(model.pupils(x))
+    psf = model.plan(model.pupils(x[0]))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
     valid = model.valid > 0.0
     residual = np.where(valid, (model.counted - mean) / np.sqrt(model.variance(mean)), np.nan)
@@ -554,7 +557,7 @@ def _retrieval(
         flux=own[-2].copy(),
         background=own[-1].copy(),
         center=center,
-        psf=psf[0],
+        psf=psf,
         images=np.where(valid.reshape(values.shape), values, np.nan),
         model=noise.image(mean.reshape(values.shape)),
         residual=residual.reshape(values.shape),

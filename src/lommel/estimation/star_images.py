@@ -63,7 +63,9 @@ class Unknowns:
         self.edge = tuple(dict.fromkeys(term for each in shares for term in each))
         directions = np.array([each.get(term, 0.0) for each in shares for term in self.edge])
         self.directions = directions.reshape(len(shares), len(self.edge))
-        if shares and np.linalg.matrix_rank(self.directions) < len(shares):
+        # One term each, all different, are independent as they are.
+        apart = len(self.edge) == len(shares) and all(len(each) == 1 for each in shares)
+        if shares and not apart and np.linalg.matrix_rank(self.directions) < len(shares):
             raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
         for place in self.places:
             if SHIFTS[place] in self.edge:
@@ -93,6 +95,13 @@ def _zernike_terms(name: Name) -> dict[Term, float]:
     """Return the Zernike terms, radians at the edge, of a unit of a term: 1 radian rms, or of its power of rho."""
     found = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
     return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
+
+
+def _inverse(directions: Array) -> Array:
+    """Return the Moore-Penrose inverse (edge, terms) of directions, row by row where each has a column of its own."""
+    if (directions != 0.0).sum(axis=0).max(initial=0) <= 1:
+        return np.asarray(directions.T / np.maximum((directions**2).sum(axis=1), 1e-300))
+    return np.asarray(np.linalg.pinv(directions))
 
 
 def wavefront_of(pupil: Pupil | ObjectivePupil) -> Wavefront:
@@ -170,7 +179,7 @@ class StarImages:
         tilts = [SHIFTS[place] for place in unknowns.places]
         self.derivatives: tuple[Name, ...] = (*unknowns.edge, *tilts, *unknowns.pupil)
         self.names: tuple[Name, ...] = (*unknowns.terms, *unknowns.pupil)  # of what all images share
-        self._questions: dict[float, Asked] = {}
+        self._questions: dict[tuple[float, tuple[int, ...]], Asked] = {}
         # Far from the answer images may be off by a part of the noise.
         noise = math.sqrt(self.read.min())
         brightest = max(float(self.counted.max()), 1.0)
@@ -183,7 +192,7 @@ class StarImages:
         edge = np.array([start.get(term, 0.0) for term in self.terms], dtype=np.float64)
         self.directions = np.zeros((len(unknowns.terms), len(self.terms)))
         self.directions[:, [self.terms.index(term) for term in unknowns.edge]] = unknowns.directions
-        self._inverse = np.linalg.pinv(self.directions)
+        self._inverse = _inverse(self.directions)
         # The part of the initial wavefront that the terms span is where they start; the rest is fixed.
         self.start = edge @ self._inverse
         self.fixed = edge - self.start @ self.directions
@@ -246,12 +255,12 @@ class StarImages:
         )
 
     def pupils(self, x: Array) -> Pupil | ObjectivePupil:
-        """Return the pupils of all images for parameters `x`, shape (s, p)."""
-        edge = self.base + (x[:, self.waves] @ self.directions)[:, None]
-        own = self.per_image(x)
+        """Return the pupils of all images for parameters `x`, shape (s, p) or (p,)."""
+        edge = self.base + (x[..., self.waves] @ self.directions)[..., None, :]
+        own = x[..., self.own].reshape(*x.shape[:-1], -1, self.count)
         for j, column in enumerate(self.tilts):
-            edge[:, :, column] += own[:, j]
-        optics: dict[str, Any] = self.optics_of(x)
+            edge[..., column] += own[..., j, :]
+        optics: dict[str, Any] = self.optics_of(x) if self.unknowns.pupil else {}
         if "wavelength" in optics:
             # Path differences stay: they are the parameters, in radians at the wavelength to start with.
             edge *= self.ratio(optics)
@@ -259,7 +268,7 @@ class StarImages:
 
     def optics_of(self, x: Array) -> dict[str, float]:
         """Return the estimated numbers of the pupil, of the first set of parameters."""
-        return dict(zip(self.unknowns.pupil, x[0, self.optics].tolist(), strict=True))
+        return dict(zip(self.unknowns.pupil, x.reshape(-1, self.size)[0, self.optics].tolist(), strict=True))
 
     def ratio(self, optics: dict[str, float]) -> float:
         """Return the initial wavelength over the estimated one."""
@@ -276,10 +285,10 @@ class StarImages:
         tol = self.loosest if fast else plan.tol
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         # Steps of a search differ in their phases only: window and method are checked and chosen once.
-        question = self._questions.get(tol)
+        question = self._questions.get((tol, pupil.shape))
         if question is None or question.light != light:
             dtype = output_type(None, tol)
-            question = self._questions[tol] = asked_about(
+            question = self._questions[tol, pupil.shape] = asked_about(
                 pupil, light, plan.grid(pupil), plan.method, tol, plan.normalize, dtype, plan.threads
             )
         _, made, slopes = question.images(pupil, self.derivatives)
@@ -310,7 +319,8 @@ class StarImages:
         # Derivatives of images by parameters, over those of PSFs, flux and background; the residual stays.
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
         factors[..., :-3] = light[:, 0, :, None, None]
-        factors[..., : self._phases] *= self.ratio(self.optics_of(x))
+        if self.unknowns.pupil:
+            factors[..., : self._phases] *= self.ratio(self.optics_of(x))
         chain = self._chain * factors
         found = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
         chi2 = found[:, -1, -1] / expected
@@ -339,7 +349,8 @@ class StarImages:
         own, old = self.per_image(x), self.per_image(before)
         np.maximum(own[:, -2], 0.1 * old[:, -2], out=own[:, -2])
         for j, largest in enumerate(self.largest_tilts):
-            np.clip(own[:, j], -largest, largest, out=own[:, j])
+            place = own[:, j]
+            np.minimum(np.maximum(place, -largest, out=place), largest, out=place)
         for column, name in enumerate(self.unknowns.pupil, self.optics.start):
             if name == "obscuration":
                 np.clip(x[:, column], 0.0, 0.98, out=x[:, column])
@@ -449,8 +460,8 @@ def covariance(information: Array) -> Array:
 
 def deviations(information: Array) -> Array:
     """Return the roots (s, p) of the diagonal of information (s, p, p), or 1 where that is 0."""
-    diagonal = np.einsum("sii->si", information)
-    return np.where(diagonal > 0.0, np.sqrt(diagonal), 1.0)
+    diagonal = information.diagonal(axis1=1, axis2=2)
+    return np.asarray(np.sqrt(np.where(diagonal > 0.0, diagonal, 1.0)))
 
 
 def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
@@ -460,8 +471,12 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
     """
     known = np.isfinite(np.diag(inverse))
     scale = np.sqrt(np.diag(inverse)[known])
-    # The singular vectors of a matrix that has no negative eigenvalue; eigh takes all threads of BLAS for them.
-    vectors, values, _ = np.linalg.svd(inverse[np.ix_(known, known)] / np.outer(scale, scale))
+    alike = inverse[np.ix_(known, known)] / np.outer(scale, scale)
+    if len(scale) <= 25:
+        values, vectors = np.linalg.eigh(alike)
+    else:
+        # Singular vectors, as no eigenvalue is negative: of more than 25, eigh takes all threads of BLAS.
+        vectors, values, _ = np.linalg.svd(alike)
     # An eigenvector has no sign: its largest component is made positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
     axes = np.zeros((len(values), model.size))

@@ -94,8 +94,12 @@ def _pair(n: int, m: int) -> Term:
 
 def term_of(name: Name) -> Term | None:
     """Return n and m of what names a Zernike term."""
-    if isinstance(name, tuple):
-        return name
+    return name if isinstance(name, tuple) else _indexed(name)
+
+
+@lru_cache(maxsize=1024)
+def _indexed(name: str) -> Term | None:
+    """Return the term of a text with an index, once for all calls."""
     found = _INDEXED.fullmatch(name)
     return zernike.term(int(found[2]), found[1]) if found else None
 

@@ -8,6 +8,7 @@
 
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/special/log.hpp"
 
 namespace lommel {
 
@@ -29,48 +30,36 @@ struct StarLikelihood {
 template <class T>
 StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const std::vector<const T*>& images, double flux,
                                double background, double* products) {
-    constexpr std::size_t block = 1024, together = 4;
+    constexpr std::size_t block = 4 * widest_step, most_together = 4;  // rows of a block stay in the nearest cache
     const std::size_t slopes = images.size() - 1, rows = images.size() + 2;
-    const std::size_t whole = (rows + together - 1) / together * together;
-    Doubles all(whole * block), variance(block), exact(block);
-    double* const psf = &all[slopes * block];
-    double* const root = psf + block;
-    double* const residual = root + block;
+    Doubles all((rows + most_together) * block), sums;  // rows beyond the last are 0
     StarLikelihood found;
-    std::fill_n(products, rows * rows, 0.0);
-    for (std::size_t first = 0; first < pixels; first += block) {
-        const std::size_t count = std::min(block, pixels - first);
-        const std::size_t padded = (count + widest_step - 1) / widest_step * widest_step;
-        if (count < block) {  // what is beyond the last pixel is 0
-            std::fill(all.begin(), all.end(), 0.0);
-        }
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            using V = typename decltype(isa)::pack;
-            constexpr std::size_t lanes = decltype(isa)::lanes;
-            const double* const counted = star.counted + first;
-            const double* const read = star.read + first;
-            const double* const recorded = star.recorded + first;
-            const double* const valid = star.valid + first;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using V = typename decltype(isa)::pack;
+        // As many products at once as registers hold.
+        constexpr std::size_t lanes = decltype(isa)::lanes, together = lanes == Avx512::lanes ? most_together : 3;
+        constexpr std::size_t tile = together * together * lanes;
+        const std::size_t across = (rows + together - 1) / together;
+        sums.assign(across * (across + 1) / 2 * tile, 0.0);
+        alignas(64) double deviance[block], expected[block], spread[block];
+        V total[3] = {};
+        for (std::size_t first = 0; first < pixels; first += block) {
+            const std::size_t count = std::min(block, pixels - first), padded = (count + lanes - 1) / lanes * lanes;
+            double* const root = &all[(slopes + 1) * block];
+            double* const residual = root + block;
             for (std::size_t i = 0; i < count; ++i) {
+                const double counted = star.counted[first + i], read = star.read[first + i], valid = star.valid[first + i];
                 const double mean = flux * static_cast<double>(images[0][first + i]) + background;
-                const double above = mean + read[i], least = 0.25 * read[i], light = mean > 0.0 ? mean : 0.0;
-                variance[i] = above > least ? above : least;
-                root[i] = std::sqrt(valid[i] / variance[i]);
-                residual[i] = (counted[i] - mean) * root[i];
-                exact[i] = light + recorded[i];
-                psf[i] = light;
+                const double above = mean + read, least = 0.25 * read, light = mean > 0.0 ? mean : 0.0;
+                const double variance = above > least ? above : least, weight = valid / variance;
+                root[i] = std::sqrt(weight);
+                residual[i] = (counted - mean) * root[i];
+                deviance[i] = valid * (variance - (counted + read) * logarithm(variance));
+                // The square of Poisson(mu) + N(0, recorded) - mu has the mean v = mu + recorded and the variance mu + 2 v^2.
+                const double exact = light + star.recorded[first + i];
+                expected[i] = weight * exact;
+                spread[i] = weight * weight * (light + 2.0 * exact * exact);
             }
-            // The square of Poisson(mu) + N(0, recorded) - mu has the mean v = mu + recorded and the variance mu + 2 v^2, exactly.
-            double deviance = 0.0, expected = 0.0, spread = 0.0;
-            for (std::size_t i = 0; i < count; ++i) {
-                const double weight = root[i] * root[i];
-                deviance += valid[i] * (variance[i] - (counted[i] + read[i]) * std::log(variance[i]));
-                expected += weight * exact[i];
-                spread += weight * weight * (psf[i] + 2.0 * exact[i] * exact[i]);
-            }
-            found.deviance += deviance;
-            found.expected += expected;
-            found.spread += spread;
             for (std::size_t row = 0; row <= slopes; ++row) {
                 const T* const from = images[row < slopes ? row + 1 : 0] + first;
                 double* const to = &all[row * block];
@@ -78,11 +67,28 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                     to[i] = static_cast<double>(from[i]) * root[i];
                 }
             }
-            for (std::size_t a = 0; a < whole; a += together) {
-                for (std::size_t b = a; b < whole; b += together) {
-                    V sum[together][together] = {};
-                    const double* const left = &all[a * block];
-                    const double* const right = &all[b * block];
+            for (std::size_t i = count; i < padded; ++i) {  // beyond the last pixel
+                deviance[i] = expected[i] = spread[i] = 0.0;
+                for (std::size_t row = 0; row < rows; ++row) {
+                    all[row * block + i] = 0.0;
+                }
+            }
+            for (std::size_t i = 0; i < padded; i += lanes) {
+                total[0] = total[0] + load<V>(deviance + i);
+                total[1] = total[1] + load<V>(expected + i);
+                total[2] = total[2] + load<V>(spread + i);
+            }
+            double* at = sums.data();
+            for (std::size_t a = 0; a < across; ++a) {
+                for (std::size_t b = a; b < across; ++b, at += tile) {
+                    const double* const left = &all[a * together * block];
+                    const double* const right = &all[b * together * block];
+                    V sum[together][together];
+                    for (std::size_t k = 0; k < together; ++k) {
+                        for (std::size_t j = 0; j < together; ++j) {
+                            sum[k][j] = load<V>(at + (k * together + j) * lanes);
+                        }
+                    }
                     for (std::size_t i = 0; i < padded; i += lanes) {
                         V one[together];
                         for (std::size_t j = 0; j < together; ++j) {
@@ -95,20 +101,28 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                             }
                         }
                     }
-                    for (std::size_t k = a; k < std::min(a + together, rows); ++k) {
-                        for (std::size_t j = b; j < std::min(b + together, rows); ++j) {
-                            products[k * rows + j] += lane_sum(sum[k - a][j - b]);
+                    for (std::size_t k = 0; k < together; ++k) {
+                        for (std::size_t j = 0; j < together; ++j) {
+                            store(at + (k * together + j) * lanes, sum[k][j]);
                         }
                     }
                 }
             }
-        });
-    }
-    for (std::size_t k = 0; k < rows; ++k) {
-        for (std::size_t j = 0; j < k; ++j) {
-            products[k * rows + j] = products[j * rows + k];
         }
-    }
+        found = {lane_sum(total[0]), lane_sum(total[1]), lane_sum(total[2])};
+        const double* at = sums.data();
+        for (std::size_t a = 0; a < across; ++a) {
+            for (std::size_t b = a; b < across; ++b) {
+                for (std::size_t k = a * together; k < (a + 1) * together; ++k) {
+                    for (std::size_t j = b * together; j < (b + 1) * together; ++j, at += lanes) {
+                        if (k < rows && j < rows) {
+                            products[k * rows + j] = products[j * rows + k] = lane_sum(load<V>(at));
+                        }
+                    }
+                }
+            }
+        }
+    });
     return found;
 }
 

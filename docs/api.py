@@ -168,6 +168,15 @@ SECTIONS = [
         " base.units.parse_length base.units.parse_angle base.units.parse_radius base.units.format_length",
     ),
     Section(
+        "Signatures of other packages",
+        "Functions of psfmodels, MicroscPSF-Py and pyotf, and models of photutils, GalSim and prysm.",
+        "See [](../coming-from.md).",
+        more="compat.psfmodels.make_psf compat.psfmodels.objective compat.microscpsf.gLXYZFocalScan"
+        " compat.pyotf.HanserPSF compat.photutils.effective_psf compat.photutils.image_psf"
+        " compat.photutils.gridded_psf_model compat.photutils.save_stdpsf compat.galsim.interpolated_image"
+        " compat.prysm.pupil_arrays compat.prysm.PupilArrays compat.prysm.rich_data",
+    ),
+    Section(
         "Special functions",
         "Each documents its published source.",
         "",

@@ -33,7 +33,7 @@ ORDER = [
     {"estimation", "field", "stacks"},
     {"imaging", "localize"},
     {"lensfiles", "microscopy"},
-    {"adapters", "page", "paper"},
+    {"adapters", "compat", "page", "paper"},
     {"cli"},
     {"the package"},
 ]

@@ -34,7 +34,7 @@ from lommel.page import module
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 # Packages that the pages speak of and the environment of the tests has not.
-ELSEWHERE = ("optiland", "pylops", "pyxu", "deepinv", "photutils", "napari")
+ELSEWHERE = ("optiland", "pylops", "pyxu", "deepinv", "photutils", "napari", "galsim")
 
 # What takes seconds as the pages have it is run with less: a smaller blur, fewer layers, turbulence of one strength.
 LESS = {

@@ -4,6 +4,7 @@ from lommel import (
     adapters as adapters,
     base as base,
     blur as blur,
+    compat as compat,
     estimation as estimation,
     field as field,
     imaging as imaging,

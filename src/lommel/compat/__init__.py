@@ -1,0 +1,15 @@
+"""Functions with the signatures of other packages, computed by lommel: change the import, keep the call."""
+
+from typing import TYPE_CHECKING
+
+from lommel.base import lazy
+
+if TYPE_CHECKING:
+    from lommel.compat import galsim as galsim
+    from lommel.compat import microscpsf as microscpsf
+    from lommel.compat import photutils as photutils
+    from lommel.compat import prysm as prysm
+    from lommel.compat import psfmodels as psfmodels
+    from lommel.compat import pyotf as pyotf
+else:
+    __getattr__, __dir__ = lazy.parts(__name__)

@@ -1,0 +1,51 @@
+"""PSFs as profiles of GalSim."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from lommel.base import optional, validation
+from lommel.psf import PSF
+
+_ARCSEC = 180.0 * 3600.0 / np.pi
+
+
+def interpolated_image(psf: PSF, *, focal_length: float, **options: Any) -> Any:
+    """Return ``galsim.InterpolatedImage`` of a single PSF, its flux the light in the window.
+
+    Parameters
+    ----------
+    psf : PSF
+        Square pixels in metres. Point-sampled (``integrate=False``) it is the PSF alone, which GalSim averages over
+        the pixels of an image; of a pixel-integrated one draw with ``method="no_pixel"``, in pixels of its own size.
+    focal_length : float
+        Of the telescope, metres: a pixel is ``pixel / focal_length`` radians of the sky.
+    options
+        Of ``galsim.InterpolatedImage``, such as `x_interpolant`.
+
+    Returns
+    -------
+    galsim.InterpolatedImage
+        In arcseconds; x along columns, y along rows.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or `psf` a stack or of an even size, or its pixels are not square metres.
+    ImportError
+        If GalSim is not installed.
+    """
+    package = optional.library("galsim", "interpolated_image needs", "")
+    validation.instance("psf", psf, PSF)
+    length = validation.real("focal_length", focal_length, above=0.0)
+    if psf.values.ndim != 2 or psf.values.shape[0] % 2 == 0 or psf.values.shape[1] % 2 == 0:
+        raise ValueError(f"psf must be a single one with odd sides, got shape {psf.values.shape}")
+    if psf.unit != "m":
+        raise ValueError("psf must have pixels in metres: give its pupil a wavelength and an f-number")
+    steps = {*np.atleast_1d(np.asarray(psf.pixel, dtype=float)).tolist()}
+    if len(steps) > 1:
+        raise ValueError(f"psf must have square pixels, got {psf.pixel}")
+    image = package.Image(np.array(psf.values, dtype=np.float64), scale=steps.pop() / length * _ARCSEC)
+    return package.InterpolatedImage(image, **{"flux": float(image.array.sum()), **options})

@@ -1,0 +1,200 @@
+"""Models of photutils: effective PSFs, oversampled and integrated over pixels, at one place or on a grid."""
+
+from __future__ import annotations
+
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import atomic, optional, validation
+from lommel.base.arrays import Array
+from lommel.field.maps import FieldMap
+from lommel.io import fits_images
+from lommel.optics.pupil import Pupil
+from lommel.psf import psf
+
+_OF_FILES = 4  # the oversampling that readers of STDPSF files assume
+_Grid = tuple[NDArray[Any], Array, Array]
+
+
+def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, **options: Any) -> NDArray[Any]:
+    """Return effective PSFs (ePSFs): pixel-integrated values, `oversampling` a pixel, around the middle of the array.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        One, or a stack.
+    shape : int
+        Width and height in pixels; odd.
+    pixel : float
+        Pixel pitch, metres, or units of lambda*N if the pupil has no wavelength.
+    oversampling : int, default 4
+        Values a pixel, along each side.
+    options
+        Of :func:`lommel.psf`: `tol`, `blur` (seeing), `fill`, `threads`.
+
+    Returns
+    -------
+    ndarray, shape pupil.shape + (n, n), ``n = oversampling * (shape - 1) + 1``
+        Their sum is `oversampling` squared times the light in the window. Error bound as of :func:`lommel.psf`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
+    References
+    ----------
+    J. Anderson and I. R. King, PASP 112, 1360 (2000), doi:10.1086/316632.
+    """
+    side = validation.integer("shape", shape, least=3, most=10_000)
+    times = validation.integer("oversampling", oversampling, least=1, most=32)
+    if side % 2 == 0:
+        raise ValueError(f"shape must be odd, so that the star is in the middle of a pixel, got {side}")
+    for name in ("center", "integrate"):
+        if name in options:
+            raise ValueError(f"{name} must be left out: effective PSFs are pixel-integrated around the middle")
+    row, column = side // 2 - np.mgrid[:times, :times] / times
+    stack = pupil[..., None, None] if pupil.shape else pupil
+    parts = psf(stack, side, pixel, center=(row, column), integrate=True, **options).values
+    last = parts.ndim
+    order = (*range(last - 4), last - 2, last - 4, last - 1, last - 3)
+    whole = parts.transpose(order).reshape(*pupil.shape, side * times, side * times)
+    n = times * (side - 1) + 1
+    return np.ascontiguousarray(whole[..., :n, :n])
+
+
+def image_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, **options: Any) -> Any:
+    """Return ``photutils.psf.ImagePSF`` of a single pupil.
+
+    Parameters
+    ----------
+    pupil : Pupil
+    shape, pixel, oversampling, options
+        As of :func:`effective_psf`.
+
+    Returns
+    -------
+    photutils.psf.ImagePSF
+        Of flux 1, the star at (0, 0).
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or `pupil` a stack.
+    ImportError
+        If photutils is not installed.
+    """
+    model = optional.library("photutils.psf", "image_psf needs", "").ImagePSF
+    if pupil.shape != ():
+        raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
+    return model(effective_psf(pupil, shape, pixel, oversampling=oversampling, **options), oversampling=oversampling)
+
+
+def gridded_psf_model(
+    field: FieldMap,
+    rows: int,
+    columns: int,
+    *,
+    sensor: tuple[float, float],
+    shape: int,
+    pixel: float,
+    oversampling: int = 4,
+    **options: Any,
+) -> Any:
+    """Return ``photutils.psf.GriddedPSFModel`` of a lens whose PSF varies over the field.
+
+    Parameters
+    ----------
+    field : FieldMap
+    rows, columns : int
+        Of the grid of PSFs: from edge to edge of the sensor, at least 2 each.
+    sensor : (float, float)
+        Height and width, centred on the axis, in the unit of the map.
+    shape, pixel, oversampling, options
+        As of :func:`effective_psf`.
+
+    Returns
+    -------
+    photutils.psf.GriddedPSFModel
+        At positions in pixels, (0, 0) being the middle of the first pixel.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or the sensor reaches beyond the map.
+    ImportError
+        If photutils is not installed.
+    """
+    model = optional.library("photutils.psf", "gridded_psf_model needs", "").GriddedPSFModel
+    table = optional.library("astropy.nddata", "gridded_psf_model needs", "fits").NDData
+    values, x, y = _grid(field, rows, columns, sensor, shape, pixel, oversampling, options)
+    places = [(across, down) for down in y for across in x]
+    meta = {"grid_xypos": places, "oversampling": oversampling}
+    return model(table(values.reshape(len(places), *values.shape[2:]), meta=meta))
+
+
+def save_stdpsf(
+    path: str | PathLike[str],
+    field: FieldMap,
+    rows: int,
+    columns: int,
+    *,
+    sensor: tuple[float, float],
+    shape: int,
+    pixel: float,
+    **options: Any,
+) -> None:
+    """Write effective PSFs on a grid as a FITS file in the STDPSF format, which photutils reads.
+
+    Parameters
+    ----------
+    path : path
+    field, rows, columns, sensor, shape, pixel, options
+        As of :func:`gridded_psf_model`, with four values a pixel. Positions in the file are whole pixels, from 1.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As :func:`gridded_psf_model`; also if a grid has more than 99 rows or columns.
+    ImportError
+        If astropy is not installed.
+    OSError
+        If the file cannot be written.
+    """
+    for name, count in (("rows", rows), ("columns", columns)):
+        validation.integer(name, count, least=2, most=99)
+    values, x, y = _grid(field, rows, columns, sensor, shape, pixel, _OF_FILES, options)
+    header: dict[str, Any] = {"NXPSFS": columns, "NYPSFS": rows}
+    header |= {f"IPSFX{k:02d}": round(place) + 1 for k, place in enumerate(x, 1)}
+    header |= {f"JPSFY{k:02d}": round(place) + 1 for k, place in enumerate(y, 1)}
+    data = values.reshape(-1, *values.shape[2:])
+    atomic.write(Path(path), fits_images.write([(data, header)]))
+
+
+def _grid(
+    field: FieldMap,
+    rows: int,
+    columns: int,
+    sensor: tuple[float, float],
+    shape: int,
+    pixel: float,
+    oversampling: int,
+    options: dict[str, Any],
+) -> _Grid:
+    """Return effective PSFs, (rows, columns, n, n), and their places, pixels from the middle of the first."""
+    validation.instance("field", field, FieldMap)
+    pitch = validation.real("pixel", pixel, above=0.0)
+    places = []
+    for name, count, length in (("columns", columns, sensor[1]), ("rows", rows, sensor[0])):
+        validation.integer(name, count, least=2, most=1000)
+        side = round(validation.real("sensor", length, above=0.0) / pitch)
+        # Whole pixels, the outermost among them.
+        places.append(np.round(np.linspace(0.0, side - 1.0, count)))
+    x, y = places
+    middle = [0.5 * (round(length / pitch) - 1) for length in (sensor[1], sensor[0])]
+    pupils = field.pupil((x - middle[0]) * pitch, ((y - middle[1]) * pitch)[:, None])
+    return effective_psf(pupils, shape, pixel, oversampling=oversampling, **options), x, y

@@ -70,6 +70,12 @@ SECTIONS = [
         more="io.opd_files.OPDFileError io.zernike_tables.ZernikeFileError",
     ),
     Section(
+        "Cameras and example files",
+        "Read the pixels and the noise of a camera; files of real instruments.",
+        "See [](../instruments.md).",
+        ("lensfiles.camera", "lensfiles.example"),
+    ),
+    Section(
         "Microscope objectives",
         "Describe an objective, its layers and the emitter.",
         "See [](../microscopes.md).",

@@ -19,6 +19,7 @@ import api  # noqa: E402
 import command_options  # noqa: E402
 import drawn  # noqa: E402
 import format_table  # noqa: E402
+import instrument_tables  # noqa: E402
 import organisation  # noqa: E402
 import thumbnails  # noqa: E402
 
@@ -27,6 +28,7 @@ organisation.write(HERE / "_generated")
 drawn.write(HERE / "_generated")
 command_options.write(HERE / "_generated")
 format_table.write(HERE / "_generated")
+instrument_tables.write(HERE / "_generated")
 (HERE / "_generated" / "live").mkdir(exist_ok=True)
 shutil.copy(module.path(), HERE / "_generated" / "live")
 

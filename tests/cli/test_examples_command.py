@@ -7,10 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from lommel.cli import example_files as examples
+from lommel.lensfiles import example_files as examples
 
 ROOT = Path(__file__).resolve().parents[2] / "examples"
-KINDS = {"lenses": ("lens", ".toml"), "objectives": ("objective", ".toml"), "class": ("notebook", ".ipynb")}
+KINDS = {
+    "lenses": ("lens", ".toml"),
+    "objectives": ("objective", ".toml"),
+    "cameras": ("camera", ".toml"),
+    "class": ("notebook", ".ipynb"),
+}
 THERE = {path.stem: path for kind, (_, end) in KINDS.items() for path in (ROOT / kind).glob(f"*{end}")}
 
 
@@ -55,9 +60,24 @@ def test_nothing_is_written_over_nor_invented(call_lommel, tmp_path):
     assert (result.returncode, result.stderr) == (2, "Error: phone.toml: File exists and differs from the example\n")
     assert [path.name for path in tmp_path.iterdir()] == ["phone.toml"]
     assert (tmp_path / "phone.toml").read_text() == "mine"
-    result = call_lommel("examples", "camera", folder=tmp_path)
+    result = call_lommel("examples", "xyz", folder=tmp_path)
     assert result.returncode == 2
-    assert result.stderr.startswith("Error: NAMES must be among camera-field, fast-portrait, hubble-1990, ")
+    told = "Error: NAMES must be those of examples, got 'xyz'; `lommel examples` lists them\n"
+    assert result.stderr == told
+    assert "did you mean phone?" in call_lommel("examples", "phne", folder=tmp_path).stderr
+
+
+def test_words_list_the_examples_that_have_them(call_lommel, tmp_path):
+    rows = json.loads(call_lommel("examples", "--find", "NIKON water", "--json", folder=tmp_path).stdout)["examples"]
+    assert {row["name"] for row in rows} == {"nikon-40x-1.15-water", "nikon-60x-1.2-water", "nikon-60x-1.27-water"}
+    rows = json.loads(call_lommel("examples", "--find", "camera", "--json", folder=tmp_path).stdout)["examples"]
+    assert {row["name"] for row in rows if row["kind"] == "camera"} == {path.stem for path in ROOT.glob("cameras/*")}
+    text = call_lommel("examples", "--find", "zyla", folder=tmp_path).stdout
+    assert text.splitlines()[0] == "Cameras"
+    assert len(text.splitlines()) == 4
+    assert call_lommel("examples", "--find", "no such", folder=tmp_path).stdout == "No example has these words.\n"
+    result = call_lommel("examples", "--find", "zyla", "phone", folder=tmp_path)
+    assert (result.returncode, list(tmp_path.iterdir())) == (2, [])
 
 
 def test_unchanged_copies_are_left_alone_and_the_missing_ones_written(call_lommel, tmp_path):
@@ -75,8 +95,8 @@ def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):
     place = tmp_path / "lommel" / "examples" / "lenses"
     place.mkdir(parents=True)
     (place / "one.toml").write_text('name = "One"')
-    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "cli" / "example_files.py"))
-    assert examples.files() == {"one": place / "one.toml"}
+    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "lensfiles" / "example_files.py"))
+    assert examples.example_files() == {"one": place / "one.toml"}
     (place / "one.toml").unlink()
     with pytest.raises(FileNotFoundError, match="wheels bring them"):
-        examples.files()
+        examples.example_files()

@@ -209,7 +209,7 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["movie.tif", "objective.toml", "-o", "a.csv"], "Missing option '--read'"),
+        (["movie.tif", "objective.toml", "-o", "a.csv"], "--read is missing: the read noise"),
         (["movie.tif", "objective.toml", "--read", 1], "Missing option '-o' / '--output'"),
         (["movie.tif", "objective.toml", "--read", 1, "-o", "a.txt"],
          "Error: --output must end in .csv, .hdf5 for a table of molecules, got '.txt' in 'a.txt'"),

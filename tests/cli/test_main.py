@@ -18,8 +18,8 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.units import format_length
-from lommel.cli.example_files import files
 from lommel.cli.main import commands, main
+from lommel.lensfiles.example_files import example_files
 from lommel.methods import METHODS
 from lommel.show.drawing import HOW
 
@@ -233,7 +233,7 @@ def test_lens_files_in_the_help_are_examples_that_lommel_examples_copies():
     texts = [main.help or "", *(command.help or "" for command in commands().values())]
     named = {name for text in texts for name in re.findall(r"[\w.-]+\.toml", text)}
     assert named
-    assert {Path(name).stem for name in named} <= set(files())
+    assert {Path(name).stem for name in named} <= set(example_files())
 
 
 def test_each_command_is_listed_with_one_whole_sentence_of_a_line():

@@ -76,8 +76,12 @@ def test_the_json_is_what_python_says(folder, call_lommel):
     )
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "examples" / "objectives").glob("*.toml")), ids=lambda p: p.stem)
-def test_info_shows_every_example(path, folder, call_lommel):
+@pytest.mark.parametrize(
+    "name",
+    ["zeiss-100x-1.4-oil", "zeiss-40x-1.3-oil", "zeiss-63x-1.4-oil", "nikon-20x-0.75", "olympus-60x-1.3-silicone"],
+)
+def test_info_shows_what_the_file_of_an_objective_has(name, folder, call_lommel):
+    path = ROOT / "examples" / "objectives" / f"{name}.toml"
     result = call_lommel("info", path, folder=folder)
     assert (result.returncode, result.stderr) == (0, "")
     found, out = lm.load_microscope(path), result.stdout

@@ -65,7 +65,7 @@ BAD = [
         f"{BLUR} -o out.png --focus 2m --pixel 40um",
         "give a lens file or --focal-length: photo.png has none",
     ),
-    (f"{BLUR} -o out.png --focus 2m --focal-length 50mm --f-number 2", "give --pixel or --pixel-from-exif"),
+    (f"{BLUR} -o out.png --focus 2m --focal-length 50mm --f-number 2", "give --camera, --pixel or --pixel-from-exif"),
     (f"{BLUR} -o out.png --focal-length 50mm --f-number 2 --pixel 40um", "without a lens file give --focus"),
     (
         "blur camera.png depth.npy --focus 2m --pixel 40um --f-number 2.8 -o out.png",

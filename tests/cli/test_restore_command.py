@@ -105,8 +105,8 @@ FULL = "restore photo.tif depth.npy lens.toml --white 5000 --read 3 -o sharp.tif
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (FULL.replace("--white 5000 ", ""), "Missing option '--white'"),
-        (FULL.replace("--read 3 ", ""), "Missing option '--read'"),
+        (FULL.replace("--white 5000 ", ""), "--white is missing: the number of electrons"),
+        (FULL.replace("--read 3 ", ""), "--read is missing: the read noise"),
         (FULL.replace("5000", "0"), "white must be > 0 electrons"),
         (FULL.replace("depth.npy", "small.npy"), "must have the size of the upright photo"),
         (FULL.replace("sharp.tif", "sharp.bmp"), "--output must end in"),

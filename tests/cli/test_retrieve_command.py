@@ -157,7 +157,7 @@ def test_the_figure_has_the_unit_and_the_files(folder, call_lommel, monkeypatch)
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["star-0.tif", "lens.toml"], "Missing option '--read'"),
+        (["star-0.tif", "lens.toml"], "--read is missing: the read noise"),
         (["nix.tif", "lens.toml", "--read", "2"], "nix.tif: No such file or directory"),
         (["nix-*.tif", "lens.toml", "--read", "2"], "nix-*.tif: No file matches"),
         (["pages.tif", "lens.toml", "--read", "2", "--defocus", "-4", "0"], "one for each of 3 images"),

@@ -35,11 +35,11 @@ RUNS = [
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """The example files, a photograph and its depth map."""
-    from lommel.cli.example_files import files
+    from lommel.lensfiles.example_files import example_files
 
     place = tmp_path_factory.mktemp("width")
     for name in (*LENSES, *OBJECTIVES):
-        (place / f"{name}.toml").write_bytes(files()[name].read_bytes())
+        (place / f"{name}.toml").write_bytes(example_files()[name].read_bytes())
     light = np.random.default_rng(0).random((40, 48)).astype(np.float32)
     tifffile.imwrite(place / "photo.tif", light)
     tifffile.imwrite(place / "depth.tif", np.full((40, 48), 0.55, np.float32))

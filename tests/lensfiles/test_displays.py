@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 import pytest
 
 import lommel as lm
-from lommel.cli.example_files import files
+from lommel.lensfiles.example_files import example_files
 
 
 class Cells(HTMLParser):
@@ -53,7 +53,7 @@ def test_an_instrument_is_shown_with_its_psf_and_rounded_numbers(lenses):
 @pytest.mark.parametrize("name", ["nifty-fifty", "camera-field", "newtonian-off-axis", "zeiss-63x-1.4-oil"])
 def test_no_number_has_more_digits_than_it_is_worth(name):
     load = lm.load_microscope if name.startswith("zeiss") else lm.load_instrument
-    thing = load(files()[name])
+    thing = load(example_files()[name])
     for text in (repr(thing), re.sub(r"base64,[^\"]*", "", thing._repr_html_())):
         assert not re.search(r"\d\.\d{7}", text)
     assert "\n" not in repr(thing)
@@ -61,7 +61,7 @@ def test_no_number_has_more_digits_than_it_is_worth(name):
 
 
 def test_a_microscope_is_shown_with_lengths_in_the_sample_and_degrees():
-    microscope = lm.load_microscope(files()["zeiss-63x-1.4-oil"])
+    microscope = lm.load_microscope(example_files()["zeiss-63x-1.4-oil"])
     tilted = dataclasses.replace(microscope, emitter=lm.Dipole(polar=1.0471975511965976, azimuth=0.0))
     told = rows(tilted._repr_html_())
     assert told["objective"] == "NA 1.4, 63x, immersion 1.518"

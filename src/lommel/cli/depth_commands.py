@@ -12,10 +12,10 @@ import numpy as np
 
 from lommel.base.encoding import to_light
 from lommel.base.units import format_length
-from lommel.cli.instruments import LENS, SQUARE_PIXEL, instrument_of
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of
 from lommel.cli.options import FILE, JSON, LENGTH, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, save_figure, table_of, written
-from lommel.cli.photo_commands import NOISE, finite, noise_of, read_as
+from lommel.cli.photo_commands import NOISE, finite, read_as
 from lommel.cli.progress import progress
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.estimation.noise import Noise
@@ -27,9 +27,11 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.imaging.defocus_depth import DefocusDepth
+    from lommel.lensfiles.camera import Camera
     from lommel.optics.lens import Lens
 
 _MISFIT = 2.0
+_READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
 
 
@@ -53,6 +55,7 @@ _ROWS, _POINTS = 11, 121
         Option("--exposure", "exposures", type=float, multiple=True,
                help="Exposure of each photo relative to the first (1); repeat for each photo, the first too. By "
                "default the ratio of their mean values."),
+        CAMERA,
         SQUARE_PIXEL,
         Option("--encoding", type=click.Choice(["srgb", "linear"]),
                help="Encoding of the photos' values; by default integers are sRGB and floats are linear."),
@@ -83,6 +86,7 @@ def depth(
     f_numbers: tuple[float, ...],
     encoding: str | None,
     exposures: tuple[float, ...],
+    camera: Camera | None,
     pixel: float | None,
     outputs: tuple[Path, ...],
     sharp: Path | None,
@@ -105,12 +109,12 @@ def depth(
         photo_files.find_depth(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
-    instrument = instrument_of(lens, pixel=pixel)
+    instrument = instrument_of(lens, camera=camera, pixel=pixel)
     if instrument.aberrations_of_field is not None:
         raise ValueError(
             f"{lens} has aberrations that vary over the field, which depth from defocus does not support"
         )
-    noise = noise_of(options)
+    noise = noise_of(options, instrument.camera, photographs=True)
     lenses = _each(instrument.lens, len(photos), foci, f_numbers)
     with progress("reading") as started:
         pictures = [read_photo(path, encoding) for path in photos]
@@ -221,8 +225,10 @@ def _report(found: DefocusDepth, lenses: list[Lens], options: Facts, rest: Facts
     Option("--f-number", type=float, help="F-number; overrides the lens file."),
     Option("--between", type=LENGTH, nargs=2, metavar="NEAR FAR",
            help="Nearest and farthest distance to list; by default around the focus distances."),
+    CAMERA,
     SQUARE_PIXEL,
-    documented(Noise, "read", type=float, default=3.0, required=False),
+    documented(Noise, "read", type=float, default=None,
+               help=f"Read noise, rms electrons; by default that of the camera, or {_READ:g}."),
     documented(depth_precision, "contrast", type=float,
                help="Texture contrast: rms divided by mean, for structures of 2 to 128 pixels."),
     documented(depth_precision, "window", type=float),
@@ -235,8 +241,9 @@ def precision(
     pair: float | None,
     best: bool,
     f_number: float | None,
-    read: float,
+    read: float | None,
     between: tuple[float, float] | None,
+    camera: Camera | None,
     pixel: float | None,
     figure: Path | None,
     **texture: float,
@@ -254,7 +261,9 @@ def precision(
       lommel precision nifty-fifty.toml --focus 1.5m --best --f-number 4 --photons 5000
       lommel precision phone.toml --focus 1.35m --focus 1.8m --photons 1e4 --between 1.2m 2.5m
     """
-    instrument = instrument_of(lens, pixel=pixel)
+    instrument = instrument_of(lens, camera=camera, pixel=pixel)
+    if read is None:
+        read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
     one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
     noise: Facts = {"noise": Noise(read=read), **texture}
     if (pair is not None) + best + (len(foci) > 1) != 1 or not foci:

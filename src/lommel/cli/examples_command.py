@@ -1,20 +1,26 @@
-"""The command ``lommel examples``: list and copy example files: lenses, objectives and exercises for class."""
+"""The command ``lommel examples``: list and copy example files: lenses, objectives, cameras, exercises."""
 
 from __future__ import annotations
 
 import errno
 import json
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from rich.table import Column, Table
+from rich.text import Text
 
 from lommel.base import atomic
+from lommel.base.options import near
 from lommel.base.validation import shown
-from lommel.cli.example_files import KINDS, files
 from lommel.cli.options import JSON, Option, command
 from lommel.cli.output import Report, written
 from lommel.lensfiles import toml_files
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+from lommel.lensfiles.example_files import KINDS, example_files
 
 
 @command(
@@ -22,36 +28,34 @@ from lommel.lensfiles import toml_files
     Option("-o", "--output", "folder", default=".", type=click.Path(file_okay=False, path_type=Path),
            show_default="current folder", help="Folder to copy to, created if needed."),
     Option("--all", "everything", is_flag=True, help="Copy all examples."),
+    Option("--find", "text", metavar="TEXT",
+           help='List only examples with these words in kind, name or description: "nikon water", "camera".'),
     JSON,
 )  # fmt: skip
-def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
-    """List or copy example lenses, objectives and exercises.
+def examples(names: tuple[str, ...], folder: Path, everything: bool, text: str | None) -> Report:
+    """List or copy example files of lenses, objectives, cameras.
 
-    NAMES are the names of the files to copy. Exercises are notebooks; the lens and objective files describe real
-    instruments and state the source of their numbers. Existing files are not overwritten: unchanged copies are
-    left alone, and files that differ are refused.
+    NAMES are the names of the files to copy. Exercises are notebooks; the other files describe real instruments and
+    state the source of their numbers. Cameras need no copy: --camera takes their names. Existing files are not
+    overwritten: unchanged copies are left alone, and files that differ are refused.
 
     Examples
     --------
       lommel examples                      # list them
+      lommel examples --find "nikon oil"   # those with both words
       lommel examples phone                # copy phone.toml to the current folder
       lommel examples exercises            # a Jupyter notebook for class
       lommel examples --all -o lenses
     """
-    there = files()
+    there = example_files()
+    if text is not None and (names or everything):
+        raise ValueError("--find lists examples: leave it out to copy them")
     if not names and not everything:
-        columns = Column("name", no_wrap=True), Column("kind", no_wrap=True), "description"
-        table = Table(*columns, box=None, pad_edge=False)
-        rows = []
-        for name, path in there.items():
-            kind, what = KINDS[path.parent.name][0], _title(path)
-            rows.append({"name": name, "kind": kind, "what": what})
-            table.add_row(name, kind, what)
-        return Report({"examples": rows}, [table])
+        return _listed(there, (text or "").lower().split())
     wanted = list(there) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
     for name in wanted:
         if name not in there:
-            raise ValueError(f"NAMES must be among {', '.join(there)}, got {shown(name)}")
+            raise ValueError(f"NAMES must be those of examples, got {shown(name)}; {_meant(name, there)}")
     copies = {folder / there[name].name: there[name].read_bytes() for name in wanted}
     present = [path for path in copies if path.exists()]
     for path in present:
@@ -63,6 +67,32 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool) -> Report:
             put(path, copies[path])
     report = written(path for path in copies if path not in present)
     return Report(report.facts, [*report.parts, *(f"{path} is already there, unchanged" for path in present)])
+
+
+def _listed(there: dict[str, Path], words: list[str]) -> Report:
+    """Return the list of the examples with all of these words, a table for each kind."""
+    rows: list[dict[str, str]] = []
+    tables: dict[str, Table] = {}
+    for name, path in there.items():
+        kind, what = KINDS[path.parent.name][0], _title(path)
+        if not all(word in f"{kind} {name} {what}".lower() for word in words):
+            continue
+        rows.append({"name": name, "kind": kind, "what": what})
+        columns = Column(width=max(map(len, there)), no_wrap=True), Column()
+        tables.setdefault(kind, Table(*columns, box=None, pad_edge=False, show_header=False)).add_row(name, what)
+    parts: list[RenderableType] = []
+    for kind, table in tables.items():
+        parts += [*([""] if parts else []), Text(_HEADINGS[kind], "bold"), table]
+    return Report({"examples": rows}, parts or ["No example has these words."])
+
+
+_HEADINGS = {"lens": "Lenses", "objective": "Objectives", "camera": "Cameras", "notebook": "Notebooks"}
+
+
+def _meant(name: str, there: dict[str, Path]) -> str:
+    """Return the example that a name was meant to be, or how to list them."""
+    found = near(name, there)
+    return found if found.startswith("did") else "`lommel examples` lists them"
 
 
 def _title(path: Path) -> str:

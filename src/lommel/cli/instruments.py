@@ -10,22 +10,39 @@ import click
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.options import FILE, LENGTH, MICROMETRES, NANOMETRES, SIDES, WINDOW, Option, under
+from lommel.cli.options import FILE, LENGTH, MICROMETRES, NANOMETRES, SIDES, WINDOW, Option, Parsed, under
 from lommel.cli.output import Facts
+from lommel.estimation.noise import Noise
 
 if TYPE_CHECKING:
+    from lommel.lensfiles.camera import Camera
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.microscope_files import Microscope
+
+
+def _camera(text: str) -> Camera:
+    """Return the camera of a name or a file."""
+    from lommel.lensfiles.camera_files import load_camera
+
+    return load_camera(text)
+
 
 LENS = click.Argument(["lens"], type=FILE)
 OBJECT_DISTANCE = Option(
     "--object-distance", type=LENGTH, help="Object distance, such as 1.5m or inf; overrides the file."
 )
+CAMERA = Option(
+    "--camera", metavar="NAME|FILE", type=Parsed("camera", _camera),
+    help="Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
+    "`lommel examples --find camera` lists, or a file; overrides the file.",
+)  # fmt: skip
 PIXEL = Option(
-    "--pixel", type=SIDES, help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file."
+    "--pixel",
+    type=SIDES,
+    help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.",
 )
 SQUARE_PIXEL = Option(
-    "--pixel", type=MICROMETRES, help="Pixel pitch on the camera, such as 6.5um; overrides the file."
+    "--pixel", type=MICROMETRES, help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera."
 )
 SHAPE = Option(
     "--shape", type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file."
@@ -60,6 +77,8 @@ def instrument_of(lens: Path, **given: object) -> Instrument:
 def _changes(given: Facts) -> Facts:
     """Return the options that were given, the window checked."""
     changes = {name: value for name, value in given.items() if value is not None}
+    if "camera" in changes:
+        changes = {"pixel": changes["camera"].pixel} | changes
     return changes | ({"shape": validation.image_shape(changes["shape"])} if "shape" in changes else {})
 
 
@@ -90,6 +109,8 @@ def microscope_of(lens: Path, **given: object) -> Microscope | None:
                 f"--{name.replace('_', '-')} is for lenses, and {lens} describes a microscope: {instead}"
             )
     found = load_microscope(lens)
+    if isinstance(changes.get("pixel"), tuple):
+        changes["pixel"] = changes["camera"].side  # an error of the camera
     if "pixel" in changes:
         validation.pixel(changes["pixel"], metric=True)
     if "stack" in changes:
@@ -103,3 +124,44 @@ def microscope_of(lens: Path, **given: object) -> Microscope | None:
     if "step" in changes and planes == 1:
         raise ValueError("--step needs --stack, where the file has no stack")
     return dataclasses.replace(found, **changes)
+
+
+_MISSING = {
+    "white": "the number of electrons at white",
+    "read": "the read noise in electrons rms",
+}
+
+
+def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) -> Noise:
+    """Return the noise of the options of a command, which are taken out; what they leave out is the camera's.
+
+    Images are in counts, or `photographs` that end at white and have no offset.
+    """
+    known: Facts = {}
+    if camera is not None:
+        known = {"read": camera.read, "white": camera.full_well if photographs else camera.gain}
+        known |= {} if photographs else {"offset": camera.offset}
+    found = {}
+    for name in ("white", "read", "offset"):
+        value = given.pop(name)
+        found[name] = known.get(name) if value is None else value
+        if found[name] is None and (name == "read" or (photographs and name == "white")):
+            why = (
+                "or a camera that states it, by --camera" if camera is None else f"which {camera.name} does not state"
+            )
+            raise ValueError(f"--{name} is missing: {_MISSING[name]}, {why}")
+    return Noise(**{name: value for name, value in found.items() if value is not None})
+
+
+def camera_facts(camera: Camera | None) -> Facts | None:
+    """Return what is known of a camera besides its pixels, for reports."""
+    names = ("name", "source", "read", "full_well", "gain", "offset")
+    return None if camera is None else {name: getattr(camera, name) for name in names}
+
+
+def camera_in_words(facts: Facts) -> str | None:
+    """Return the camera of a report and its noise in a line."""
+    if (camera := facts["camera"]) is None:
+        return None
+    units = {"read": "read noise {:g} electrons", "full_well": "full well {:g}", "gain": "{:g} electrons per count"}
+    return ", ".join([camera["name"], *(text.format(camera[name]) for name, text in units.items() if camera[name])])

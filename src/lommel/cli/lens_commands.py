@@ -10,7 +10,17 @@ import click
 from rich.table import Column, Table
 from rich.text import Text
 
-from lommel.cli.instruments import DEPTH, INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, instrument_of, microscope_of
+from lommel.cli.instruments import (
+    CAMERA,
+    DEPTH,
+    INTEGRATE,
+    LENS,
+    OBJECT_DISTANCE,
+    PIXEL,
+    SHAPE,
+    instrument_of,
+    microscope_of,
+)
 from lommel.cli.options import JSON, WINDOW, Option, command, plot_option
 from lommel.cli.output import Report, Wrapped, pitch_in_words, save_figure, table_of, written
 from lommel.cli.progress import progress
@@ -24,7 +34,7 @@ _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation",
 
 
 @command(
-    LENS, OBJECT_DISTANCE, PIXEL,
+    LENS, OBJECT_DISTANCE, CAMERA, PIXEL,
     Option("--shape", type=WINDOW,
            help="Window in pixels in which the paraxial and the aplanatic model are compared, such as 65 or 64x128 "
            "(height x width); overrides the file."),
@@ -55,7 +65,7 @@ def info(lens: Path, depth: float | None, **given: object) -> Report:
 
 
 @command(
-    LENS, OBJECT_DISTANCE, PIXEL, SHAPE, INTEGRATE,
+    LENS, OBJECT_DISTANCE, CAMERA, PIXEL, SHAPE, INTEGRATE,
     plot_option("Figure of the reference, maps of the errors of the others, and slices", "--figure"), JSON,
 )  # fmt: skip
 def compare(lens: Path, figure: Path | None, **given: object) -> Report:

@@ -12,6 +12,7 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.units import format_length
+from lommel.cli.instruments import camera_facts, camera_in_words
 from lommel.cli.output import (
     Facts,
     Report,
@@ -74,6 +75,7 @@ def introduce_lens(instrument: Instrument) -> Report:
         "sensor_distance": lens.sensor_distance,
         "object_distance": _finite(instrument.object_distance),
         "pixel": instrument.pixel,
+        "camera": camera_facts(instrument.camera),
         "arcsec_per_pixel": width / focal / _ARCSEC if telescope else None,
         "pixel_in_object": width * lens.focus_distance / lens.sensor_distance if magnifies(lens) else None,
         "in_focus": None if near is None else sharp,
@@ -140,6 +142,7 @@ def _setup(facts: Facts) -> list[tuple[str, str | None]]:
         ("depth of field", sharp),
         ("hyperfocal distance", None if hyperfocal is None else f"{format_length(hyperfocal)} (same circle)"),
         ("pixel", pixel),
+        ("camera", camera_in_words(facts)),
     ]  # fmt: skip
 
 

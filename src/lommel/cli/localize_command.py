@@ -13,7 +13,7 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
-from lommel.cli.instruments import DEPTH, LENS, SQUARE_PIXEL, microscope_of
+from lommel.cli.instruments import CAMERA, DEPTH, LENS, SQUARE_PIXEL, microscope_of, noise_of
 from lommel.cli.options import FILE, JSON, MICROMETRES, WINDOW, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.base.arrays import Array
+    from lommel.lensfiles.camera import Camera
     from lommel.lensfiles.microscope_files import Microscope
 
 _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
@@ -50,11 +51,14 @@ def _map(text: str, name: str) -> float | Array:
 
 _CAMERA = under(
     "Camera",
-    Option("--gain", "white", metavar="NUMBER|FILE", default="1",
-           help="Electrons per count. A file (.tif, .npy) is a map with a value for each pixel, also of --read and "
-           "--offset."),
-    Option("--read", metavar="NUMBER|FILE", required=True, help="Read noise, rms electrons; 0 for none."),
-    Option("--offset", metavar="NUMBER|FILE", default="0", help="Counts of a pixel without electrons, such as 100."),
+    CAMERA,
+    Option("--gain", "white", metavar="NUMBER|FILE",
+           help="Electrons per count; by default that of the camera, or 1. A file (.tif, .npy) is a map with a value "
+           "for each pixel, also of --read and --offset."),
+    Option("--read", metavar="NUMBER|FILE",
+           help="Read noise, rms electrons; 0 for none; by default that of the camera."),
+    Option("--offset", metavar="NUMBER|FILE",
+           help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0."),
     SQUARE_PIXEL,
 )  # fmt: skip
 
@@ -95,9 +99,10 @@ def localize(
     lens: Path,
     outputs: tuple[Path, ...],
     figure: Path | None,
-    white: str,
-    read: str,
-    offset: str,
+    camera: Camera | None,
+    white: str | None,
+    read: str | None,
+    offset: str | None,
     pixel: float | None,
     depth: float | None,
     z: tuple[float, float] | None,
@@ -136,11 +141,12 @@ def localize(
             f"--box must be at least {_LEAST_SIDE} pixels a side, got {side}: smaller boxes do not hold "
             "the image of a molecule; 15 is the default"
         )
-    microscope = microscope_of(lens, pixel=pixel, depth=depth)
+    microscope = microscope_of(lens, camera=camera, pixel=pixel, depth=depth)
     if microscope is None:
         raise ValueError(f"lommel localize needs a microscope, a file with a section [objective]; {lens} has none")
-    maps = {name: _map(text, flag) for name, text, flag in _named(white, read, offset)}
-    camera, begun = Noise(**maps), time.perf_counter()
+    texts = {"white": ("gain", white), "read": ("read", read), "offset": ("offset", offset)}
+    maps: Facts = {name: text and _map(text, flag) for name, (flag, text) in texts.items()}
+    noise, begun = noise_of(maps, microscope.camera), time.perf_counter()
     parts: list[Localizations] = []
     ends = 0
     with progress("table of images") as step, open_movie(movie) as frames:
@@ -159,26 +165,22 @@ def localize(
             step(f"frame {count} of {total}", count / total)
 
         with writer(*outputs) as write:
-            for part in localize_blocks(frames, table, noise=camera, threads=threads, progress=done, **given):
+            for part in localize_blocks(frames, table, noise=noise, threads=threads, progress=done, **given):
                 write(part)
                 ends += _at_ends(part, table)
                 parts.append(part if figure is not None else _brief(part))
-        dark = _below(frames, camera)
+        dark = _below(frames, noise)
     found = joined(parts)
     if figure is not None:
         drawn: Any = found.plot().get_figure(root=True)
         save_figure(drawn, figure)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
     facts |= {"aberrations": microscope.aberrations is not None}
+    facts |= {"camera": None if microscope.camera is None else microscope.camera.name}
     facts |= _facts(found, table, ends, time.perf_counter() - begun)
     facts |= {"notes": _notes(facts, microscope, dark)}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
-    return Report(facts, _parts(facts, maps)) + written([*places, figure])
-
-
-def _named(white: str, read: str, offset: str) -> list[tuple[str, str, str]]:
-    """Return arguments of the noise, their texts, and their options."""
-    return [("white", white, "gain"), ("read", read, "read"), ("offset", offset, "offset")]
+    return Report(facts, _parts(facts, noise)) + written([*places, figure])
 
 
 _MEDIANS = ("photons", "background", "x_deviation", "y_deviation", "z_deviation", "discrepancy")
@@ -199,11 +201,11 @@ def _at_ends(part: Localizations, table: Table) -> int:
     return int(np.isin(part.table["z"][part.table["state"] == _BORDER], table.z).sum())
 
 
-def _below(frames: Movie, camera: Noise) -> float:
+def _below(frames: Movie, noise: Noise) -> float:
     """Return the share of counts of the first frames that are below the offset."""
     _, rows, columns = frames.shape
     first = frames.frames(0, min(len(frames), max(1, BLOCK // (rows * columns))))
-    return float(np.mean(first < camera.offset))
+    return float(np.mean(first < noise.offset))
 
 
 def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
@@ -257,7 +259,7 @@ def _rounded(length: float) -> float:
     return float(f"{length:.12g}")
 
 
-def _parts(facts: Facts, camera: dict[str, float | Array]) -> list[RenderableType]:
+def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
     """Return the table of what was found, and what was not corrected."""
     n, (rows, columns) = facts["frames"], facts["shape"]
     units = {
@@ -265,10 +267,12 @@ def _parts(facts: Facts, camera: dict[str, float | Array]) -> list[RenderableTyp
         "offset": ("offset", ""),
         "read": ("read noise", " electrons"),
     }
+    values = {key: 1.0 if (value := getattr(noise, key)) is None else value for key in units}
     told = ", ".join(
-        f"{name} {f'{camera[key]:g}{unit}' if isinstance(camera[key], float) else 'by a map'}"
+        f"{name} {f'{values[key]:g}{unit}' if isinstance(values[key], float) else 'by a map'}"
         for key, (name, unit) in units.items()
     )
+    told = told if facts["camera"] is None else f"{facts['camera']}, {told}"
     left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"
     counts = facts["border_fits"] | facts["states"]
     others = ", ".join(f"{counts[name]} {words}" for name, words in _OTHERS.items() if counts[name])

@@ -20,8 +20,8 @@ from click.core import ParameterSource
 from lommel.base import options
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
-from lommel.cli.example_files import files
 from lommel.cli.output import Report, figure_format
+from lommel.lensfiles.example_files import example_files
 from lommel.methods import METHODS
 
 Pitch: TypeAlias = float | tuple[float, ...]
@@ -220,8 +220,8 @@ def _hint(error: OSError) -> str:
     """Return how to get a missing file that comes with the package."""
     name = Path(os.fsdecode(error.filename)).name.removesuffix(".toml")
     with suppress(FileNotFoundError):  # where these are missing too
-        if isinstance(error, FileNotFoundError) and name in files():
-            return f"; `lommel examples {name}` copies {files()[name].name} to this folder"
+        if isinstance(error, FileNotFoundError) and name in example_files():
+            return f"; `lommel examples {name}` copies {example_files()[name].name} to this folder"
     return ""
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
+from lommel.cli.instruments import CAMERA, noise_of
 from lommel.cli.options import (
     FILE,
     JSON,
@@ -40,7 +41,7 @@ from lommel.io.registry import suffixes
 from lommel.optics.lens import Lens
 
 if TYPE_CHECKING:
-    pass
+    from lommel.lensfiles.camera import Camera
 
 _AGREE = 0.02  # EXIF has the nominal figures of a lens, rounded
 _TYPES: dict[str, np.dtype[np.generic]] = {
@@ -61,10 +62,16 @@ NOISE = [
     Option(
         "--white",
         type=float,
-        required=True,
-        help="Number of electrons at white, such as 5000. White is the largest integer, or 1.0 in floats.",
+        help="Number of electrons at white, such as 5000; by default the full well of the camera. White is the "
+        "largest integer, or 1.0 in floats.",
     ),
-    documented(Noise, "read", type=float, required=True),
+    documented(
+        Noise,
+        "read",
+        type=float,
+        default=None,
+        help="Read noise, rms electrons; 0 for none; by default that of the camera.",
+    ),
     Option("--offset", type=float, default=0.0, help="Black level, as a fraction of white."),
 ]
 _COMMON = [
@@ -74,7 +81,8 @@ _COMMON = [
         Option("--f-number", type=float, help="F-number; by default from the lens file or the EXIF."),
         Option("--focal-length", type=MILLIMETRES,
                help="Focal length, where there is no lens file; by default from the EXIF."),
-        Option("--pixel", type=MICROMETRES, help="Pixel pitch; overrides the lens file."),
+        CAMERA,
+        Option("--pixel", type=MICROMETRES, help="Pixel pitch; overrides the lens file and the camera."),
         Option("--pixel-from-exif", is_flag=True,
                help="Pixel pitch from the 35 mm equivalent focal length in the EXIF, for uncropped photos; accurate "
                "to a few %."),
@@ -267,9 +275,9 @@ def restore(
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     find(output, "--output")
-    noise = noise_of(given)
     way = _method(method, steps, target, strength)
     with terminated_as_interrupted(), progress("reading") as started:
+        noise = {name: given.pop(name) for name in ("white", "read", "offset")}
         job = Job.of(given, output)
         lens = job.focused(focus)
         started("computing PSFs")
@@ -285,7 +293,7 @@ def restore(
             lens,
             job.pitch,
             encoding=job.picture.encoding,
-            noise=noise,
+            noise=noise_of(noise, job.camera, photographs=True),
             method=way,
             saturation=saturation,
             progress=step_done,
@@ -324,11 +332,6 @@ def _method(name: str, steps: int | None, target: float, strength: float | None)
     return RichardsonLucy(steps=RichardsonLucy.steps if steps is None else steps, target=target)
 
 
-def noise_of(given: Facts) -> Noise:
-    """Return the noise that the options of a command describe, and take them out."""
-    return Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
-
-
 def finite(distance: float) -> float | str:
     """Return a distance as JSON can hold it."""
     return distance if math.isfinite(distance) else "infinity"
@@ -362,6 +365,7 @@ class Job:
     lens: Path | None
     f_number: float | None
     focal_length: float | None
+    camera: Camera | None
     pixel: float | None
     pixel_from_exif: bool
     no_exif: bool
@@ -396,9 +400,11 @@ class Job:
             if self.no_exif:
                 raise ValueError("--pixel-from-exif contradicts --no-exif")
             self.pixel = self.picture.exif.pixel(self.picture.values.shape)
+        if self.pixel is None and self.camera is not None:
+            self.pixel = self.camera.side
         self.optics = self._lens_of_options() if self.lens is None else self._lens_of_file(self.lens)
         if self.pixel is None:
-            raise ValueError("without a lens file give --pixel or --pixel-from-exif")
+            raise ValueError("without a lens file give --camera, --pixel or --pixel-from-exif")
         self.pitch = self.pixel
         kind, suffix = self.picture.values.dtype, self.output.suffix.lower()
         self.dtype = _TYPES[self.bits or _bits(kind, suffix)]
@@ -446,6 +452,7 @@ class Job:
             raise ValueError(f"{path} has aberrations that vary over the field, which this command does not support")
         side = instrument.side
         self.pixel = side if self.pixel is None else self.pixel
+        self.camera = self.camera or instrument.camera
         try:
             return instrument.lens if self.f_number is None else instrument.lens.stopped(self.f_number)
         except ValueError as error:

@@ -18,7 +18,17 @@ from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli import reports
-from lommel.cli.instruments import INTEGRATE, LENS, OBJECT_DISTANCE, PIXEL, SHAPE, STACK, instrument_of, microscope_of
+from lommel.cli.instruments import (
+    CAMERA,
+    INTEGRATE,
+    LENS,
+    OBJECT_DISTANCE,
+    PIXEL,
+    SHAPE,
+    STACK,
+    instrument_of,
+    microscope_of,
+)
 from lommel.cli.lens_report import distinct, summarize_lens
 from lommel.cli.options import FILE, JSON, LENGTH, WINDOW, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, figure_format, require_folder, save_figure, written
@@ -65,6 +75,7 @@ class _Product(Generic[Made]):
     Option("--stretch", default="sqrt", type=click.Choice(list(STRETCHES)), show_default=True,
            help="Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes."),
     OBJECT_DISTANCE,
+    CAMERA,
     PIXEL,
     SHAPE,
     INTEGRATE,

@@ -13,6 +13,7 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.channel_psf import ColourPSF
+from lommel.cli.instruments import camera_facts, camera_in_words
 from lommel.cli.lens_report import listed_terms, magnifies, zernike_table
 from lommel.cli.output import (
     Facts,
@@ -322,6 +323,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
         "step": step,
         "origin": microscope.origin,
         "pixel": microscope.pixel,
+        "camera": camera_facts(microscope.camera),
         "pixel_in_sample": microscope.pixel / objective.magnification,
         "nyquist": {"lateral": nyquist.lateral, "axial": nyquist.axial, "pixel": nyquist.pixel},
         "too_coarse": [name for name, exceeds in coarse.items() if exceeds],
@@ -357,6 +359,7 @@ def _microscope_parts(facts: Facts) -> list[RenderableType]:
         ("rms wavefront error", f"{number(facts['rms_waves'])} waves over the pupil" if facts["zernike"] else None),
         ("planes", f"{several} {_ORIGINS[facts['origin']]}"),
         ("pixel", f"{format_length(facts['pixel'])}, {format_length(facts['pixel_in_sample'])} in the sample"),
+        ("camera", camera_in_words(facts)),
         ("Nyquist sampling", f"pixel {format_length(nyquist['pixel'])}, "
          f"{format_length(nyquist['lateral'])} in the sample; stage step {format_length(nyquist['axial'])}"),
     ]  # fmt: skip

@@ -12,11 +12,19 @@ import click
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, STACK, instrument_of, microscope_of
+from lommel.cli.instruments import (
+    CAMERA,
+    LENS,
+    OBJECT_DISTANCE,
+    SQUARE_PIXEL,
+    STACK,
+    instrument_of,
+    microscope_of,
+    noise_of,
+)
 from lommel.cli.options import FILE, JSON, Command, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
-from lommel.estimation.noise import Noise
 from lommel.estimation.phase_retrieval import label
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.io import zernike_tables
@@ -28,6 +36,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from lommel.estimation.phase_retrieval import Retrieval
+    from lommel.lensfiles.camera import Camera
 
 _UNITS = ("radians", "waves", "nm", "um")
 
@@ -77,11 +86,14 @@ def _is_number(word: str) -> bool:
     JSON,
     *under(
         "Camera and noise",
+        CAMERA,
         Option("--white", type=float,
                help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
-               "By default 1, images in electrons."),
-        documented(Noise, "read", type=float, required=True),
-        Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
+               "By default that of the camera, or 1, images in electrons."),
+        Option("--read", type=float,
+               help="Read noise, rms electrons; 0 for none; by default that of the camera."),
+        Option("--offset", type=float,
+               help="Black level, in the unit of the images; by default that of the camera, or 0."),
         Option("--saturation", type=float,
                help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
                "saturated."),
@@ -104,6 +116,7 @@ def retrieve(
     terms: str,
     also: str,
     object_distance: float | None,
+    camera: Camera | None,
     pixel: float | None,
     step: float | None,
     depth: float | None,
@@ -137,14 +150,20 @@ def retrieve(
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    given_planes: Facts = {"object_distance": object_distance, "pixel": pixel, "step": step, "depth": depth}
+    given_planes: Facts = {
+        "camera": camera,
+        "object_distance": object_distance,
+        "pixel": pixel,
+        "step": step,
+        "depth": depth,
+    }
     microscope = microscope_of(lens, **given_planes | {"step": None}) if describes_microscope(lens) else None
     if microscope is None:
         microscope_of(lens, **given_planes)  # which refuses options that are not for lenses
-        instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
+        instrument = instrument_of(lens, object_distance=object_distance, camera=camera, pixel=pixel)
     elif defocus is not None:
         raise ValueError("--defocus is for lenses: images of a microscope are planes of a stack, --step apart")
-    noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
+    noise = noise_of(given, (microscope or instrument).camera)
     starts = given["starts"]
     with progress("reading") as started:
         files = _files(images)

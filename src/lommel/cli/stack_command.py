@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 import numpy as np
 
-from lommel.cli.instruments import LENS, SHAPE, SQUARE_PIXEL, instrument_of
+from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, instrument_of
 from lommel.cli.options import JSON, LENGTH, Option, command, documented
 from lommel.cli.output import Report
 from lommel.cli.progress import progress
@@ -25,6 +25,7 @@ from lommel.stacks.compute import psf_to
            help="Number of distances, equally spaced in defocus."),
     Option("-o", "--output", type=click.Path(path_type=Path), required=True,
            help="Store to write: a .zarr folder or a .h5 file."),
+    CAMERA,
     SQUARE_PIXEL,
     SHAPE,
     documented(psf, "tol", type=float, help="Tolerance, relative to the peak; by default 1e-6."),

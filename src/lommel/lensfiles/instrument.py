@@ -9,6 +9,7 @@ from typing import TypedDict
 from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.field.maps import FieldMap
+from lommel.lensfiles.camera import Camera
 from lommel.measures.aperture_means import strehl
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
@@ -55,6 +56,8 @@ class Instrument:
         Active fractions of the height and the width of a pixel.
     channels : Channels or None
         Colour channels of the sensor, if the file states them.
+    camera : Camera or None
+        Camera, if the file names one.
     """
 
     pupil_hint = "an Instrument; instrument.pupil() is its pupil"
@@ -71,6 +74,7 @@ class Instrument:
     integrate: bool | None = None
     fill: tuple[float, float] = (1.0, 1.0)
     channels: Channels | None = None
+    camera: Camera | None = None
 
     def __repr__(self) -> str:
         pixel = " x ".join(format_length(side) for side in dict.fromkeys(self.pitch))

@@ -18,6 +18,7 @@ from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import tables, toml_files, zernike_section
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
+from lommel.lensfiles.sensor_section import PhotoSensor
 from lommel.lensfiles.tables import FieldTable, load_channels
 from lommel.lensfiles.toml_files import (
     Context,
@@ -26,7 +27,6 @@ from lommel.lensfiles.toml_files import (
     LensFileError,
     MadeSection,
     Number,
-    PhotoSensor,
     Section,
     SignedLength,
     Toml,
@@ -279,8 +279,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080
     (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131, W222, W220, W311 (waves at
     the edge of the field) with field, a pair [x, y] over that edge, and a section ``[aberrations.zernike]``, all of
-    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel (height and width,
-    ``["4 um", "6 um"]``, where these differ), shape (by default a window that holds about 98 % of the light),
+    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` camera, the name of an example or of a
+    file of :func:`lommel.load_camera`, or pixel (height and width, ``["4 um", "6 um"]``, where these differ), shape
+    (by default a window that holds about 98 % of the light),
     integrate, whether its pixels average over their area, which they do by default, and fill, the part of it that
     they average over, or those of height and width; ``[report]`` encircled_energy, a list of radii on the sensor or
     of angles; ``[field]`` what changes over the sensor and adds to all of this.

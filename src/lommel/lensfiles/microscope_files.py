@@ -16,6 +16,8 @@ from lommel.base.arrays import Array
 from lommel.base.units import format_length, parse_length
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import toml_files, zernike_section
+from lommel.lensfiles.camera import Camera
+from lommel.lensfiles.sensor_section import Sensor
 from lommel.lensfiles.toml_files import (
     Angle,
     Context,
@@ -24,7 +26,6 @@ from lommel.lensfiles.toml_files import (
     MadeSection,
     Number,
     Section,
-    Sensor,
     SignedLength,
     Toml,
 )
@@ -75,6 +76,8 @@ class Microscope:
         Pixel-integrated or point-sampled values, as of :func:`lommel.psf`; None if the file does not say.
     aberrations : Wavefront, or None
         Measured phase at `wavelength`, added to that of the layers.
+    camera : Camera, or None
+        Camera, if the file names one.
 
     Raises
     ------
@@ -97,6 +100,7 @@ class Microscope:
     shape: tuple[int, int] | None = None
     integrate: bool | None = None
     aberrations: Wavefront | None = None
+    camera: Camera | None = None
 
     def __post_init__(self) -> None:
         validation.integer("planes", self.planes, least=1, most=PLANES_MOST)
@@ -280,7 +284,8 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     measured wavefront, at the wavelength of the emission unless it states its own, as in
     :func:`lommel.load_instrument`; ``[stack]`` planes, step and
     origin ("brightest", the default, "paraxial" or "coverslip": where plane ``planes // 2`` is), without which there
-    is one plane at the brightest focus; ``[sensor]`` pixel, on the camera, shape and integrate as of a lens.
+    is one plane at the brightest focus; ``[sensor]`` camera, shape and integrate as of a lens, or pixel, on the
+    camera.
 
     Parameters
     ----------

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import partial
 from pathlib import Path
 from types import UnionType
 from typing import Annotated, Any, Self, TypeAlias, TypedDict, TypeVar, Union, get_args, get_origin
@@ -16,7 +15,6 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
-    PlainValidator,
     ValidationError,
     ValidationInfo,
     model_validator,
@@ -57,7 +55,7 @@ def finite(value: float) -> float:
     return value
 
 
-def _checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
+def checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
     """Return a check whose every error is a ValueError, as pydantic collects them."""
 
     def checked(value: Any) -> _Made:
@@ -89,6 +87,13 @@ Length = Annotated[Distance, AfterValidator(finite)]
 SignedLength = Annotated[float, BeforeValidator(_parsed_length), AfterValidator(finite)]
 Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
 Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
+
+
+def pitch(value: Any) -> float | tuple[float, float]:
+    """Return the pixel pitch from a text, or height and width from a list of two."""
+    sides = value if isinstance(value, list) else [value]
+    lengths = [validation.pixel(finite(_positive(parse_length(side, "3.45 um"))), metric=True) for side in sides]
+    return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
 
 
 def read_beside(context: Context | None, name: object, what: str, read: Callable[[Path], _Read]) -> _Read:
@@ -123,28 +128,6 @@ class MadeSection(Section):
     def made(self) -> object:
         """Return the object."""
         raise NotImplementedError
-
-
-class Sensor(Section):
-    """The section [sensor]: pixels and window."""
-
-    pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
-    shape: Annotated[tuple[int, int], BeforeValidator(_checked_by(validation.image_shape))] | None = None
-    integrate: Annotated[bool, Field(strict=True)] | None = None
-
-
-def _pitch(value: Any) -> float | tuple[float, float]:
-    """Return the pixel pitch from a text, or height and width from a list of two."""
-    sides = value if isinstance(value, list) else [value]
-    lengths = [validation.pixel(finite(_positive(parse_length(side, "3.45 um"))), metric=True) for side in sides]
-    return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
-
-
-class PhotoSensor(Sensor):
-    """The section [sensor] of a lens, whose pixels may be rectangular and have a fill factor."""
-
-    pixel: Annotated[float | tuple[float, float], PlainValidator(_pitch)]  # type: ignore[assignment]
-    fill: Annotated[tuple[float, float], PlainValidator(_checked_by(partial(validation.fill, "fill")))] = (1.0, 1.0)
 
 
 class LensFileError(ValueError):

@@ -1,0 +1,90 @@
+"""Camera files in TOML: pixels and noise of a sensor, in a file of its own or by the name of an example."""
+
+from __future__ import annotations
+
+from functools import partial
+from os import PathLike
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import Field, PlainValidator
+
+from lommel.base import validation
+from lommel.base.options import near
+from lommel.lensfiles import toml_files
+from lommel.lensfiles.camera import Camera
+from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles.toml_files import LensFileError, Number, Section, pitch
+
+NAME = "the name of an example (lommel examples --find camera) or of a .toml file"
+"""What names a camera, in messages."""
+
+
+class _Camera(Section):
+    pixel: Annotated[float | tuple[float, float], PlainValidator(pitch)]
+    read: Annotated[Number, Field(ge=0)] | None = None
+    full_well: Annotated[Number, Field(gt=0)] | None = None
+    gain: Annotated[Number, Field(gt=0)] | None = None
+    offset: Annotated[Number, Field(ge=0)] | None = None
+
+
+class _File(Section):
+    name: str | None = None
+    source: str = ""
+    camera: _Camera
+
+
+def load_camera(path: str | PathLike[str]) -> Camera:
+    """Read a camera file.
+
+    Keys: ``name`` (by default that of the file) and ``source``; ``[camera]`` pixel, a text with a unit such as
+    ``"6.5 um"`` or a list of height and width; and, where they are known, read (electrons rms), full_well
+    (electrons), gain (electrons per count) and offset (counts).
+
+    Parameters
+    ----------
+    path : path or str
+        The file, or the name of an example: ``"andor-zyla-5.5"``. ``lommel examples --find camera`` lists them.
+
+    Returns
+    -------
+    Camera
+
+    Raises
+    ------
+    LensFileError
+        If the file is not valid TOML, or for missing, unknown or invalid entries, all reported together with key and
+        line.
+    ValueError
+        If there is no example of this name.
+    OSError
+        If the file cannot be read.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> lm.load_camera("andor-zyla-5.5").noise.read
+    1.38
+    """
+    source = validation.path("path", path)
+    if named(source):
+        there = of_kind("camera")
+        if source.name not in there:
+            raise ValueError(
+                f"camera must be {NAME}, got {validation.shown(source.name)}; {near(source.name, there)}"
+            )
+        source = there[source.name]
+    text, raw = toml_files.parsed(source)
+    if "camera" not in raw and ("lens" in raw or "objective" in raw):
+        kind = "lens" if "lens" in raw else "objective"
+        raise LensFileError(f"{validation.line(source)}: has a section [{kind}], and is not the file of a camera")
+    return toml_files.built(source, raw, text, _File, partial(_made, stem=source.stem))
+
+
+def named(path: Path) -> bool:
+    """Return whether a path is the name of an example, which has neither a folder nor the suffix of a file."""
+    return path.suffix.lower() != ".toml" and path.name == str(path)
+
+
+def _made(file: _File, *, stem: str) -> Camera:
+    return Camera(stem if file.name is None else file.name, file.source, **dict(file.camera))

@@ -1,0 +1,120 @@
+"""The option --camera: whose pixels and noise a command takes, and what comes before them."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import shutil
+
+import numpy as np
+import pytest
+import tifffile
+
+import lommel as lm
+from lommel.cli.instruments import instrument_of, microscope_of, noise_of
+from lommel.lensfiles.example_files import example_files
+
+ZYLA = lm.load_camera("andor-zyla-4.2")
+ORCA = lm.load_camera("hamamatsu-orca-flash4-v3")
+
+
+def given(**values: object) -> dict[str, object]:
+    return {"white": None, "read": None, "offset": None} | values
+
+
+def test_pixels_are_the_options_then_the_cameras_then_the_files():
+    lens, objective = example_files()["phone"], example_files()["nikon-60x-1.4-oil"]
+    assert instrument_of(lens).pixel == 1.22e-6
+    assert instrument_of(lens, camera=ZYLA).pixel == 6.5e-6
+    assert instrument_of(lens, camera=ZYLA).camera == ZYLA
+    assert instrument_of(lens, camera=ZYLA, pixel=13e-6).pixel == 13e-6
+    assert microscope_of(objective).camera == ORCA
+    other = lm.load_camera("andor-ixon-888")
+    assert microscope_of(objective, camera=other).pixel == 13e-6
+    assert microscope_of(objective, camera=other, pixel=26e-6).pixel == 26e-6
+    wide = dataclasses.replace(ZYLA, pixel=(4e-6, 6e-6))
+    assert instrument_of(lens, camera=wide).pixel == (4e-6, 6e-6)
+    with pytest.raises(ValueError, match="must be square"):
+        microscope_of(objective, camera=wide)
+
+
+def test_noise_of_counts_is_the_options_and_then_the_cameras():
+    assert noise_of(given(), ORCA) == lm.Noise(white=0.46, read=1.6, offset=100.0) == ORCA.noise
+    assert noise_of(given(white=2.0, offset=0.0), ORCA) == lm.Noise(white=2.0, read=1.6)
+    dark = np.full((4, 5), 3.0)
+    assert noise_of(given(read=dark), ORCA) == lm.Noise(white=0.46, read=dark, offset=100.0)
+    assert noise_of(given(read=0.0), None) == lm.Noise(read=0.0)
+    with pytest.raises(ValueError, match=r"--read is missing: .*, or a camera that states it, by --camera$"):
+        noise_of(given(), None)
+    with pytest.raises(ValueError, match="which Andor iXon Ultra 888, EMCCD does not state"):
+        noise_of(given(), lm.load_camera("andor-ixon-888"))
+
+
+def test_noise_of_photographs_has_the_full_well_at_white_and_no_offset():
+    assert noise_of(given(), ORCA, photographs=True) == lm.Noise(white=30000.0, read=1.6)
+    assert noise_of(given(offset=0.01), ORCA, photographs=True) == lm.Noise(white=30000.0, read=1.6, offset=0.01)
+    with pytest.raises(ValueError, match="--white is missing: the number of electrons at white, which QHY268M"):
+        noise_of(given(), lm.load_camera("qhy268m-pro"), photographs=True)
+
+
+def test_a_psf_with_a_camera_is_that_with_its_pixel(call_lommel, tmp_path):
+    shutil.copy(example_files()["phone"], tmp_path)
+    shutil.copy(example_files()["nikon-60x-1.4-oil"], tmp_path)
+    for file, pixel in (("phone", "3.45um"), ("nikon-60x-1.4-oil", "3.45um")):
+        call = ("psf", f"{file}.toml", "--shape", "9", *(("--stack", "1") if file != "phone" else ()))
+        call_lommel(*call, "--camera", "mvbluefox3-imx250", "-o", "a.npy", folder=tmp_path)
+        call_lommel(*call, "--pixel", pixel, "-o", "b.npy", folder=tmp_path)
+        np.testing.assert_array_equal(np.load(tmp_path / "a.npy"), np.load(tmp_path / "b.npy"))
+
+
+def test_info_tells_the_camera_and_its_noise(call_lommel, tmp_path):
+    shutil.copy(example_files()["nikon-60x-1.4-oil"], tmp_path)
+    told = json.loads(call_lommel("info", "nikon-60x-1.4-oil.toml", "--json", folder=tmp_path).stdout)
+    assert (told["camera"]["name"], told["camera"]["read"], told["pixel"]) == (ORCA.name, 1.6, 6.5e-6)
+    (tmp_path / "mine.toml").write_text('[camera]\npixel = "9 um"\nread = 2.5\n')
+    shutil.copy(example_files()["phone"], tmp_path)
+    text = call_lommel("info", "phone.toml", "--camera", "mine.toml", folder=tmp_path).stdout
+    assert "mine, read noise 2.5 electrons\n" in text
+
+
+def test_commands_that_need_noise_say_how_to_give_it(call_lommel, tmp_path):
+    shutil.copy(example_files()["zeiss-63x-astigmatic"], tmp_path)
+    shutil.copy(example_files()["phone"], tmp_path)
+    tifffile.imwrite(tmp_path / "movie.tif", np.zeros((2, 32, 32), np.uint16))
+    tifffile.imwrite(tmp_path / "grey.tif", np.full((9, 9), 0.5, np.float32))
+    why = "or a camera that states it, by --camera"
+    calls = {
+        "--read": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "-o", "found.csv"),
+        "--white": ("restore", "grey.tif", "grey.tif", "phone.toml", "-o", "out.tif"),
+    }
+    for option, call in calls.items():
+        result = call_lommel(*call, folder=tmp_path)
+        assert (result.returncode, result.stdout) == (2, "")
+        assert f"{option} is missing: " in result.stderr
+        assert why in " ".join(result.stderr.split())
+    result = call_lommel("info", "phone.toml", "--camera", "orca", folder=tmp_path)
+    assert result.returncode == 2
+    assert "camera must be the name of an example" in result.stderr
+
+
+def test_precision_takes_the_read_noise_of_the_camera(call_lommel, tmp_path):
+    shutil.copy(example_files()["phone"], tmp_path)
+    call = (
+        "precision",
+        "phone.toml",
+        "--focus",
+        "1.5m",
+        "--pair",
+        "0.1",
+        "--photons",
+        "100",
+        "--json",
+        "--pixel",
+        "1.4um",
+    )
+
+    def deviation(*more: str) -> list[float]:
+        return json.loads(call_lommel(*call, *more, folder=tmp_path).stdout)["deviation"]
+
+    assert deviation("--camera", "google-pixel-4") == deviation("--read", "5") != deviation()
+    assert deviation("--camera", "google-pixel-4", "--read", "3") == deviation() == deviation("--read", "3")

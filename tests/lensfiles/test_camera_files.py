@@ -1,0 +1,161 @@
+"""Camera files, examples that say what their sources do, and the section [sensor] that names a camera."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from cases import each
+from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles.toml_files import LensFileError
+
+CAMERAS, OBJECTIVES = of_kind("camera"), of_kind("objective")
+PLAIN = """\
+name = "C"
+source = "nobody"
+[camera]
+pixel = "6.5 um"
+read = 1.5
+full_well = 30000
+gain = 0.46
+offset = 100
+"""
+
+
+@pytest.fixture
+def write(tmp_path: Path):
+    """Write a file into a folder of its own."""
+
+    def written(text: str, name: str = "mine.toml") -> Path:
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return written
+
+
+def numbers(text: str) -> set[float]:
+    """Return the numbers of a text, with blanks between thousands."""
+    return {float(found.replace(" ", "")) for found in re.findall(r"\d+(?: \d{3})*(?:\.\d+)?", text)}
+
+
+@each("name", CAMERAS)
+def test_each_number_of_an_example_camera_stands_in_its_source(name):
+    camera = lm.load_camera(name)
+    assert camera == lm.load_camera(CAMERAS[name])
+    assert camera.name
+    told = numbers(camera.source)
+    stated = {1e6 * camera.pixel} | {camera.read, camera.full_well, camera.gain, camera.offset} - {None}
+    if "EMVA 1288" in camera.source:
+        # Release 3.1: the largest SNR is the root of the full well, the dynamic range full well / (read noise + 1/2).
+        snr, dynamic = map(float, re.findall(r"([\d.]+) dB", camera.source))
+        assert camera.full_well == pytest.approx(10 ** (snr / 10), rel=5e-3)
+        assert camera.read == pytest.approx(10 ** ((2 * snr - dynamic) / 20) - 0.5, rel=0.03)
+        stated -= {camera.read, camera.full_well}
+    assert all(any(value == pytest.approx(known) for known in told) for value in stated), (stated, told)
+
+
+@each("name", OBJECTIVES)
+def test_aperture_and_working_distance_of_an_example_objective_stand_in_its_source(name):
+    microscope = lm.load_microscope(OBJECTIVES[name])
+    objective = microscope.objective
+    assert f"NA {objective.NA:g}," in microscope.source
+    assert f"working distance {1e3 * objective.working_distance:g} mm" in microscope.source
+    assert f"{objective.magnification:g}x/{objective.NA:g}" in microscope.name
+    # The part number or the maker's name of the objective, before the figures.
+    assert re.match(r"(Nikon|Olympus|Zeiss) [\w -]+: NA", microscope.source)
+    media = {1.0: "Air", 1.333: "Water", 1.406: "Silicone oil", 1.518: "oil"}
+    assert media[objective.immersion].lower() in microscope.source.lower()
+    # Examples sample as densely along z as Nyquist asks.
+    assert abs(microscope.step) < objective.nyquist(wavelength=microscope.wavelength).axial
+
+
+def test_there_are_as_many_instruments_as_the_pages_promise():
+    assert len(OBJECTIVES) >= 30
+    assert len(CAMERAS) >= 20
+
+
+def test_a_camera_file_is_read_with_all_it_says(write):
+    camera = lm.load_camera(write(PLAIN))
+    assert camera == lm.Camera("C", "nobody", 6.5e-6, 1.5, 30000.0, 0.46, 100.0)
+    assert camera.noise == lm.Noise(white=0.46, read=1.5, offset=100.0)
+    assert repr(camera) == "<Camera 'C': pixels of 6.5 um, read noise 1.5 electrons, full well 30000 electrons>"
+    bare = lm.load_camera(write('[camera]\npixel = ["4 um", "6 um"]\n', "bare.toml"))
+    assert (bare.name, bare.pixel, bare.read) == ("bare", (4e-6, 6e-6), None)
+    assert repr(bare) == "<Camera 'bare': pixels of 4 um x 6 um>"
+    with pytest.raises(ValueError, match="must state read"):
+        bare.noise  # noqa: B018
+    with pytest.raises(ValueError, match="must be square"):
+        bare.side  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('"6.5 um"', "6.5", r"camera.pixel \(line 4\): .*unit"),
+        ('"6.5 um"', '"6.5 m"', "pixel"),
+        ("1.5", "-1", r"camera.read \(line 5\)"),
+        ("30000", "0", r"camera.full_well \(line 6\)"),
+        ("0.46", "nan", r"camera.gain \(line 7\): must be finite"),
+        ("offset = 100", "ofset = 100", r"camera.ofset \(line 8\): unknown key; did you mean offset"),
+        ('pixel = "6.5 um"\n', "", "camera.pixel: is missing"),
+        ("[camera]", "[lens]", "is not the file of a camera"),
+        ("[camera]", "[sensor]", "camera: is missing"),
+    ],
+)
+def test_errors_of_a_camera_file_name_key_and_line(write, old, new, told):
+    with pytest.raises(LensFileError, match=told):
+        lm.load_camera(write(PLAIN.replace(old, new)))
+
+
+def test_a_name_that_is_no_example_suggests_one(tmp_path):
+    with pytest.raises(ValueError, match=r"got 'andor-zyla-55'; did you mean andor-zyla-5\.5"):
+        lm.load_camera("andor-zyla-55")
+    with pytest.raises(FileNotFoundError):
+        lm.load_camera(tmp_path / "none.toml")
+    with pytest.raises(TypeError, match="path must be a path"):
+        lm.load_camera(5)
+
+
+def test_the_section_sensor_takes_pixels_from_its_camera(write):
+    lens = Path(of_kind("lens")["nifty-fifty"]).read_text(encoding="utf-8")
+    pixel = next(line for line in lens.splitlines() if line.startswith("pixel"))
+    write(PLAIN)
+    own = lm.load_instrument(write(lens.replace(pixel, 'camera = "mine.toml"'), "lens.toml"))
+    assert (own.pixel, own.camera.read) == (6.5e-6, 1.5)
+    shipped = lm.load_instrument(write(lens.replace(pixel, 'camera = "andor-neo-5.5"'), "lens.toml"))
+    assert shipped.camera == lm.load_camera("andor-neo-5.5")
+    binned = lm.load_instrument(write(lens.replace(pixel, 'camera = "andor-neo-5.5"\npixel = "13 um"'), "lens.toml"))
+    assert (binned.pixel, binned.camera) == (13e-6, shipped.camera)
+    assert lm.load_instrument(of_kind("lens")["nifty-fifty"]).camera is None
+    write('[camera]\npixel = ["4 um", "6 um"]\n', "wide.toml")
+    wide = lm.load_instrument(write(lens.replace(pixel, 'camera = "wide.toml"'), "lens.toml"))
+    assert wide.pixel == (4e-6, 6e-6)
+    image = lm.psf(own.pupil(), 9, own.pixel).values
+    np.testing.assert_array_equal(image, lm.psf(own.pupil(), 9, 6.5e-6).values)
+
+
+@pytest.mark.parametrize(
+    ("camera", "told"),
+    [
+        ('"andor-neo"', "did you mean andor-neo-5.5"),
+        ('"none.toml"', "'none.toml' cannot be read: No such file"),
+        ('"bad.toml"', "pixel: is missing"),
+        ('"wide.toml"', "sensor.pixel"),
+        ("5", "must be the name of an example"),
+        ('"../mine.toml"', "must lie in the folder"),
+    ],
+)
+def test_cameras_that_a_microscope_cannot_have_are_refused(write, tmp_path, camera, told):
+    write("[camera]\n", "bad.toml")
+    write('[camera]\npixel = ["4 um", "6 um"]\n', "wide.toml")
+    text = OBJECTIVES["nikon-60x-1.4-oil"].read_text(encoding="utf-8")
+    assert tomllib.loads(text)["sensor"]["camera"] == "hamamatsu-orca-flash4-v3"
+    path = write(text.replace('"hamamatsu-orca-flash4-v3"', camera), "microscope.toml")
+    with pytest.raises(LensFileError, match=told):
+        lm.load_microscope(path, folder_only=True)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Index
 from lommel.core.answers import Declined, Images, Wanted, not_met
 from lommel.core.engine import (
     NodeTables,
@@ -30,6 +31,7 @@ from lommel.optics.layers import projection
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.quadrature_bounds import Complex
+from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -113,19 +115,18 @@ class ChordalDebye(AberratedMethod):
         if not grid.stack:
             return self._refined(pupil, grid, tol, wanted._replace(out=values), by)
         scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
-        alone = []
-        for i, k in enumerate(np.ndindex(pupil.shape)):
-            one = wanted._replace(scale=None if scales is None else scales[i : i + 1], out=values[i : i + 1])
-            alone.append(self._refined(pupil[k], grid[k], tol, one, by))
-        made, slopes, off = zip(*alone, strict=True)
-        whole = Images(
-            values,
-            np.concatenate([each.scale for each in made]),
-            np.concatenate([each.bound for each in made]),
-            None,
-            np.concatenate([each.brightest for each in made]),
-        )
-        return whole, np.concatenate(slopes, axis=1), np.concatenate(off, axis=1)
+        numbers, slopes, off = np.empty((3, n)), None, None
+        for these, planes, around in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
+            one = wanted._replace(scale=None if scales is None else scales[these], out=None)
+            made, each, error = self._refined(planes, around, tol, one, by)
+            values[these] = made.values
+            numbers[:, these] = made.scale, made.bound, made.brightest
+            if slopes is None or off is None:
+                slopes, off = np.empty((len(each), n, *grid.shape)), np.empty((len(each), n))
+            slopes[:, these], off[:, these] = each, error
+        assert slopes is not None
+        assert off is not None
+        return Images(values, numbers[0], numbers[1], None, numbers[2]), slopes, off
 
     def _refined(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
@@ -138,10 +139,10 @@ class ChordalDebye(AberratedMethod):
 
         (values, error), top, relative = self._proven(pupil, tol, wanted, made)
         scales = 1.0 / top if wanted.scale is None else np.array(np.broadcast_to(wanted.scale, top.shape))
-        assert wanted.out is not None
-        np.multiply(values[0], scales[:, None, None], out=wanted.out, casting="same_kind")
+        out = np.empty(values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
+        np.multiply(values[0], scales[:, None, None], out=out, casting="same_kind")
         least = top - error[0]
-        return Images(wanted.out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:]
+        return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:]
 
     def _proven(
         self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Made, Array, Array]]
@@ -191,14 +192,49 @@ class ChordalDebye(AberratedMethod):
 
         def sampled(pupil: ObjectivePupil, grid: Grid, tol: float, weights: Array) -> Array:
             if grid.stack:
-                places = enumerate(np.ndindex(pupil.shape))
-                return np.concatenate([sampled(pupil[k], grid[k], tol, weights[i : i + 1]) for i, k in places])
+                found = np.empty((len(weights), 1 + len(by.rates) + len(by.terms)))
+                for these, planes, around in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
+                    found[these] = sampled(planes, around, tol, weights[these])
+                return found
             return self._proven(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[0]
 
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:
             return sampled(pupil, grid, self.tol, weights)
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)
+
+
+_TOGETHER, _APART = 0.2, 0.15  # of a window, how far axes may be from each other
+
+
+def gathered(pupil: ObjectivePupil, grid: Grid, *, apart: bool) -> Iterator[tuple[Index, ObjectivePupil, Grid]]:
+    """Return planes with axes of their own as planes around one axis, with tilts, and their places in the stack.
+
+    Those whose axes are near each other together; with `apart` each by itself, without tilts.
+    """
+    if apart:
+        for i, k in enumerate(np.ndindex(pupil.shape)):
+            yield np.array([i]), pupil[k], grid[k]
+        return
+    flat = pupil[np.unravel_index(np.arange(pupil.depth.size), pupil.shape)] if pupil.shape else pupil
+    axes, side = np.stack([np.ravel(part) for part in grid.center], axis=1), np.array(grid.shape)
+    cells = np.zeros(len(axes), dtype=np.int64)
+    if (np.ptp(axes, axis=0) > _TOGETHER * side).any():
+        cells = np.unique(np.floor(axes / (_APART * side)), axis=0, return_inverse=True)[1].ravel()
+    for cell in range(int(cells.max(initial=0)) + 1):
+        these = np.flatnonzero(cells == cell)
+        here = axes[these]
+        middle = 0.5 * (here.min(axis=0) + here.max(axis=0))
+        # An axis that moves by some pixels is a tilt: exp(-i v.r) gains a factor.
+        row, column = (here - middle).T * grid.step(pupil)
+        planes = flat[these]
+        tilts = Wavefront.from_edge({(1, -1): row, (1, 1): column})
+        around = Grid(grid.shape, grid.side, center=(middle[0], middle[1]))
+        yield (
+            these,
+            replace(planes, aberrations=tilts if planes.aberrations is None else planes.aberrations + tilts),
+            around,
+        )
 
 
 _MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
@@ -237,60 +273,124 @@ class Fields(NamedTuple):
 
     given: tuple[NodeTables, Complex, NodeWaves, Window]
     terms: NodeTerms
-    # From sets of fields, of a series, a term or -1, and a kind of waves each, to (sets, planes, fields).
-    wrong: Callable[[list[tuple[int, int, int]]], Array]
+    wrong: Array  # (sets, planes, fields), of all sets of :func:`all_sets`
     turns: tuple[float, float]  # what the two sets of derivatives by ln k are divided by, the second that of W
+
+
+@dataclass(frozen=True, eq=False)
+class _Case:
+    """What fields have in common that differ in depth and focus only: a wavefront, or a stack, in a window."""
+
+    wavefront: Wavefront
+    window: Window
+    orders: tuple[int, ...]
+    emitter: Emitter
+    by: By
+    sets: NDArray[np.int32]
+    degree: int
+    norm: float
+    largest: float  # W, where it is a factor
+    own: NDArray[np.int32] | None  # the wave of each plane, where these differ
+    sizes: Growth  # of each set, (sets, b)
+    chosen: tuple[Array, Array]  # what numbers of chords and nodes are chosen by, (b,)
+    powers: Array  # of each term on the curves, (terms, parts * b)
+    left: Array  # what terms of higher degree add to each set of fields, (sets,)
+    lost: Array  # by rounding, but for what the counts of the rule add, (sets,)
+    rules: dict[Rule, _Ruled]
+
+    def ruled(self, rule: Rule) -> _Ruled:
+        """Return what depends on the numbers of chords and nodes."""
+        found = self.rules.get(rule)
+        if found is None:
+            of_phases = _terms(rule.chords, rule.nodes, self.wavefront.terms)
+            weight = _quadrant(rule.chords, rule.nodes).weight
+            waves = folded_waves(of_phases, self.wavefront.edge, weight, self.largest)
+            tables = _tables(rule, self.orders, self.emitter)
+            found = _Ruled(tables, waves, _terms(rule.chords, rule.nodes, self.by.terms), curves(self.sizes, rule))
+            if len(self.rules) < _MOST_RULES and waves.nbytes <= _MOST_BYTES:
+                self.rules[rule] = found
+        return found
+
+
+class _Ruled(NamedTuple):
+    """What fields are made of by one rule."""
+
+    tables: NodeTables
+    waves: NDArray[np.complex128]
+    terms: NodeTerms
+    curves: tuple[Array, Array]
+
+
+_MOST_RULES, _MOST_BYTES = 8, 2**20  # that are kept, and of their waves
+
+
+def all_sets(by: By, *, turned: bool) -> list[tuple[int, int, int]]:
+    """Return the sets of fields of derivatives `by` parameters: a series, a term or -1, and a kind of waves each."""
+    sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
+    return [*sets, (0, -1, 1)] if turned else sets
+
+
+@lru_cache(maxsize=32)
+def _case(
+    layers: Layers, emitter: Emitter, aberrations: Wavefront | None, window: Window, by: By, field: float
+) -> _Case:
+    wavefront, model = (aberrations or _FLAT).flattened(), emitter.light.model
+    axis, shape = np.array(window.center), np.array(window.shape)
+    by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
+    plain = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
+    highest = max((n for n, _ in phases), default=0)
+    size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
+    norm = projection.norm(layers, model)
+    degree = degree_for(size.around, norm, _SHARES[0] * field)
+    largest = sum(phases.values()) if by_k else 0.0
+    sets = all_sets(by, turned=largest > 0.0)
+    factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
+    sizes = Growth(*(np.stack(each) for each in zip(*(plain.times(n) for n in factors), strict=True)))
+    # Films change s and p waves, which add up to a part, by factors of their own.
+    norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
+    left = np.array([norms[series] for series, _, _ in sets]) * left_out(sizes.around, degree)
+    reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
+    of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
+    lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
+    more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
+    powers = np.zeros((sum(projection.degrees(q, degree).size for q in model.orders), len(model.orders), _B.size))
+    for part, rows in enumerate(projection.by_part(np.arange(len(powers)), model.orders, degree)):
+        powers[rows, part] = _powers(model.orders[part], degree)
+    chosen = tuple(
+        (each - math.log(share * field)) / (4.0 * _B)
+        for each, share in zip((size.around + _OVER_CHORDS, size.along + _OVER_NODES), _SHARES[1:], strict=True)
+    )
+    planes = len(wavefront.edge)
+    return _Case(
+        wavefront, window, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree, norm, largest,
+        np.arange(planes, dtype=np.int32) if planes > 1 else None, sizes, (chosen[0], chosen[1]),
+        powers.reshape(len(powers), -1), left, lost + np.array(more), {},
+    )  # fmt: skip
 
 
 def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     """Return fields around one axis that are off by about `field`, and those of derivatives `by` parameters."""
-    wavefront, step, model = (pupil.aberrations or _FLAT).flattened(), grid.step(pupil), pupil.light.model
-    axis, shape, planes = np.array(grid.axis), np.array(grid.shape), pupil.depth.size
-    by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
-    plain = growth(wavefront, -axis * step, (shape - 1.0 - axis) * step, phases)
-    highest = max((n for n, _ in phases), default=0)
-    size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
-    norm = projection.norm(pupil.layers, model)
-    degree = degree_for(size.around, norm, _SHARES[0] * field)
-    found = projection.amplitudes(pupil, degree, _QUADRATURE * field, by.rates)
+    window = Window(grid.shape, grid.axis, grid.step(pupil))
+    case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
+    found = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
+    parts, planes = len(case.orders), pupil.depth.size
     moduli: Array = np.abs(found.coefficients)
-    each_part = projection.by_part(moduli, model.orders, degree)
-    # Bounds on the amplitudes of each part on the curves, (parts, 1 + rates, planes, b).
-    series = np.stack([c @ _powers(order, degree) for order, c in zip(model.orders, each_part, strict=True)])
-    most = np.log(series.max(axis=(0, 1, 2)) + 1e-300)
-    chords = count_for(most + size.around + _OVER_CHORDS, _SHARES[1] * field)
-    nodes = count_for(most + size.along + _OVER_NODES, _SHARES[2] * field)
-    rule = Rule(chords, nodes, degree)
-    own = np.arange(planes) if len(wavefront.edge) > 1 else np.zeros(planes)
-    reach = step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
-    of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
-    lost = 2.0 * chords + 2.0 * nodes + 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
+    # Bounds on the amplitudes of each part on the curves, (1 + rates, planes, parts, b).
+    series = (moduli.reshape(-1, moduli.shape[-1]) @ case.powers).reshape(len(moduli), planes, parts, _B.size)
+    most = np.log(series.max(axis=(0, 1, 2)) + 1e-300) / (4.0 * _B)
+    chords, nodes = (_even(most + each) for each in case.chosen)
+    ruled = case.ruled(Rule(chords, nodes, case.degree))
     # Weights sum to 1, so that an amplitude is at most the sum of the moduli of its terms.
-    light = np.stack([c.sum(axis=2) for c in each_part])
+    light = np.stack([c.sum(axis=2) for c in projection.by_part(moduli, case.orders, case.degree)], axis=2)
+    which = case.sets[:, 0]
+    off = sums_error(series[which], (ruled.curves[0][:, None, None], ruled.curves[1][:, None, None]))
+    off += case.left[:, None, None]
+    off += (_ROUNDING * (2.0 * (chords + nodes) + case.lost))[:, None, None] * light[which]
     sizes = _shares(pupil.emitter)
-
-    # Films change s and p waves, which add up to a part, by factors of their own.
-    norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
-
-    def wrong(sets: list[tuple[int, int, int]]) -> Array:
-        factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
-        here = [plain.times(n) for n in factors]
-        size = Growth(*(np.stack(each)[:, None] for each in zip(*here, strict=True)))
-        more = [of_terms.max() if kind else 0.0 for *_, kind in sets]
-        rounded = [lost + 6.0 * n * n + of_kind for n, of_kind in zip(factors, more, strict=True)]
-        which = [each for each, *_ in sets]
-        off = sums_error(series[:, which], size, rule)
-        off += (np.array(norms)[which] * left_out(size.around[:, 0], degree))[:, None]
-        off += (_ROUNDING * np.array(rounded))[:, None] * light[:, which]
-        return np.asarray(np.moveaxis(np.tensordot(sizes, off, 1), 0, 2) + sizes.sum(axis=1) * found.error)
-
-    tables = _tables(rule, model.orders, pupil.emitter)
-    largest = sum(phases.values())
-    of_phases, weight = _terms(chords, nodes, wavefront.terms), _quadrant(chords, nodes).weight
-    folded = folded_waves(of_phases, wavefront.edge, weight, largest if by_k else 0.0)
-    waves = NodeWaves(folded, own.astype(np.int32))
-    given = tables, found.coefficients, waves, Window(grid.shape, grid.axis, step)
-    return Fields(given, _terms(chords, nodes, by.terms), wrong, (found.steepest, largest))
+    wrong = off @ sizes.T + sizes.sum(axis=1) * found.error
+    own = np.zeros(planes, dtype=np.int32) if case.own is None else case.own
+    given = ruled.tables, found.coefficients, NodeWaves(ruled.waves, own), window
+    return Fields(given, ruled.terms, wrong, (found.steepest, case.largest))
 
 
 def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE) -> tuple[Array, Array]:
@@ -299,24 +399,23 @@ def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, b
     By fields that are off by about `field`.
     """
     made = fields(pupil, grid, field, by)
-    sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
-    turned = len(made.given[2].values) > 1
-    if turned:
-        sets.append((0, -1, 1))
-    values, largest = chordal_series_light(*made.given, np.array(sets, dtype=np.int32), made.terms, threads)
-    off = made.wrong(sets)
+    of_layers, measured = made.turns
+    turned = measured > 0.0
+    sets = np.array(all_sets(by, turned=turned), dtype=np.int32)
+    values, largest = chordal_series_light(*made.given, sets, made.terms, threads)
+    off = made.wrong
     error = 2.0 * (off[0] * largest + off * largest[0] + off[0] * off).sum(axis=2)
     error[0] = error_of_light(off[0], largest[0])
     error[1:] += 16.0 * _ROUNDING * 2.0 * (largest[0] * largest[1:]).sum(axis=2)
     if projection.WAVENUMBER in by.rates:
         at = 1 + by.rates.index(projection.WAVENUMBER)
-        of_layers, measured = made.turns
         for each in (values, error):
             each[at] *= of_layers
             if turned:
                 each[at] += measured * each[-1]
         values, error = (each[: len(sets) - turned] for each in (values, error))
-    return values / pupil.power[:, None, None], error / pupil.power * (1.0 + 1e-12)
+    values /= pupil.power[:, None, None]
+    return values, error / pupil.power * (1.0 + 1e-12)
 
 
 def sums(
@@ -326,7 +425,7 @@ def sums(
     made = fields(pupil, grid, field, by)
     asked = np.array(_series(by), dtype=np.int32)
     found, largest = chordal_series_gradient(*made.given, asked, made.terms, weights, threads)
-    top, error = largest[:, 0], error_of_light(made.wrong([(0, -1, 0)])[0], largest[:, 1:])
+    top, error = largest[:, 0], error_of_light(made.wrong[0], largest[:, 1:])
     return found / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
 
 
@@ -428,21 +527,24 @@ def degree_for(size: Array, norm: float, error: float) -> int:
     return degree
 
 
-def count_for(size: Array, error: float) -> int:
-    """Return an even number of chords or nodes n for which ``exp(size - 2 n b)`` is at most `error` for some b."""
-    needed = 2 * max(2, math.ceil(float(((size - math.log(error)) / (4.0 * _B)).min())))
+def _even(halved: Array) -> int:
+    """Return the least even number of chords or nodes that is proven to be enough."""
+    needed = 2 * max(2, math.ceil(float(halved.min())))
     if needed > _MOST_NODES:
         raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
     return needed
 
 
-def sums_error(series: Array, size: Growth, rule: Rule) -> Array:
-    """Bound the errors of fields, (...,), of amplitudes within `series` (..., b) on the curves, by a rule."""
+def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
+    """Return what bounds on amplitudes on the curves are multiplied by, those of chords and of nodes."""
     of_chords, of_nodes = _falling(rule.chords, rule.nodes)
-    chords = np.exp(np.minimum(size.around + of_chords, 600.0))
-    nodes = np.exp(np.minimum(size.along + of_nodes, 600.0))
+    return np.exp(np.minimum(size.around + of_chords, 600.0)), np.exp(np.minimum(size.along + of_nodes, 600.0))
+
+
+def sums_error(series: Array, each: tuple[Array, Array]) -> Array:
+    """Bound the errors of fields, (...,), of amplitudes within `series` (..., b), by what `curves` make of these."""
     with np.errstate(over="ignore"):
-        return np.asarray((series * chords).min(axis=-1) + (series * nodes).min(axis=-1))
+        return np.asarray((series * each[0]).min(axis=-1) + (series * each[1]).min(axis=-1))
 
 
 @lru_cache(maxsize=64)

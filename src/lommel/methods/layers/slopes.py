@@ -169,20 +169,19 @@ def _by_chords(
     by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
     made, raw, wrong = method.differentiated(pupil, grid, tol, wanted, by)
     steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
-    values = np.empty((len(raw), *made.values.shape), wanted.dtype)
-    error = np.empty(wrong.shape)
-    shares = [(one.factor * steep[min(one.which, 2)] / size, np.asarray(one.own) / size) for one, size in each]
-    shares += [(1.0, np.zeros(1))] * len(terms)
-    for k, (share, given) in enumerate(shares):
-        own = np.broadcast_to(given, made.scale.shape)
-        slope = (share * made.scale)[:, None, None] * raw[k]
-        if given.any():
-            slope += own[:, None, None] * made.values
-        largest = np.maximum(slope.max(axis=(1, 2)), -slope.min(axis=(1, 2))) / made.scale
-        rounded = (storing(wanted.dtype) + 2.0**-48) * largest
-        error[k] = (abs(share) * wrong[k] + rounded) / made.brightest + np.abs(own) * (made.bound + 1e-12)
-        values[k] = slope
-    return made._replace(slopes=Slopes(values, error))
+    shares = np.ones(len(raw))
+    shares[: len(each)] = [one.factor * steep[min(one.which, 2)] / size for one, size in each]
+    raw *= (shares[:, None] * made.scale)[:, :, None, None]
+    error = np.abs(shares)[:, None] * wrong
+    for k, (one, size) in enumerate(each):
+        own = np.asarray(one.own) / size
+        if own.any():
+            raw[k] += np.broadcast_to(own, made.scale.shape)[:, None, None] * made.values
+            error[k] += np.abs(own) * (made.bound + 1e-12) * made.brightest
+    largest = np.maximum(raw.max(axis=(2, 3)), -raw.min(axis=(2, 3))) / made.scale
+    error += (storing(wanted.dtype) + 2.0**-48) * largest
+    error /= made.brightest
+    return made._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
 
 
 TERMS_BY_CHORDS = (

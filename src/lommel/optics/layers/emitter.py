@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -288,6 +289,14 @@ class Scalar:
 
 
 Emitter = Dipole | Beam | Scalar
+
+
+@lru_cache(maxsize=64)
+def light_of(emitter: Emitter) -> Light:
+    """Return ``emitter.light``, kept for the pupils that share it."""
+    return emitter.light
+
+
 _NAMED: dict[str, Emitter] = {"isotropic": Dipole(0.0, 0.0, wobble=1.0), "scalar": Scalar()}
 
 

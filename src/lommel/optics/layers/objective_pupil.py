@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
 from typing import Any, ClassVar
 
 import numpy as np
@@ -14,7 +15,7 @@ from lommel.base.arrays import Array, Json
 from lommel.base.cached import cached_property
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.layers import debye
-from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Light, Scalar
+from lommel.optics.layers.emitter import Beam, Dipole, Emitter, Light, Scalar, light_of
 from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront, same_path
 
@@ -71,7 +72,7 @@ class ObjectivePupil(BasePupil):
     @cached_property
     def light(self) -> Light:
         """Integrals and forms of the intensity."""
-        return self.emitter.light
+        return light_of(self.emitter)
 
     @property
     def radial(self) -> bool:
@@ -96,6 +97,8 @@ class ObjectivePupil(BasePupil):
     @cached_property
     def power(self) -> Array:
         """Light collected in each plane of the flattened stack, over ``4 pi / (k NA)^2``."""
+        if self.depth.size == 1:
+            return _power_at(self.layers, self.emitter, self.depth.item()).copy()
         depth, place = np.unique(self.depth.ravel(), return_inverse=True)
         near, _ = debye.power(self.layers, depth, self.light.model)
         return np.asarray((near @ self.light.shares)[place.ravel()])
@@ -171,6 +174,12 @@ class ObjectivePupil(BasePupil):
         of = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
         measured = f", {self.aberrations!r}" if self.aberrations else ""
         return f"<ObjectivePupil {of}, {planes}: {spans}, {self.emitter!r}{measured}>"
+
+
+@lru_cache(maxsize=256)
+def _power_at(layers: Layers, emitter: Emitter, depth: float) -> Array:
+    light = light_of(emitter)
+    return np.asarray(debye.power(layers, np.array([depth]), light.model)[0] @ light.shares)
 
 
 PLANES = ("depth", "focus", "z")

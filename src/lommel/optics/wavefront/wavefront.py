@@ -623,7 +623,11 @@ class Wavefront(EqualByContent, display.Shown):
         return self + -other
 
     def _content(self) -> tuple[object, ...]:
-        """Return shape, error and coefficients, without terms that are zero throughout and signs of zeros."""
+        return self._terms_and_edges
+
+    @cached_property
+    def _terms_and_edges(self) -> tuple[object, ...]:
+        """Shape, error and coefficients, without terms that are zero throughout and signs of zeros."""
         return self.shape, self.error, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
 
     def __reduce__(self) -> tuple[object, ...]:

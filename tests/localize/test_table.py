@@ -124,6 +124,55 @@ def test_any_wavefront_keeps_to_the_bound(terms, depth, tol, seed):
     assert np.abs(made(row, column, z) - exact).max() <= (made.error_bound + 1e-6) * dimmest
 
 
+def exact_sums(made: Table, row: float, column: float, z: float) -> np.ndarray:
+    """The image that the coefficients of a table stand for, in double precision."""
+    pieces, rows, per, wide, *shape = made._numbers["sizes"]
+    first_row, first_column, low, high, *_ = made._numbers["numbers"]
+    stored = made._arrays["coefficients"][: pieces * 8 * rows * per * wide].astype(float)
+    series = np.swapaxes(stored.reshape(pieces, 8, rows, per, wide), -1, -2).reshape(pieces, 8, rows, -1)
+    at = (z - low) / (high - low) * pieces
+    piece = min(int(at), pieces - 1)
+    values = np.tensordot(np.polynomial.chebyshev.chebvander([2.0 * (at - piece) - 1.0], 7)[0], series[piece], 1)
+    for axis, (place, first) in enumerate(((row, first_row), (column, first_column))):
+        position = -per * place - first
+        powers = made._arrays["polynomials"][::-1]
+        taps = np.polynomial.polynomial.polyval(2.0 * (position - math.floor(position)) - 1.0, powers)
+        weights = np.zeros((shape[axis], values.shape[axis]))
+        for pixel in range(shape[axis]):
+            start = math.floor(position) + 1 - taps.size // 2 + per * pixel
+            weights[pixel, start : start + taps.size] = taps
+        values = weights @ values if axis == 0 else values @ weights.T
+    return values
+
+
+def test_sums_in_single_precision_are_within_what_is_allowed_for_rounding(monkeypatch):
+    kept = {}
+    before = Table._bound
+
+    def bound(self, waves, taps, planes, step, per, error, sizes, light):
+        peak = before(self, waves, taps, planes, step, per, error, sizes, light)
+        often = taps.taps.weighted(2.0 + taps.taps.size - np.maximum(np.arange(taps.taps.size), 1))
+        gain, (largest, summed) = taps.taps.gain, sizes
+        kept["allowed"] = 1.001 * 2.0**-24 * gain * (gain * summed + 2.0 * often * largest) * light
+        return peak
+
+    monkeypatch.setattr(Table, "_bound", bound)
+    made = Table(PUPIL, 9, 6.5e-6, z=RANGE)
+    rng = np.random.default_rng(3)
+    off = []
+    for _ in range(60):
+        at = made.limits[0] + rng.random(3) * (made.limits[1] - made.limits[0])
+        off.append(np.abs(made(*at) - exact_sums(made, *at)).max())
+    assert 0.003 * kept["allowed"] <= max(off) <= kept["allowed"]
+
+
+@each("name", ["zeiss-63x-astigmatic", "zeiss-63x-1.4-oil"])
+def test_molecules_of_any_depth_have_a_table_by_default(name):
+    microscope = lm.load_microscope(f"examples/objectives/{name}.toml")
+    pupil = microscope.objective.pupil(depth=1e-6, wavelength=600e-9, aberrations=ASTIGMATISM)
+    assert Table(pupil, 15, microscope.pixel, z=(0.0, 1e-6), along="depth").error_bound <= 1e-4
+
+
 class OfWaves(Table):
     """A table of one wave along each axis, with half the light, and half of it without structure."""
 

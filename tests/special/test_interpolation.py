@@ -29,7 +29,11 @@ def test_each_wave_of_the_band_is_within_the_error(band, error):
     off = np.abs(np.exp(1j * np.outer(w, t)) - filtered @ weights.T).max()
     assert off <= steps.error <= error
     assert off >= 0.1 * steps.error or steps.error < 1e-12
-    assert np.abs(weights).sum(axis=1).max() <= steps.taps.gain
+    assert np.abs(weights).sum(axis=1).max() <= steps.taps.gain <= 1.06 * np.abs(weights).sum(axis=1).max() + 1e-3
+    times = np.arange(steps.taps.size) ** 2.0
+    assert (
+        (np.abs(weights) @ times).max() <= steps.taps.weighted(times) <= 1.06 * (np.abs(weights) @ times).max() + 1e-3
+    )
     whole = np.concatenate([steps.filter[:0:-1], steps.filter])
     assert max(np.abs(np.convolve(row, whole)).sum() for row in weights) <= steps.gain < 4.5
 

@@ -31,6 +31,9 @@ _BAND = 1.75  # of images, radians a sample, at most
 _AT_ONCE = 40000  # samples
 _MOST_BYTES = 1 << 28
 _EPS = 2.0**-24
+# How often each term along z is rounded: stored, times a stored polynomial, and added to all that follow it, the last
+# first. The first polynomial is 1.
+_OF_TERMS = np.array([2.0, *np.arange(5.0, engine.MoleculeTable.terms + 4.0)])
 
 
 class Table:
@@ -224,8 +227,10 @@ class Table:
                 "numbers": [float(first[0]), float(first[1]), *self.z, *places[0], *places[1]],
             },
         )
-        largest = float(np.abs(series).sum(axis=1).max())
-        return self._bound(waves, taps, planes, step, per, error, largest, light)
+        sizes = np.abs(series)
+        largest = float(sizes.sum(axis=1).max())
+        summed = float(np.einsum("k,pkyx->pyx", _OF_TERMS, sizes).max())
+        return self._bound(waves, taps, planes, step, per, error, (largest, summed), light)
 
     def _hold(self, arrays: dict[str, NDArray[Any]], numbers: dict[str, Any]) -> None:
         """Keep what the core reads, and what is saved."""
@@ -275,7 +280,7 @@ class Table:
         step: float,
         per: int,
         error: float,
-        largest: float,
+        sizes: tuple[float, float],
         light: float,
     ) -> float:
         """Set the bounds; return the peak that these are relative to."""
@@ -283,10 +288,14 @@ class Table:
         band, both = 2.0 * step / per, taps.gain**2
         kernel = (1.0 + taps.error) ** 2 - 1.0
         size, sums, moves = taps.taps.size, taps.taps.gain, taps.taps.slope_gain
-        rounding = _EPS * (2 * size + engine.MoleculeTable.terms + 8) * largest * sums
         terms = engine.MoleculeTable.terms
+        largest, summed = sizes
+        rounding = _EPS * (2 * size + terms + 8) * largest * sums
+        # Of values each term counts as often as it is rounded: the middle taps, which are the largest, half as often.
+        often = taps.taps.weighted(2.0 + size - np.maximum(np.arange(size), 1))
+        rounded = 1.001 * _EPS * sums * (sums * summed + 2.0 * often * largest)
         half = 0.5 * (self.z[1] - self.z[0]) / len(planes.matrix)
-        value = kernel + both * (planes.error.value + planes.gain.value * error) + rounding * sums
+        value = kernel + both * (planes.error.value + planes.gain.value * error) + rounded
         moved = (1.0 + taps.error) * taps.slope_error + band * taps.error
         across = taps.slope_gain * taps.gain * (planes.error.value + planes.gain.value * error)
         lateral = per * (moved + across + rounding * moves)

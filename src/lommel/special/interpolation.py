@@ -21,6 +21,8 @@ NEIGHBOURS_MOST = 30
 _DEGREE = 16
 _TURN = 2.0 * math.pi
 _ROOT = math.sqrt(2.0)
+_PLACES = 80  # between two taps, where errors and gains are judged
+_BETWEEN = 1.0 / math.cos(0.5 * math.pi * _DEGREE / _PLACES)  # a polynomial of that degree over the largest there
 
 
 class Taps(NamedTuple):
@@ -42,6 +44,10 @@ class Taps(NamedTuple):
     def slopes(self, t: Array) -> Array:
         """Return their derivatives by t."""
         return _values(np.asarray(2.0 * np.polynomial.polynomial.polyder(self.polynomials[::-1, : self.size])), t)
+
+    def weighted(self, times: Array) -> float:
+        """Bound the sum of the moduli of taps, each so many times."""
+        return _BETWEEN * float((np.abs(self.at(_places())) * times).sum(axis=1).max())
 
     @property
     def places(self) -> Array:
@@ -78,7 +84,8 @@ def steps(band: float, error: float, width: int = 0) -> Steps:
     Of averages over `width` steps instead of values, of which the filter takes care.
 
     The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in t
-    and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours.
+    and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours. Sums of moduli are, for
+    given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
     """
     for count in range(4, TAPS_MOST + 1, 2):
         if _filtered(count, band, NEIGHBOURS_MOST, width).error <= error:
@@ -121,7 +128,7 @@ def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps
     def judged(of: Array, wanted: Array | NDArray[np.complex128]) -> tuple[float, float]:
         sums = max(np.abs(np.convolve(row, whole)).sum() for row in of)
         rounding = 2.0**-53 * (2 * neighbours + 8) * _ROOT * np.abs(of).sum(axis=1).max() * np.abs(whole).sum()
-        return _ROOT * float(_off(taps, w, gains, of, wanted).max() + rounding), _ROOT * float(sums)
+        return _ROOT * float(_off(taps, w, gains, of, wanted).max() + rounding), _BETWEEN * float(sums)
 
     error, gain = judged(taps.at(places), response(w))
     return Steps(taps, weights, error, gain, *judged(taps.slopes(places), np.asarray(1j * w * response(w))))
@@ -137,7 +144,7 @@ def _kernel(count: int, band: float) -> Taps:
     powers = np.zeros((_DEGREE + 1, TAPS_MOST))
     powers[:, :count] = (_powers() @ series)[::-1]
     made = Taps(powers, count, 0.0, 0.0)
-    gains = (_ROOT * float(np.abs(of(_places())).sum(axis=1).max()) for of in (made.at, made.slopes))
+    gains = (_BETWEEN * float(np.abs(of(_places())).sum(axis=1).max()) for of in (made.at, made.slopes))
     return Taps(powers, count, *gains)
 
 
@@ -168,7 +175,7 @@ def _values(polynomials: Array, t: Array) -> Array:
 
 
 def _places() -> Array:
-    return np.asarray(0.5 * (1.0 + _chebyshev(80)))
+    return np.asarray(0.5 * (1.0 + _chebyshev(_PLACES)))
 
 
 def _chebyshev(count: int, band: float = 1.0) -> Array:

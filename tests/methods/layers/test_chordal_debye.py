@@ -139,6 +139,11 @@ def test_few_samples_are_taken_by_chords_and_many_by_circles():
     plain = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE)
     assert lm.psf(plain, 15, PIXEL, derivatives=("z",)).method == lm.Stratified(1e-6)
     assert lm.psf(plain, 15, PIXEL, derivatives=("z", (2, 2))).method == lm.ChordalDebye(1e-6)
+    # Circles are shared by planes around one axis.
+    many = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 31), wavelength=WAVE, aberrations=FIVE)
+    asked = {"tol": 1e-3, "center": (np.linspace(6.5, 7.5, 31), 7.0)}
+    assert isinstance(lm.psf(many, 15, 6.5e-6, **asked).method, lm.ChordalDebye)
+    assert isinstance(lm.psf(many, 15, 6.5e-6, tol=1e-3).method, lm.DebyeRings)
     # Circles of light that depends on the azimuth are made anew for each plane.
     fixed = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 9), emitter=lm.Dipole(0.7, 0.4), wavelength=WAVE)
     assert lm.psf(fixed[:8], 15, PIXEL, derivatives=("z",)).method == lm.ChordalDebye(1e-6)
@@ -386,6 +391,32 @@ def test_derivatives_by_terms_of_axes_and_wavefronts_of_their_own():
         for name in ("noll 8", "z"):
             one, other = together.derivatives[name][k], alone.derivatives[name]
             assert np.abs(one - other).max() <= 1e-6 * np.abs(other).max()
+
+
+@pytest.mark.parametrize("aberrations", [FIVE, None], ids=["measured", "none"])
+@pytest.mark.parametrize("apart", [0.4, 6.0])
+def test_axes_of_their_own_are_tilts_around_those_near_by(aberrations, apart):
+    rng = np.random.default_rng(3)
+    z, center = rng.uniform(-0.3e-6, 0.3e-6, 7), tuple(4.0 + apart * rng.uniform(-1.0, 1.0, (2, 7)))
+    pupil = OIL.pupil(depth=1e-6, z=z, wavelength=WAVE, aberrations=aberrations)
+    asked = {"dtype": np.float64, "method": lm.ChordalDebye(1e-8), "derivatives": ("z", "row", "column", (2, 2))}
+    weights = rng.normal(size=(7, 9, 9))
+    together = lm.psf(pupil, 9, PIXEL, center=center, **asked)
+    gradient = together.pullback(weights, ("z", "row", (2, 2)))
+    cells = list(chordal_debye.gathered(pupil, together.grid, apart=False))
+    assert (len(cells) > 1) == (apart > 1.0)
+    assert sorted(np.concatenate([these for these, _, _ in cells])) == list(range(7))
+    for k in range(7):
+        alone = lm.psf(pupil[k], 9, PIXEL, center=(center[0][k], center[1][k]), **asked)
+        peak = alone.values.max()
+        assert np.abs(together.values[k] - alone.values).max() <= 2e-8 * peak
+        for name in asked["derivatives"]:
+            off = np.abs(together.derivatives[name][k] - alone.derivatives[name]).max()
+            assert off <= (together.derivative_bounds[name] + alone.derivative_bounds[name]) * together.values.max()
+            assert off <= 1e-6 * np.abs(alone.derivatives[name]).max()
+            if name in gradient:
+                exact = (weights[k] * alone.derivatives[name]).sum()
+                assert abs(gradient[name][k] - exact) <= 1e-6 * np.abs(weights[k] * alone.derivatives[name]).sum()
 
 
 @pytest.mark.parametrize("waves", np.linspace(0.08, 0.4, 9))

@@ -74,7 +74,8 @@ class MoleculeImages {
         constexpr std::size_t together = 4;
         for (std::size_t i = 0; i < all; i += together * lanes) {
             V sum[together] = {}, rate[together] = {};
-            for (std::size_t n = 0; n < MoleculeTable::terms; ++n) {
+            // From the last term on: the first is mostly the largest, and is rounded once.
+            for (std::size_t n = MoleculeTable::terms; n-- > 0;) {
                 const V weight = splat<V>(z.value[n]), change = splat<V>(z.slope[n]);
                 for (std::size_t k = 0; k < together; ++k) {
                     const V at = load<V>(from + n * plane + i + k * lanes);

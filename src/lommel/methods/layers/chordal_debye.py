@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -11,7 +12,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base.arrays import Array, Index
+from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Images, Wanted, not_met
 from lommel.core.engine import (
     NodeTables,
@@ -207,37 +208,36 @@ class ChordalDebye(AberratedMethod):
 _TOGETHER, _APART = 0.2, 0.15  # of a window, how far axes may be from each other
 
 
-def gathered(pupil: ObjectivePupil, grid: Grid, *, apart: bool) -> Iterator[tuple[Index, ObjectivePupil, Grid]]:
+def gathered(
+    pupil: ObjectivePupil, grid: Grid, *, apart: bool
+) -> Iterator[tuple[NDArray[np.int64], ObjectivePupil, Grid]]:
     """Return planes with axes of their own as planes around one axis, with tilts, and their places in the stack.
 
     Those whose axes are near each other together; with `apart` each by itself, without tilts.
     """
-    if apart:
+    if apart or pupil.depth.size == 1:
         for i, k in enumerate(np.ndindex(pupil.shape)):
-            yield np.array([i]), pupil[k], grid[k]
+            yield np.array([i]), pupil[k] if pupil.shape else pupil, grid[k]
         return
-    flat = pupil[np.unravel_index(np.arange(pupil.depth.size), pupil.shape)] if pupil.shape else pupil
+    flat = pupil[np.unravel_index(np.arange(pupil.depth.size), pupil.shape)]
     axes, side = np.stack([np.ravel(part) for part in grid.center], axis=1), np.array(grid.shape)
     cells = np.zeros(len(axes), dtype=np.int64)
     if (np.ptp(axes, axis=0) > _TOGETHER * side).any():
         cells = np.unique(np.floor(axes / (_APART * side)), axis=0, return_inverse=True)[1].ravel()
     for cell in range(int(cells.max(initial=0)) + 1):
         these = np.flatnonzero(cells == cell)
-        here = axes[these]
+        here, planes = axes[these], flat[these]
         middle = 0.5 * (here.min(axis=0) + here.max(axis=0))
-        # An axis that moves by some pixels is a tilt: exp(-i v.r) gains a factor.
-        row, column = (here - middle).T * grid.step(pupil)
-        planes = flat[these]
-        tilts = Wavefront.from_edge({(1, -1): row, (1, 1): column})
-        around = Grid(grid.shape, grid.side, center=(middle[0], middle[1]))
-        yield (
-            these,
-            replace(planes, aberrations=tilts if planes.aberrations is None else planes.aberrations + tilts),
-            around,
-        )
+        if len(these) > 1:
+            # An axis that moves by some pixels is a tilt: exp(-i v.r) gains a factor.
+            row, column = (here - middle).T * grid.step(pupil)
+            tilts = Wavefront.from_edge({(1, -1): row, (1, 1): column})
+            planes = replace(planes, aberrations=tilts + planes.aberrations if planes.aberrations else tilts)
+        yield these, planes, Grid(grid.shape, grid.side, center=(float(middle[0]), float(middle[1])))
 
 
 _MOST_SAMPLES = 50000  # of all planes: beyond, circles are shared by more
+_MOST_PLACES = 10000  # of a plane with an axis of its own, which shares none
 _PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # the same without aberrations, whose circles are shared by all azimuths
 
 
@@ -250,7 +250,8 @@ class ChordalDebyeIfCheaper(ChordalDebye):
         """Return I at the centres of pixels and its derivatives."""
         planes, samples = pupil.depth.size, pupil.depth.size * math.prod(grid.shape)
         plain = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
-        if plain or samples > _MOST_SAMPLES:
+        shared = not grid.stack or planes == 1
+        if plain or samples > (_MOST_SAMPLES if shared else planes * _MOST_PLACES):
             raise Declined("so many samples take less time by circles")
         return super().differentiated(pupil, grid, tol, wanted, by)
 
@@ -294,6 +295,7 @@ class _Case:
     sizes: Growth  # of each set, (sets, b)
     chosen: tuple[Array, Array]  # what numbers of chords and nodes are chosen by, (b,)
     powers: Array  # of each term on the curves, (terms, parts * b)
+    summed: Array  # 1 for each term of a part, (terms, parts)
     left: Array  # what terms of higher degree add to each set of fields, (sets,)
     lost: Array  # by rounding, but for what the counts of the rule add, (sets,)
     rules: dict[Rule, _Ruled]
@@ -353,9 +355,11 @@ def _case(
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
-    powers = np.zeros((sum(projection.degrees(q, degree).size for q in model.orders), len(model.orders), _B.size))
-    for part, rows in enumerate(projection.by_part(np.arange(len(powers)), model.orders, degree)):
-        powers[rows, part] = _powers(model.orders[part], degree)
+    counts = [projection.degrees(q, degree).size for q in model.orders]
+    powers, summed = np.zeros((sum(counts), len(counts), _B.size)), np.zeros((sum(counts), len(counts)))
+    for part, end in enumerate(itertools.accumulate(counts)):
+        rows = slice(end - counts[part], end)
+        powers[rows, part], summed[rows, part] = _powers(model.orders[part], degree), 1.0
     chosen = tuple(
         (each - math.log(share * field)) / (4.0 * _B)
         for each, share in zip((size.around + _OVER_CHORDS, size.along + _OVER_NODES), _SHARES[1:], strict=True)
@@ -364,7 +368,7 @@ def _case(
     return _Case(
         wavefront, window, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree, norm, largest,
         np.arange(planes, dtype=np.int32) if planes > 1 else None, sizes, (chosen[0], chosen[1]),
-        powers.reshape(len(powers), -1), left, lost + np.array(more), {},
+        powers.reshape(len(powers), -1), summed, left, lost + np.array(more), {},
     )  # fmt: skip
 
 
@@ -381,7 +385,7 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     chords, nodes = (_even(most + each) for each in case.chosen)
     ruled = case.ruled(Rule(chords, nodes, case.degree))
     # Weights sum to 1, so that an amplitude is at most the sum of the moduli of its terms.
-    light = np.stack([c.sum(axis=2) for c in projection.by_part(moduli, case.orders, case.degree)], axis=2)
+    light = (moduli.reshape(-1, moduli.shape[-1]) @ case.summed).reshape(len(moduli), planes, parts)
     which = case.sets[:, 0]
     off = sums_error(series[which], (ruled.curves[0][:, None, None], ruled.curves[1][:, None, None]))
     off += case.left[:, None, None]

@@ -68,8 +68,9 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     made = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
     waves = made.rule.waves(depth, focus)
     # So small a matrix product takes a threaded BLAS as long as its threads take to wake up.
-    each = [made.weights[1 + rate if rate < 2 else 0] for rate in (-1, *rates)]
-    found = np.stack([np.einsum("pq,qt->pt", waves, weights) for weights in each])
+    found = np.empty((1 + len(rates), len(waves), made.weights.shape[2]), np.complex128)
+    for k, rate in enumerate((-1, *rates)):
+        np.einsum("pq,qt->pt", waves, made.weights[1 + rate if rate < 2 else 0], out=found[k])
     if by_k:
         fixed, by_depth, by_focus = debye.turning(made.rule, layers, model).rates
         turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
@@ -103,7 +104,7 @@ def _each(error: float, degree: int) -> float:
     return float(2.0 ** math.floor(math.log2(error / (degree + 2.0))))
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=48)
 def _integrals(
     layers: Layers,
     model: Model,

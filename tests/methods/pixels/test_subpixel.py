@@ -125,6 +125,24 @@ def test_axes_and_tolerances_in_turn_have_pieces_of_their_own() -> None:
         assert np.abs(answer.values - exact).max() <= tol * max(exact.max(), 0.01 * float(answer.scale))
 
 
+@pytest.mark.parametrize("normalize", ["energy", "peak"])
+@pytest.mark.parametrize("defocus", [0.0, 5.0, 40.0])
+def test_samples_in_single_precision_are_within_their_bound(defocus: float, normalize: str) -> None:
+    pupil, shape, center = lm.Pupil(lm.Wavefront(defocus, 1.0), obscuration=0.2), (90, 71), (40.3, 31.8)
+    exact = by_quadrature(pupil, shape, 0.4 * math.pi, center, integrate=False)
+    options = {"center": center, "normalize": normalize}
+    bounds = {}
+    # The larger tolerances let sums be single; a number of them are rounded by what the smallest one does not allow.
+    for tol in (1e-3, 1e-6, 3e-7):
+        answer = lm.psf(pupil, shape, 0.4, tol=tol, dtype=np.float32, **options)
+        true = exact / exact.max() if normalize == "peak" else exact * float(answer.scale)
+        assert np.abs(answer.values - true).max() <= answer.error_bound * true.max() + 1e-13
+        assert answer.values.min() >= 0.0
+        bounds[tol] = answer.error_bound
+        assert answer.error_bound <= tol
+    assert bounds[1e-6] > bounds[3e-7] + 5e-8
+
+
 @pytest.mark.parametrize("tol", [1e-3, 1e-6, 1e-9])
 @pytest.mark.parametrize("pixel", [0.3, 1.0, 3.0])
 def test_averages_around_one_axis_are_those_of_a_stack_with_weights(pixel: float, tol: float) -> None:

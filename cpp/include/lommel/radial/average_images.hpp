@@ -102,7 +102,10 @@ class PixelRenderer {
     struct Painted {
         double scale = 1.0;
         T* image = nullptr;
+        bool singly = false;  // by sums in single precision
     };
+    // Tolerances from which on samples are summed in single precision.
+    static constexpr double single_enough = 5e-7;
 
     std::size_t pixels() const { return window_.height * window_.width; }
     static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
@@ -155,14 +158,19 @@ class PixelRenderer {
         f.size = intensities(field, places(table), threads, [&](std::size_t first, std::size_t count, const double* values) {
             std::copy_n(values, count, at_radii.data() + first);
         });
-        if constexpr (std::is_same_v<Table, SamplePieces>) {
+        double of_singles = 0.0;
+        if constexpr (std::is_same_v<Table, SamplePieces> && sizeof(T) == sizeof(float)) {
+            f.top = painted.singly ? table.paint_singly(window, at_radii.data(), painted.scale, painted.image, of_singles)
+                                   : table.paint(window, at_radii.data(), painted.scale, T{0}, painted.image);
+            made.penalty = 0.0;
+        } else if constexpr (std::is_same_v<Table, SamplePieces>) {
             f.top = table.paint(window, at_radii.data(), painted.scale, T{0}, painted.image);
             made.penalty = 0.0;
         } else {
             made.make(table, window, at_radii.data(), threads);
             dispatch([&](auto) LOMMEL_INLINE_LAMBDA { f.top = largest(made.values.data(), made.count); });
         }
-        f.off = window_bound(table, made.penalty, f.size, f.bound);
+        f.off = window_bound(table, made.penalty, f.size, f.bound) + of_singles;
         f.by_field = table.magnification() * intensity_error(std::sqrt(f.size), f.bound);
         f.by_table = table.error * 0.5 * aperture_.area * aperture_.area;
         return f;
@@ -306,10 +314,18 @@ class PixelRenderer {
         const PixelWindow window = windows_[pupil];
         Found<Table> f{};
         constexpr bool at_once = std::is_same_v<Table, SamplePieces>;
-        const Painted painted{normalize ? 1.0 : answer_.scales[pupil], answer_.images + pupil * pixels()};
+        Painted painted{normalize ? 1.0 : answer_.scales[pupil], answer_.images + pupil * pixels(),
+                        at_once && sizeof(T) == sizeof(float) && allowed_ >= single_enough};
         const auto attempt = [&] {
-            f = measure<Table>(field, window, phase, asked, threads, at_radii, made, painted);
-            const double bound = relative(f.top, f.off, elsewhere, normalize, at_once);
+            const auto measured = [&] {
+                f = measure<Table>(field, window, phase, asked, threads, at_radii, made, painted);
+                return relative(f.top, f.off, elsewhere, normalize, at_once);
+            };
+            double bound = measured();
+            if (bound > tol_ && painted.singly) {
+                painted.singly = false;
+                bound = measured();
+            }
             if (bound <= tol_ || normalize || looked) {
                 return bound;
             }

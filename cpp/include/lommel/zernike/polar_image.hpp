@@ -72,6 +72,14 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         }
     }
 
+    // Circles whose sums registers hold at once, of those that a pixel takes.
+    static constexpr std::size_t largest_divisor(std::size_t of, std::size_t most) {
+        while (of % most != 0) {
+            --most;
+        }
+        return most;
+    }
+
     // The pixels of a tile on some lines, in one zone.
     template <std::size_t Between, std::size_t Around, class Real, class I, class T>
     LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
@@ -135,24 +143,23 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
             for (std::size_t i = 0; i < here; ++i) {
                 const Real* start =
                     rows.row(static_cast<std::size_t>(place[0][i])) + static_cast<std::size_t>(place[1][i]) * numbers;
-                constexpr std::size_t together = packs == 1 ? 8 : Between == 10 ? (packs == 2 ? 5 : 2) : packs == 2 ? 4 : 2;
+                constexpr std::size_t together = largest_divisor(Between, packs == 1 ? 8 : packs == 2 ? 5 : 2);
                 V total[packs] = {};
                 for (std::size_t j = 0; j < Between; j += together) {
-                    V sum[together][packs];
+                    V sum[together][packs] = {};
                     for (std::size_t l = 0; l < Around; ++l) {
                         const V weight = splat<V>(weights[i][most + l]);
                         for (std::size_t k = 0; k < together; ++k) {
                             const Real* at = start + (j + k) * stride + l * numbers;
                             for (std::size_t p = 0; p < packs; ++p) {
-                                const V value = weight * load<V>(at + p * lanes);
-                                sum[k][p] = l == 0 ? value : sum[k][p] + value;
+                                sum[k][p] = sum[k][p] + weight * load<V>(at + p * lanes);
                             }
                         }
                     }
                     for (std::size_t k = 0; k < together; ++k) {
                         const V weight = splat<V>(weights[i][j + k]);
                         for (std::size_t p = 0; p < packs; ++p) {
-                            total[p] = j + k == 0 ? weight * sum[k][p] : total[p] + weight * sum[k][p];
+                            total[p] = total[p] + weight * sum[k][p];
                         }
                     }
                 }
@@ -237,8 +244,12 @@ void PolarImage::paint(double scale, T* image) {
                         pixels<8, 8, float>(isa, zone, list_[i], lines, scale, buffer, part);
                     } else if (zone.style->around == 6) {
                         pixels<8, 6, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else {
+                    } else if (zone.style->between == 8) {
                         pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else if (zone.style->between == 6) {
+                        pixels<6, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else {
+                        pixels<4, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
                     }
                 });
             }

@@ -24,14 +24,16 @@ struct PolarStyle {
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
 // From the most exact one to that which costs least.
-inline constexpr std::array<PolarStyle, 8> polar_styles = {{{3.0, 10, 10, true, true},
-                                                            {2.0, 10, 10, true, true},
-                                                            {2.0, 10, 8, true, true},
-                                                            {3.0, 8, 8, false, true},
-                                                            {2.0, 8, 8, false, false},
-                                                            {2.0, 8, 6, false, false},
-                                                            {1.5, 8, 6, false, false},
-                                                            {1.5, 8, 4, false, false}}};
+inline constexpr std::array<PolarStyle, 10> polar_styles = {{{3.0, 10, 10, true, true},
+                                                             {2.0, 10, 10, true, true},
+                                                             {2.0, 10, 8, true, true},
+                                                             {3.0, 8, 8, false, true},
+                                                             {2.0, 8, 8, false, false},
+                                                             {2.0, 8, 6, false, false},
+                                                             {1.5, 8, 6, false, false},
+                                                             {1.5, 8, 4, false, false},
+                                                             {1.5, 6, 4, false, false},
+                                                             {1.5, 4, 4, false, false}}};
 
 // What a pupil is made of: its disk and, of the same phase, the one within that is dark.
 struct PolarPupil {

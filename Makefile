@@ -237,7 +237,7 @@ test-arm: ## compile the core for 64-bit ARM and run its own programs, emulated:
 		command -v $$tool >/dev/null || { echo "make: there is no $$tool on PATH: install g++-aarch64-linux-gnu and qemu-user" >&2; exit 1; }
 	done
 	mkdir -p build
-	for program in calls slopes layers measures exercise tables molecules; do
+	for program in calls slopes layers measures exercise tables molecules occlusion; do
 		echo "$(ARM_CXX): $$program"
 		wide=
 		if [ $$program = tables ]; then wide=-DLOMMEL_WIDE=double; fi
@@ -279,7 +279,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 		build/$$program
 	}
 	for kind in address,undefined thread; do
-		for program in calls exercise slopes layers molecules; do sanitized $$kind $$program; done
+		for program in calls exercise slopes layers molecules occlusion; do sanitized $$kind $$program; done
 	done
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double

@@ -203,9 +203,15 @@ TARGETS = [
         depth.focus_pull,
     ),
     Target(
-        "occlusion, forward after the first at one depth, the worst of five scenes",
+        "a photograph with occlusion at a new depth map, the worst of five scenes",
+        "depth_of_field without occlusion",
+        *(4, 2.5, "", False),
+        depth.occluded_once,
+    ),
+    Target(
+        "occlusion, forward again at one depth map, the worst of five scenes",
         "DepthBlur.forward without occlusion",
-        *(3, 2, "", False),
+        *(2, 1.5, "", False),
         depth.occluded,
     ),
     Target(

@@ -16,7 +16,7 @@ find_package(nanobind CONFIG REQUIRED)
 # One file a room, of which the compiler does again only what has changed, and what several of them would compile (see
 # cpp/include/lommel/base/once.hpp). Those that take longest come first, so that none is left over at the end.
 file(GLOB rooms CONFIGURE_DEPENDS cpp/bindings/*.cpp cpp/compiled/*.cpp)
-set(longest compiled/polar.cpp compiled/layers.cpp bindings/zernike.cpp compiled/spread_single.cpp bindings/bounds_disk.cpp
+set(longest compiled/polar.cpp compiled/layers.cpp bindings/zernike.cpp compiled/spread_single.cpp compiled/composite_single.cpp bindings/bounds_disk.cpp
             bindings/radial.cpp)
 list(TRANSFORM longest PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/")
 list(REMOVE_ITEM rooms ${longest})

@@ -1,10 +1,14 @@
 // Matrix products, and blur that depends on depth.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include <nanobind/stl/optional.h>
 
+#include "lommel/imaging/composite.hpp"
+#include "lommel/imaging/depth_layers.hpp"
 #include "lommel/imaging/levels.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/imaging/spread.hpp"
@@ -114,14 +118,83 @@ void collect(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energie
     released([&] { lommel::Spreader<T>(bank, scene, threads, screen, slopes).adjoint(image.data(), out.data()); });
 }
 
+// The layer of each point, 0 the nearest that there is, and the point that stands for what it hides, or -1; returns how many
+// layers there are, and how many points hide something.
+std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double low, double high, In<double, 1> radii,
+                                                 double thickness, int most, int threads, Out<std::uint8_t, 2> layers,
+                                                 Out<std::int32_t, 2> behind) {
+    const std::size_t height = defocus.shape(0), width = defocus.shape(1), size = height * width;
+    require(radii.size() >= 2 && lommel::all_finite(radii.data(), radii.size()), "radii must be two or more, and finite");
+    require(low <= high && thickness > 0.0 && most >= 1 && most <= 64 && threads >= 0, "the range must rise, up to 64 layers");
+    require(size > 0 && size <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()), "too many points");
+    require(lommel::all_finite(defocus.data(), size), "defocus must be finite");
+    require(layers.shape(0) == height && layers.shape(1) == width && behind.shape(0) == height && behind.shape(1) == width,
+            "layers and what is behind must match the defocus");
+    std::pair<std::size_t, std::size_t> found;
+    released([&] {
+        std::vector<float> radius(size);
+        const lommel::BlurRadii known{radii.data(), radii.size(), low, high, thickness, static_cast<std::size_t>(most)};
+        lommel::sort_into_layers(defocus.data(), size, known, threads, layers.data(), radius.data());
+        found.second = lommel::HiddenPoints(layers.data(), radius.data(), height, width, threads).find(behind.data());
+        found.first = lommel::renumber(layers.data(), size);
+    });
+    return found;
+}
+
+// Adds some layers, from the nearest on, to what pixels see.
+template <class T>
+void composite(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
+               In<std::uint8_t, 2> layers, std::optional<In<std::int32_t, 2>> behind, int count, In<std::int64_t, 1> rows,
+               In<std::int64_t, 1> columns, bool mirrored, bool dark, std::optional<Strided<T>> image, int from, int to,
+               bool known, int threads, Out<T, 2> seen, Out<T, 2> total, std::optional<Out<T, 2>> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
+    const lommel::Scene scene = scene_of(positions, rows, columns);
+    const std::size_t height = positions.shape(0), width = positions.shape(1), size = height * width;
+    const auto alike = [&](const auto& array) { return array.shape(0) == height && array.shape(1) == width; };
+    require(count >= 1 && count <= 64 && 0 <= from && from <= to && to <= count && threads >= 0, "layers must be 1 to 64");
+    require(alike(layers) && (!behind || alike(*behind)), "layers and what is behind must match the positions");
+    require(std::all_of(layers.data(), layers.data() + size, [&](std::uint8_t each) { return each < count; }),
+            "layers must be below their number");
+    require(!behind || std::all_of(behind->data(), behind->data() + size,
+                                   [&](std::int32_t each) { return each >= -1 && each < static_cast<std::int64_t>(size); }),
+            "what is behind must be a point, or -1");
+    require(alike(seen) && alike(total) && image.has_value() == out.has_value() && (!image || alike(*image)) &&
+                (!out || alike(*out)) && (image || !known),
+            "images must match the positions");
+    require(scene.height >= height && scene.height - height == scene.width - width && (scene.height - height) % 2 == 0,
+            "rows and columns must have as many copies on either side");
+    const lommel::LayeredScene layered{scene,
+                                       layers.data(),
+                                       behind ? behind->data() : nullptr,
+                                       static_cast<std::size_t>(count),
+                                       (scene.height - height) / 2,
+                                       mirrored,
+                                       dark};
+    released([&] {
+        lommel::Compositor<T>(bank, layered, threads, image ? image->data() : nullptr, image ? image->stride(0) : 0,
+                              image ? image->stride(1) : 0)(static_cast<std::size_t>(from), static_cast<std::size_t>(to), known,
+                                                            {seen.data(), total.data(), out ? out->data() : nullptr});
+    });
+}
+
 }  // namespace
 
 void bindings::define_imaging(nb::module_& m) {
     m.def("product", &product, "rows"_a, "matrix"_a, "threads"_a, "The product of two matrices.");
     m.def("levels", &levels, "light"_a.noconvert(), "edges"_a, "low"_a, "high"_a, "threads"_a, "out"_a.noconvert(),
           "Writes how many edges each value reaches; returns how many are below `low` or above `high`.");
+    m.def("depth_layers", &depth_layers, "defocus"_a, "low"_a, "high"_a, "radii"_a, "thickness"_a, "most"_a, "threads"_a,
+          "layers"_a.noconvert(), "behind"_a.noconvert(),
+          "Writes the layer of each point, and the point that stands for what it hides, or -1; returns how many layers there "
+          "are, "
+          "and how many points hide something.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
+        m.def("composite", &composite<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a,
+              "layers"_a.noconvert(), "behind"_a.noconvert().none(), "count"_a, "rows"_a, "columns"_a, "mirrored"_a, "dark"_a,
+              "image"_a.noconvert().none(), "from_layer"_a, "to_layer"_a, "known"_a, "threads"_a, "seen"_a.noconvert(),
+              "total"_a.noconvert(), "out"_a.noconvert() = nb::none(),
+              "Adds layers of points, from the nearest on, to what pixels see of them, of a white scene and of light.");
         m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
               "seen"_a.noconvert() = nb::none(), "slopes"_a = false,

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FocusPlan, Occlusion, depth_of_field
-from lommel.imaging.occlusion import _behind, _layers
+from lommel.imaging.occlusion import MOST_LAYERS, _layering, _radii
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 20e-6
@@ -25,10 +25,37 @@ def torn(rng: np.random.Generator, shape: tuple[int, int] = (17, 22)) -> np.ndar
     return depth
 
 
+def layers_of(blur: DepthBlur) -> tuple[np.ndarray, np.ndarray]:
+    """Layers of half a pixel of blur radius, or more, from the largest on, and the radii."""
+    defocus, radii = _radii(blur, (float(blur.defocus.min()), float(blur.defocus.max())))
+    radius = np.interp(blur.defocus, defocus, radii)
+    thickness = max(0.5, np.ptp(radii) / MOST_LAYERS)
+    return np.minimum((radii.max() - radius) / thickness, MOST_LAYERS - 1).astype(np.int64), radius
+
+
+def behind_of(layer: np.ndarray, radius: np.ndarray) -> np.ndarray:
+    """What stands for the light behind each point, or -1: other points are tried by distance, one by one."""
+    (height, width), behind = layer.shape, np.full(layer.shape, -1)
+    rows, columns = np.indices(layer.shape)
+    for y, x in np.ndindex(height, width):
+        squared, passed = (rows - y) ** 2 + (columns - x) ** 2, layer[y, x]
+        for at in np.argsort(squared.ravel(), kind="stable"):
+            row, column = divmod(int(at), width)
+            if layer[row, column] > passed:
+                if np.sqrt(squared[row, column]) < radius[y, x] - radius[row, column]:
+                    there = 2 * row - y, 2 * column - x
+                    inside = 0 <= there[0] < height and 0 <= there[1] < width
+                    row, column = there if inside and layer[there] > passed else (row, column)
+                    behind[y, x] = row * width + column
+                    break
+                passed = layer[row, column]
+    return behind
+
+
 def by_layers(blur: DepthBlur, light: np.ndarray) -> np.ndarray:
     """Layer after layer from the front, each point a window of its own: the definition, for grey light."""
-    layer, radius = _layers(blur)
-    behind, bank, (height, width) = _behind(layer, radius), blur.banks[0], blur.shape
+    layer, radius = layers_of(blur)
+    behind, bank, (height, width) = behind_of(layer, radius), blur.banks[0], blur.shape
     half = bank.half
     mode = "symmetric" if blur.border == "reflect" else "edge"
     rows, columns = (np.pad(np.arange(side), half, mode=mode) for side in blur.shape)
@@ -61,9 +88,19 @@ def test_it_is_the_sum_over_layers(border, dtype, allowed):
     blur = DepthBlur(torn(rng), LENS, PIXEL, border=border, dtype=dtype, largest=20)
     light = rng.random(blur.shape).astype(dtype)
     wanted = by_layers(blur, light.astype(np.float64))
-    assert len(np.unique(_layers(blur)[0])) > 4
+    assert len(np.unique(layers_of(blur)[0])) > 4
     assert np.abs(blur.forward(light) - wanted).max() > 0.1
-    for made in (Occlusion(blur).forward(light), Occlusion(blur).forward(light)):
+    operator, adjoined = Occlusion(blur), Occlusion(blur)
+    adjoined.adjoint(light)
+    # At once, again, with what pixels see kept, and that found without light: the same to the last bit.
+    first, *others = (
+        operator.forward(light),
+        operator.forward(light),
+        operator.forward(light),
+        adjoined.forward(light),
+    )
+    assert all(np.array_equal(first, other) for other in others)
+    for made in (first,):
         assert (made.dtype, made.shape) == (dtype, light.shape)
         assert np.abs(made - wanted).max() <= allowed
 
@@ -78,8 +115,7 @@ def test_its_transpose_is_that_of_its_matrix(border):
         for apply in (operator.forward, operator.adjoint)
     )
     assert np.abs(matrix - back.T).max() < 1e-15
-    sources = _behind(*_layers(blur)).ravel()
-    sources = sources[sources >= 0]
+    sources = _layering(blur).edges()[1]
     assert len(np.unique(sources)) < sources.size  # one point stands for several
     light = rng.random((9, 11))
     assert np.abs(light.ravel() @ matrix - operator.forward(light).ravel()).max() < 1e-14
@@ -105,12 +141,44 @@ def points_of(groups):
     return [points for group in groups for _, points in group.sources]
 
 
+@settings(max_examples=25)
+@given(st.integers(0, 2**32 - 1), st.integers(1, 20), st.integers(1, 20))
+def test_layers_and_what_they_hide_are_those_of_their_definition(seed, height, width):
+    rng = np.random.default_rng(seed)
+    depth = rng.choice([1.3, 1.45, 1.8, 2.0, 2.6, 6.0], (height, width))
+    depth[: rng.integers(0, height + 1), : rng.integers(0, width + 1)] = rng.uniform(1.3, 6.0)
+    if rng.random() < 0.5:
+        depth = np.sort(depth, axis=int(rng.integers(2)))
+    blur = DepthBlur(depth, LENS, PIXEL, largest=40)
+    layer, radius = layers_of(blur)
+    made = _layering(blur)
+    assert np.array_equal(made.layers, np.unique(layer, return_inverse=True)[1].reshape(layer.shape))
+    assert made.number == len(np.unique(layer))
+    behind = np.full(layer.shape, -1) if made.behind is None else made.behind
+    assert np.array_equal(behind, behind_of(layer, radius))
+
+
+@settings(max_examples=15)
+@given(
+    st.integers(0, 2**32 - 1), st.integers(1, 90), st.integers(1, 200), st.sampled_from(["reflect", "extend", "zero"])
+)
+def test_threads_and_tiles_change_nothing(seed, height, width, border):
+    rng = np.random.default_rng(seed)
+    depth = rng.choice([1.3, 1.8, 2.6, 6.0], (height, width))
+    blur = [DepthBlur(depth, LENS, PIXEL, border=border, largest=40, threads=threads) for threads in (1, 3)]
+    light = rng.random(depth.shape, np.float32)
+    one, other = (Occlusion(each).forward(light) for each in blur)
+    assert np.array_equal(one, other)
+    white = Occlusion(blur[0]).forward(np.ones_like(light))
+    assert border == "zero" or np.abs(white - 1.0).max() < 1e-5
+
+
 def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     rng, made = np.random.default_rng(7), []
     one, other = torn(rng), torn(rng)
     blur = DepthBlur(one, LENS, PIXEL, dtype=np.float64, channels=(6e-7, 5e-7, 6e-7), largest=20)
     light = rng.random((*one.shape, 3))
-    monkeypatch.setattr("lommel.imaging.occlusion._behind", lambda *given: made.append(1) or _behind(*given))
+    monkeypatch.setattr("lommel.imaging.occlusion._layering", lambda *given: made.append(1) or _layering(*given))
     operator = Occlusion(blur)
     first = operator.forward(light)
     assert np.array_equal(operator.forward(light), first)
@@ -120,19 +188,27 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     assert np.array_equal(operator.forward(light), Occlusion(blur).forward(light))
     assert len(made) == 3
     assert np.abs(operator.forward(light) - first).max() > 0.1
-    # No more is kept than is said.
-    edges, shares = operator._made[2:]
-    arrays = {id(array): array for seen, total, _ in shares for array in (seen, total)}
-    arrays |= {id(a): a for *_, groups in shares for points in points_of(groups) for a in points if a is not None}
+    # No more is kept than is said: after one call the layers, after a second what pixels see.
+    layering, shares, groups = operator._made[2:]
+    assert (len(shares), len(groups)) == (2, 0)
+    assert layering.layers.nbytes + layering.behind.nbytes == 5 * one.size
+    operator = Occlusion(blur)
+    operator.forward(light)
+    assert not operator._made[3]
+    operator.adjoint(light)
+    _, shares, groups = operator._made[2:]
+    arrays = {id(array): array for each in shares.values() for array in each}
+    points = [points for each in groups.values() for points in points_of(each)]
+    arrays |= {id(a): a for each in points for a in each if a is not None}
     own = {id(blur.positions(channel)) for channel in range(3)}
-    kept = sum(array.nbytes for name, array in arrays.items() if name not in own) + sum(a.nbytes for a in edges)
-    assert kept <= (16 + 3 * 24) * one.size + 16 * edges.points.size
+    kept = sum(array.nbytes for name, array in arrays.items() if name not in own)
+    assert kept <= 2 * 40 * one.size
 
 
 def test_plans_keep_what_hides_what(monkeypatch):
     rng, made = np.random.default_rng(8), []
     depth, image = torn(rng), rng.random((17, 22)).astype(np.float32)
-    monkeypatch.setattr("lommel.imaging.occlusion._behind", lambda *given: made.append(1) or _behind(*given))
+    monkeypatch.setattr("lommel.imaging.occlusion._layering", lambda *given: made.append(1) or _layering(*given))
     plan = FocusPlan(image, depth, LENS, PIXEL, encoding="linear", largest=20)
     frames = [plan(focus_distance=distance).values for distance in (2.0, 2.2, 2.0, 2.2)]
     assert len(made) == 2

@@ -473,8 +473,8 @@ class Job:
         plan = FocusPlan(self.light, self.distance, lens, self.pitch, encoding="linear", keep=1, **vars(settings))
         if progress is not None:
             blur = plan.blur()
-            # Occlusion blurs a white image too: once for each spectrum, twice where the whole PSF is kept.
-            looks = len(set(blur.spectra)) * (2 if settings.energy == 1.0 else 1) if settings.occlusion else 0
+            # Where the whole PSF is kept, occlusion blurs white images too: twice for each spectrum.
+            looks = 2 * len(set(blur.spectra)) if settings.occlusion and settings.energy == 1.0 else 0
             total, done = self.distance.size * (blur.channels + looks), 0
 
             def watch(points: int) -> None:

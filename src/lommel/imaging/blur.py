@@ -211,7 +211,7 @@ class DepthBlur(LinearBlur):
             for band, rim in self._bands(rows, used.half):
                 where = points.positions, rows[band], columns
                 limits = points.layers, None if shown is None else shown[rim]
-                engine.spread(*_parts(used), *where, plane, self.threads, room[rim], *limits, slopes)
+                engine.spread(*parts(used), *where, plane, self.threads, room[rim], *limits, slopes)
                 if self.watch is not None:
                     self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
         if self.border == "reflect":  # The mirrored image sends in what leaves this one.
@@ -242,7 +242,7 @@ class DepthBlur(LinearBlur):
             taken = np.empty((rows.size, columns.size), dtype=self.dtype)
             where = points.positions, rows, columns
             engine.collect(
-                *_parts(bank or self.banks[channel]), *where, room, self.threads, taken, points.layers, shown, slopes
+                *parts(bank or self.banks[channel]), *where, room, self.threads, taken, points.layers, shown, slopes
             )
             # What points beyond the edges took goes to those that they are copies of.
             yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
@@ -297,7 +297,8 @@ class DepthBlur(LinearBlur):
         return np.where(weight, positions, -1.0)
 
 
-def _parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
+def parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
+    """Return what the compiled core takes of a bank."""
     return bank.windows, bank.halves, bank.energies
 
 

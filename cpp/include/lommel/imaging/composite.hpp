@@ -1,0 +1,476 @@
+// Blur with occlusion: layers of points from the nearest to the farthest, each as far as those before it leave the aperture open.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "lommel/base/aligned.hpp"
+#include "lommel/base/checkerboard.hpp"
+#include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/imaging/column.hpp"
+#include "lommel/imaging/mixture.hpp"
+#include "lommel/imaging/spread.hpp"
+
+namespace lommel {
+
+// Points in layers, [scene.height][scene.width] with copies of the edges: `layers` and `behind` have a value for each of
+// `scene.positions`; that of `behind` is the index of the point that stands for what a point hides, or below 0.
+struct LayeredScene {
+    Scene scene;
+    const std::uint8_t* layers;
+    const std::int32_t* behind;  // or none
+    std::size_t count;  // of layers, at most 64
+    std::size_t pad;  // rows and columns of copies on either side
+    bool mirrored, dark;  // what leaves the image comes back from a mirror; copies of the edges spread coverage alone
+};
+
+// What pixels see, [height][width] of the image without copies. Of layer l, counted from the middle one, they see the share
+// `seen - l`, from 0 to 1; `total` is the image of a white scene, `out` that of the light.
+template <class T>
+struct Composite {
+    T *seen, *total;
+    T* out;  // or none
+};
+
+// Points add what they spread of light, and with `Cover` of a white scene, to images of their own. Light is multiplied last, so
+// that it is the same to the last bit in either case.
+template <class I, class T, bool Cover>
+struct GivingLight {
+    T *white, *light;
+    const T* values;  // of the points of a column
+
+    template <class R>
+    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows) const {
+        using W = typename R::V;
+        W value[R::points], above[R::points], below[R::points];
+        for (std::size_t p = 0; p < R::points; ++p) {
+            value[p] = splat<W>(values[point + p]);
+        }
+        const auto to = [&](std::ptrdiff_t row, W cover, W sum) LOMMEL_INLINE_LAMBDA {
+            const std::size_t at = sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
+            if constexpr (Cover) {
+                store(sheets.both() + at, load<W>(sheets.both() + at) + cover);
+            }
+            store(sheets.right() + at, load<W>(sheets.right() + at) + sum);
+        };
+        rows.mix(0, above);
+        if constexpr (R::points == 1) {
+            to(0, above[0], above[0] * value[0]);
+            for (std::size_t row = 1; row <= rows.half; ++row) {
+                rows.mix(row, above);
+                const W lit = above[0] * value[0];
+                to(static_cast<std::ptrdiff_t>(row), above[0], lit), to(-static_cast<std::ptrdiff_t>(row), above[0], lit);
+            }
+        } else {
+            // Row r of the first is r - 1 below the second, r + 1 above it.
+            W first = above[0] * value[0], second = above[1] * value[1];
+            for (std::size_t row = 0; row < rows.half; ++row) {
+                rows.mix(row + 1, below);
+                const W next = below[0] * value[0], other = below[1] * value[1];
+                to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1], next + second);
+                to(-static_cast<std::ptrdiff_t>(row), above[0] + below[1], first + other);
+                above[0] = below[0], above[1] = below[1], first = next, second = other;
+            }
+            to(static_cast<std::ptrdiff_t>(rows.half) + 1, above[1], second);
+            to(-static_cast<std::ptrdiff_t>(rows.half), above[0], first);
+        }
+    }
+
+    LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
+        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
+            using W = decltype(beside);
+            if constexpr (Cover) {
+                onto<W>(white, sheets.both() + at, right, left, beside);
+            }
+            onto<W>(light, sheets.right() + at, right, left, beside);
+        });
+    }
+
+   private:
+    // The column in the middle is on both sides, and right in the second.
+    template <class W>
+    static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W beside) {
+        const W value = load<W>(sum), here = load<W>(out + right) + value;
+        store(sum, W{});
+        store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(value * beside));
+        store(out + right, here);
+    }
+};
+
+template <class T>
+class Compositor {
+   public:
+    // Of an image whose values are `down` and `right` apart, or of none.
+    Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image, std::ptrdiff_t down,
+               std::ptrdiff_t right)
+        : bank_(bank), layered_(layered), scene_(layered.scene), threads_(threads), image_(image), down_(down), right_(right),
+          margin_(Spreader<T>::margin(bank.widest)), mixture_(bank), tall_(std::max(least_rows, 2 * bank.widest)),
+          broad_(std::max(least_columns, 2 * margin_)), rows_((scene_.height + tall_ - 1) / tall_),
+          columns_((scene_.width + broad_ - 1) / broad_), parts_((tall_ + most_rows - 1) / most_rows),
+          masks_(rows_ * columns_ * parts_ * part_columns()), most_(rows_ * columns_) {
+        mark();
+    }
+
+    // Adds layers `from` to `to`. What pixels see is found on the way unless it is `known`; it is `beyond()` and the total 0 before
+    // the first layer.
+    void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made) {
+        const std::size_t size = (scene_.height + 2 * bank_.widest) * across();
+        Aligned<T> white(known ? 0 : size, T(0)), light(image_ ? size : 0, T(0));
+        const Checkerboard tiles(rows_, columns_);
+        look_at(made);
+        for (std::size_t layer = from; layer < to; ++layer) {
+            if (!choose(layer)) {
+                continue;
+            }
+            tiles.each(threads_, [&](std::size_t row, std::size_t column) {
+                if (chosen_[row * columns_ + column]) {
+                    spread(row, column, layer, known, white.data(), light.data());
+                }
+            });
+            if (layered_.mirrored) {
+                for (Aligned<T>* const room : {&white, &light}) {
+                    if (!room->empty()) {
+                        fold(room->data());
+                    }
+                }
+            }
+            parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
+                if (touched_[tile]) {
+                    compose(tile / columns_, tile % columns_, level(layer), known, white.data(), light.data(), made);
+                }
+            });
+        }
+    }
+
+    // A layer as it is counted from the middle: what is seen of layers is then rounded less.
+    T level(std::size_t layer) const { return static_cast<T>(static_cast<std::ptrdiff_t>(layer) - middle()); }
+    T beyond() const { return level(layered_.count); }
+
+   private:
+    static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128, part_width = 64;
+
+    std::ptrdiff_t middle() const { return static_cast<std::ptrdiff_t>(layered_.count / 2); }
+    std::size_t across() const { return scene_.width + 2 * margin_; }
+    std::size_t part_columns() const { return (broad_ + part_width - 1) / part_width; }
+    std::size_t image_height() const { return scene_.height - 2 * layered_.pad; }
+    std::size_t image_width() const { return scene_.width - 2 * layered_.pad; }
+
+    // A part of a tile, small enough for the points of a column to be put together before they go to where they belong.
+    struct Part {
+        std::size_t top, left, height, width;
+    };
+
+    template <class F>
+    LOMMEL_INLINE void each_part(std::size_t row, std::size_t column, const F& f) const {
+        const std::size_t bottom = std::min(scene_.height, (row + 1) * tall_);
+        const std::size_t end = std::min(scene_.width, (column + 1) * broad_);
+        std::size_t at = (row * columns_ + column) * parts_ * part_columns();
+        for (std::size_t top = row * tall_; top < (row + 1) * tall_; top += most_rows) {
+            for (std::size_t left = column * broad_; left < (column + 1) * broad_; left += part_width, ++at) {
+                if (top < bottom && left < end) {
+                    f(at, Part{top, left, std::min(most_rows, bottom - top), std::min(part_width, end - left)});
+                }
+            }
+        }
+    }
+
+    std::size_t point(std::size_t y, std::size_t x) const {
+        return static_cast<std::size_t>(scene_.rows[y]) * scene_.across + static_cast<std::size_t>(scene_.columns[x]);
+    }
+
+    // Which layers there are in each part.
+    void mark() {
+        parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
+            each_part(tile / columns_, tile % columns_, [&](std::size_t at, const Part& part) {
+                std::uint64_t mask = 0;
+                for (std::size_t y = part.top; y < part.top + part.height; ++y) {
+                    for (std::size_t x = part.left; x < part.left + part.width; ++x) {
+                        const std::size_t p = point(y, x);
+                        mask |= std::uint64_t{1} << layered_.layers[p];
+                        if (layered_.behind && layered_.behind[p] >= 0) {
+                            mask |= std::uint64_t{1} << layered_.layers[layered_.behind[p]];
+                        }
+                    }
+                }
+                masks_[at] = mask;
+            });
+        });
+    }
+
+    // Calls f(row, column) for the pixels of the image in a tile: a row, and where it begins and ends.
+    template <class F>
+    void each_row(std::size_t row, std::size_t column, const F& f) const {
+        const std::size_t pad = layered_.pad;
+        const std::size_t top = std::max(row * tall_, pad), bottom = std::min((row + 1) * tall_, pad + image_height());
+        const std::size_t left = std::max(column * broad_, pad), right = std::min((column + 1) * broad_, pad + image_width());
+        for (std::size_t y = top; y < bottom && left < right; ++y) {
+            f(y, left, right);
+        }
+    }
+
+    // The last layer that some pixel of each tile sees.
+    void look_at(const Composite<T>& made) {
+        parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
+            T most = level(0) - T(1);
+            each_row(tile / columns_, tile % columns_, [&](std::size_t y, std::size_t left, std::size_t right) {
+                const T* const seen = made.seen + (y - layered_.pad) * image_width() - layered_.pad;
+                most = std::max(most, *std::max_element(seen + left, seen + right));
+            });
+            most_[tile] = most;
+        });
+    }
+
+    template <class F>
+    bool any_around(std::size_t row, std::size_t column, const F& f) const {
+        for (std::size_t y = std::max<std::size_t>(row, 1) - 1; y < std::min(rows_, row + 2); ++y) {
+            for (std::size_t x = std::max<std::size_t>(column, 1) - 1; x < std::min(columns_, column + 2); ++x) {
+                if (f(y * columns_ + x)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    // Chooses the tiles with points of a layer that some pixel sees, those that these reach, and the box around them.
+    bool choose(std::size_t layer) {
+        chosen_.assign(rows_ * columns_, 0), touched_.assign(rows_ * columns_, 0);
+        box_top_ = rows_, box_left_ = columns_, box_bottom_ = box_right_ = 0;
+        const std::size_t parts = parts_ * part_columns();
+        for (std::size_t row = 0; row < rows_; ++row) {
+            for (std::size_t column = 0; column < columns_; ++column) {
+                const std::uint64_t* const mask = masks_.data() + (row * columns_ + column) * parts;
+                const bool here = std::any_of(mask, mask + parts, [&](std::uint64_t each) { return each >> layer & 1; });
+                if (here && any_around(row, column, [&](std::size_t tile) { return most_[tile] > level(layer); })) {
+                    chosen_[row * columns_ + column] = 1;
+                    box_top_ = std::min(box_top_, row), box_bottom_ = std::max(box_bottom_, row + 1);
+                    box_left_ = std::min(box_left_, column), box_right_ = std::max(box_right_, column + 1);
+                }
+            }
+        }
+        for (std::size_t tile = 0; tile < touched_.size(); ++tile) {
+            touched_[tile] = any_around(tile / columns_, tile % columns_, [&](std::size_t at) { return chosen_[at] != 0; });
+        }
+        return box_bottom_ > 0;
+    }
+
+    // The points of one layer in a part.
+    struct Points {
+        explicit Points(std::size_t tall) : places((tall + 1) * part_width), values((tall + 1) * part_width, T(0)) {}
+        std::vector<BankPlace<T>> places;  // [row and one more][column]
+        std::vector<T> values;  // [column][row and one more]
+        std::size_t first[part_width], last[part_width];
+    };
+
+    void spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using I = decltype(isa);
+            const std::size_t tall = std::min(most_rows, tall_);
+            Points points(tall);
+            std::vector<Mixture<T>> mixtures(tall + 1);
+            Sheets<I, T> sheets(bank_, tall, across(), image_ != nullptr);
+            each_part(row, column, [&](std::size_t at, const Part& part) LOMMEL_INLINE_LAMBDA {
+                if (masks_[at] >> layer & 1) {
+                    look();
+                    place(part, tall, static_cast<std::uint8_t>(layer), points);
+                    for (std::size_t x = 0; x < part.width; ++x) {
+                        const T* const values = points.values.data() + x * (tall + 1);
+                        const auto spread_by = [&](const auto& side) LOMMEL_INLINE_LAMBDA {
+                            one_column(isa, part, x, points, mixtures.data(), sheets, side);
+                        };
+                        if (points.first[x] >= points.last[x]) {
+                            continue;
+                        }
+                        if (known) {
+                            spread_by(GivingLight<I, T, false>{nullptr, light, values});
+                        } else if (image_) {
+                            spread_by(GivingLight<I, T, true>{white, light, values});
+                        } else {
+                            spread_by(Giving<I, T>{white, nullptr});
+                        }
+                    }
+                }
+            });
+        });
+    }
+
+    // Where the points of a layer are in the bank, which rows of each column have some, and their light.
+    void place(const Part& part, std::size_t tall, std::uint8_t layer, Points& points) const {
+        std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
+        std::fill(points.places.begin(), points.places.end(), BankPlace<T>{-1, T(0)});
+        for (std::size_t i = 0; i < part.height; ++i) {
+            for (std::size_t j = 0; j < part.width; ++j) {
+                const std::size_t y = part.top + i, x = part.left + j, at = point(y, x);
+                std::size_t from = at;
+                if (layered_.layers[at] != layer) {
+                    if (!layered_.behind || layered_.behind[at] < 0) {
+                        continue;
+                    }
+                    from = static_cast<std::size_t>(layered_.behind[at]);
+                    if (layered_.layers[from] != layer) {
+                        continue;
+                    }
+                }
+                const BankPlace<T> place = mixture_.place(scene_.positions[from], T(1));
+                if (place.first < 0) {
+                    continue;
+                }
+                points.places[i * part_width + j] = place;
+                points.values[j * (tall + 1) + i] = lit(y, x) ? value(from) : T(0);
+                points.first[j] = std::min(points.first[j], i), points.last[j] = i + 1;
+            }
+        }
+    }
+
+    T value(std::size_t at) const {
+        return image_ ? image_[static_cast<std::ptrdiff_t>(at / scene_.across) * down_ +
+                               static_cast<std::ptrdiff_t>(at % scene_.across) * right_]
+                      : T(0);
+    }
+
+    bool lit(std::size_t y, std::size_t x) const {
+        const std::size_t pad = layered_.pad;
+        return !layered_.dark || (y >= pad && x >= pad && y < pad + image_height() && x < pad + image_width());
+    }
+
+    // As in Spreader: two points below each other are taken at once.
+    template <class I, class Side>
+    LOMMEL_INLINE void one_column(I, const Part& part, std::size_t x, const Points& points, Mixture<T>* mixtures,
+                                  Sheets<I, T>& sheets, const Side& side) const {
+        Column column{static_cast<std::ptrdiff_t>((part.top + bank_.widest) * across() + margin_ + part.left + x),
+                      0,
+                      points.first[x],
+                      points.last[x],
+                      0,
+                      false};
+        const auto add = [&](auto count, auto same, std::size_t i) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t together = decltype(count)::value;
+            const std::size_t half = std::max(mixtures[i].half, mixtures[i + together - 1].half);
+            each_block<I, together, decltype(same)::value>(
+                bank_, mixtures + i, half, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { side.add(sheets, i, rows); });
+        };
+        constexpr std::integral_constant<std::size_t, 1> one{};
+        constexpr std::integral_constant<std::size_t, 2> two{};
+        std::size_t pairs[3][(most_rows + 1) / 2 + 1], counts[3] = {};
+        for (std::size_t i = column.first; i < column.last; i += 2) {
+            for (std::size_t k = i; k < i + 2; ++k) {
+                mixture_(k < column.last ? points.places[k * part_width + x] : BankPlace<T>{-1, T(0)}, T(1), mixtures[k]);
+                column.half = std::max<std::size_t>(column.half, mixtures[k].half);
+            }
+            const Mixture<T>&a = mixtures[i], &b = mixtures[i + 1];
+            if (a.any && b.any) {
+                const std::size_t kind = a.first == b.first ? 0 : 1;
+                pairs[kind][counts[kind]++] = i;
+            } else if (a.any || b.any) {
+                pairs[2][counts[2]++] = a.any ? i : i + 1;
+            }
+        }
+        for (std::size_t k = 0; k < counts[0]; ++k) {
+            add(two, std::true_type{}, pairs[0][k]);
+        }
+        for (std::size_t k = 0; k < counts[1]; ++k) {
+            add(two, std::false_type{}, pairs[1][k]);
+        }
+        for (std::size_t k = 0; k < counts[2]; ++k) {
+            add(one, std::true_type{}, pairs[2][k]);
+        }
+        side.close(sheets, column);
+    }
+
+    // Brings back what left the image, as from mirrors half a pixel beyond its first and its last pixel.
+    void fold(T* room) const {
+        const auto height = static_cast<std::ptrdiff_t>(scene_.height), width = static_cast<std::ptrdiff_t>(scene_.width);
+        const auto wide = static_cast<std::ptrdiff_t>(bank_.widest), row = static_cast<std::ptrdiff_t>(across());
+        T* const image = room + wide * row + static_cast<std::ptrdiff_t>(margin_);
+        const std::ptrdiff_t top = static_cast<std::ptrdiff_t>(box_top_ * tall_) - wide;
+        const std::ptrdiff_t bottom = std::min(static_cast<std::ptrdiff_t>(box_bottom_ * tall_), height) + wide;
+        const std::ptrdiff_t left = static_cast<std::ptrdiff_t>(box_left_ * broad_) - wide;
+        const std::ptrdiff_t right = std::min(static_cast<std::ptrdiff_t>(box_right_ * broad_), width) + wide;
+        const auto mirrored = [](std::ptrdiff_t at, std::ptrdiff_t count) {
+            const std::ptrdiff_t turn = ((at % (2 * count)) + 2 * count) % (2 * count);
+            return turn < count ? turn : 2 * count - 1 - turn;
+        };
+        const auto outside = [](std::ptrdiff_t from, std::ptrdiff_t to, std::ptrdiff_t count, const auto& f) {
+            for (std::ptrdiff_t at = from; at < std::min<std::ptrdiff_t>(to, 0); ++at) {
+                f(at);
+            }
+            for (std::ptrdiff_t at = std::max(from, count); at < to; ++at) {
+                f(at);
+            }
+        };
+        outside(top, bottom, height, [&](std::ptrdiff_t y) {
+            T *const from = image + y * row, *const onto = image + mirrored(y, height) * row;
+            for (std::ptrdiff_t x = left; x < right; ++x) {
+                onto[x] += from[x];
+                from[x] = T(0);
+            }
+        });
+        for (std::ptrdiff_t y = std::max<std::ptrdiff_t>(top, 0); y < std::min(bottom, height); ++y) {
+            outside(left, right, width, [&](std::ptrdiff_t x) {
+                image[y * row + mirrored(x, width)] += image[y * row + x];
+                image[y * row + x] = T(0);
+            });
+        }
+    }
+
+    // Adds what pixels of a tile see of a layer, and leaves zeros for the next.
+    void compose(std::size_t row, std::size_t column, T layer, bool known, T* white, T* light, const Composite<T>& made) {
+        constexpr T rounding = T(16) * std::numeric_limits<T>::epsilon(), tiny = std::numeric_limits<T>::min();
+        const T none = beyond();
+        T most = level(0) - T(1);
+        each_row(row, column, [&](std::size_t y, std::size_t left, std::size_t right) {
+            const std::size_t at = (y - layered_.pad) * image_width() + left - layered_.pad;
+            const std::size_t from = (y + bank_.widest) * across() + margin_ + left, count = right - left;
+            T* const seen = made.seen + at;
+            if (!known) {
+                T *const total = made.total + at, *const cover = white + from;
+                for (std::size_t x = 0; x < count; ++x) {
+                    const T covered = cover[x], open = T(1) - total[x];
+                    const bool wanted = seen[x] == none, full = wanted && covered > open - rounding;
+                    const T ratio = open / std::max(covered, tiny);
+                    const T part = full && covered > open + rounding ? ratio : T(1);
+                    total[x] = wanted ? total[x] + part * covered : total[x];
+                    seen[x] = full ? layer + part : seen[x];
+                    most = std::max(most, seen[x]);
+                    cover[x] = T(0);
+                }
+            }
+            if (image_) {
+                T *const out = made.out + at, *const sum = light + from;
+                for (std::size_t x = 0; x < count; ++x) {
+                    out[x] += std::min(std::max(seen[x] - layer, T(0)), T(1)) * sum[x];
+                    sum[x] = T(0);
+                }
+            }
+        });
+        if (!known) {
+            most_[row * columns_ + column] = most;
+        }
+    }
+
+    WindowBank<T> bank_;
+    LayeredScene layered_;
+    Scene scene_;
+    int threads_;
+    const T* image_;
+    std::ptrdiff_t down_, right_;
+    std::size_t margin_;
+    Mixer<T> mixture_;
+    std::size_t tall_, broad_, rows_, columns_, parts_;
+    std::vector<std::uint64_t> masks_;  // [tile][part]
+    std::vector<T> most_;  // [tile]
+    std::vector<unsigned char> chosen_, touched_;
+    std::size_t box_top_ = 0, box_left_ = 0, box_bottom_ = 0, box_right_ = 0;  // tiles around the chosen ones
+};
+
+#if defined(LOMMEL_COMPILED)
+extern template class Compositor<float>;
+extern template class Compositor<double>;
+#endif
+
+}  // namespace lommel

@@ -1,0 +1,237 @@
+// Layers of similar defocus, and the points that stand for what points of near layers hide.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+
+namespace lommel {
+
+// Signed radii of the circle of confusion in pixels at equal steps of defocus, the largest the nearest; layers of one
+// thickness, the first at the largest radius.
+struct BlurRadii {
+    const double* radii;
+    std::size_t count;
+    double low, high, thickness;
+    std::size_t layers;
+};
+
+// The layer and the radius of each point.
+inline void sort_into_layers(const double* defocus, std::size_t size, const BlurRadii& known, int threads, std::uint8_t* layers,
+                             float* radius) {
+    const double largest = *std::max_element(known.radii, known.radii + known.count);
+    const double last = static_cast<double>(known.count - 1), most = static_cast<double>(known.layers - 1);
+    const double scale = known.high > known.low ? last / (known.high - known.low) : 0.0;
+    constexpr std::size_t part = std::size_t{1} << 16;
+    parallel_for((size + part - 1) / part, threads, [&](std::size_t, std::size_t task) {
+        for (std::size_t i = task * part; i < std::min(size, (task + 1) * part); ++i) {
+            const double at = std::min(std::max((defocus[i] - known.low) * scale, 0.0), last);
+            const double before = std::min(std::floor(at), std::max(last - 1.0, 0.0)), within = at - before;
+            const double* const pair = known.radii + static_cast<std::size_t>(before);
+            const double here = within > 0.0 ? pair[0] + within * (pair[1] - pair[0]) : pair[0];
+            layers[i] = static_cast<std::uint8_t>(std::min(std::max((largest - here) / known.thickness, 0.0), most));
+            radius[i] = static_cast<float>(here);
+        }
+    });
+}
+
+// Numbers the layers that there are, and returns how many.
+inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
+    bool there[256] = {};
+    for (std::size_t i = 0; i < size; ++i) {
+        there[layers[i]] = true;
+    }
+    std::uint8_t number[256] = {};
+    std::size_t count = 0;
+    for (std::size_t layer = 0; layer < 256; ++layer) {
+        number[layer] = static_cast<std::uint8_t>(count);
+        count += there[layer] ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+        layers[i] = number[layers[i]];
+    }
+    return count;
+}
+
+// Finds, for each point that hides something the lens sees, the point that stands for it.
+//
+// A point p hides something if a farther point q lies closer than their radii differ: rays through the rim of the aperture then
+// pass the edge between them. Points are visited by distance, those in the layer of p or nearer are passed over; one that is
+// too far away for its radius is passed over with all that are not in farther layers than it. The light behind p is that of the
+// point mirrored at q, or of q where that is not as far away.
+class HiddenPoints {
+   public:
+    HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)
+        : layers_(layers), radius_(radius), height_(height), width_(width), threads_(threads) {}
+
+    // Writes the index of the point that stands for what is hidden, or -1; returns how many there are.
+    std::size_t find(std::int32_t* behind) const {
+        std::fill_n(behind, height_ * width_, -1);
+        const auto [least, most] = std::minmax_element(radius_, radius_ + height_ * width_);
+        const float range = *most - *least;
+        std::vector<float> reached = lowest();
+        if (reached.empty()) {
+            return 0;
+        }
+        const std::size_t reach = std::min(static_cast<std::size_t>(std::ceil(range)), std::max(height_, width_));
+        const std::vector<Step> steps = by_distance(reach);
+        const std::size_t across = (width_ + block - 1) / block;
+        const std::vector<float> around = least_around(reach);
+        std::vector<std::size_t> found(height_, 0);
+        parallel_for(height_, threads_, [&](std::size_t, std::size_t y) {
+            for (std::size_t x = 0; x < width_; ++x) {
+                const std::size_t at = y * width_ + x;
+                if (reached[at] < radius_[at]) {
+                    const float far = radius_[at] - around[y / block * across + x / block];
+                    behind[at] = inner(y, x, reach) ? visit<true>(y, x, steps, far) : visit<false>(y, x, steps, far);
+                    found[y] += behind[at] >= 0 ? 1 : 0;
+                }
+            }
+        });
+        std::size_t total = 0;
+        for (const std::size_t each : found) {
+            total += each;
+        }
+        return total;
+    }
+
+   private:
+    static constexpr std::size_t block = 32;
+
+    struct Step {
+        float distance;
+        std::int32_t down, right, along;
+    };
+
+    bool inner(std::size_t y, std::size_t x, std::size_t reach) const {
+        return y >= reach && x >= reach && y + reach < height_ && x + reach < width_;
+    }
+
+    // The least of radius plus distance over all points, or less than that: paths over neighbours are at most so much longer
+    // than straight. Where it is not below the radius of a point, that hides nothing. Empty where it nowhere is.
+    std::vector<float> lowest() const {
+        constexpr float straight = 0.92387f, slanted = 1.30655f;  // cos(pi / 8), and times the root of 2, rounded down
+        std::vector<float> least(radius_, radius_ + height_ * width_);
+        std::vector<float> row(width_);
+        bool any = false;
+        const auto sweep = [&](bool up) {
+            for (std::size_t k = 0; k < height_; ++k) {
+                if (k % 256 == 0) {
+                    look();
+                }
+                const std::size_t y = up ? height_ - 1 - k : k;
+                float* const here = least.data() + y * width_;
+                if (k > 0) {
+                    const float* const other = up ? here + width_ : here - width_;
+                    for (std::size_t x = 0; x < width_; ++x) {
+                        row[x] = std::min(here[x], other[x] + straight);
+                    }
+                    for (std::size_t x = 1; x < width_; ++x) {
+                        row[x] = std::min(row[x], other[x - 1] + slanted);
+                    }
+                    for (std::size_t x = 0; x + 1 < width_; ++x) {
+                        row[x] = std::min(row[x], other[x + 1] + slanted);
+                    }
+                    std::copy(row.begin(), row.end(), here);
+                }
+                for (std::size_t x = 1; x < width_; ++x) {
+                    here[x] = std::min(here[x], here[x - 1] + straight);
+                }
+                for (std::size_t x = width_; x-- > 1;) {
+                    here[x - 1] = std::min(here[x - 1], here[x] + straight);
+                }
+            }
+        };
+        sweep(false), sweep(true);
+        for (std::size_t i = 0; i < least.size() && !any; ++i) {
+            any = least[i] < radius_[i];
+        }
+        return any ? least : std::vector<float>();
+    }
+
+    // The least radius in blocks and as far around them as points are visited.
+    std::vector<float> least_around(std::size_t reach) const {
+        const std::size_t rows = (height_ + block - 1) / block, columns = (width_ + block - 1) / block;
+        const std::size_t more = (reach + block - 1) / block;
+        std::vector<float> least(rows * columns, std::numeric_limits<float>::infinity()), wide(least), both(least);
+        for (std::size_t y = 0; y < height_; ++y) {
+            for (std::size_t x = 0; x < width_; ++x) {
+                float& value = least[y / block * columns + x / block];
+                value = std::min(value, radius_[y * width_ + x]);
+            }
+        }
+        for (std::size_t y = 0; y < rows; ++y) {
+            for (std::size_t x = 0; x < columns; ++x) {
+                const float* const row = least.data() + y * columns;
+                wide[y * columns + x] = *std::min_element(row + x - std::min(x, more), row + std::min(columns, x + more + 1));
+            }
+        }
+        for (std::size_t y = 0; y < rows; ++y) {
+            for (std::size_t other = y - std::min(y, more); other < std::min(rows, y + more + 1); ++other) {
+                for (std::size_t x = 0; x < columns; ++x) {
+                    both[y * columns + x] = std::min(both[y * columns + x], wide[other * columns + x]);
+                }
+            }
+        }
+        return both;
+    }
+
+    // Steps to other points, the nearest first; of those as near, one row after another.
+    std::vector<Step> by_distance(std::size_t reach) const {
+        const auto most = static_cast<std::int32_t>(reach);
+        std::vector<Step> steps;
+        for (std::int32_t down = -most; down <= most; ++down) {
+            for (std::int32_t right = -most; right <= most; ++right) {
+                const double squared = static_cast<double>(down) * down + static_cast<double>(right) * right;
+                if (squared > 0.0 && squared <= static_cast<double>(most) * most) {
+                    steps.push_back({static_cast<float>(std::sqrt(squared)), down, right,
+                                     down * static_cast<std::int32_t>(width_) + right});
+                }
+            }
+        }
+        std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.distance < b.distance; });
+        return steps;
+    }
+
+    bool holds(std::ptrdiff_t y, std::ptrdiff_t x) const {
+        return y >= 0 && x >= 0 && y < static_cast<std::ptrdiff_t>(height_) && x < static_cast<std::ptrdiff_t>(width_);
+    }
+
+    // The index of what stands for the light behind a point, or -1; nothing `far` away or farther does.
+    template <bool Inner>
+    std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, float far) const {
+        const auto row = static_cast<std::ptrdiff_t>(y), column = static_cast<std::ptrdiff_t>(x);
+        const std::ptrdiff_t at = row * static_cast<std::ptrdiff_t>(width_) + column;
+        std::uint8_t passed = layers_[at];
+        for (const Step& step : steps) {
+            if (step.distance >= far) {
+                break;
+            }
+            if (!Inner && !holds(row + step.down, column + step.right)) {
+                continue;
+            }
+            const std::ptrdiff_t other = at + step.along;
+            if (layers_[other] > passed) {
+                if (step.distance < radius_[at] - radius_[other]) {
+                    const std::ptrdiff_t beyond = at + 2 * static_cast<std::ptrdiff_t>(step.along);
+                    const bool there = holds(row + 2 * step.down, column + 2 * step.right) && layers_[beyond] > passed;
+                    return static_cast<std::int32_t>(there ? beyond : other);
+                }
+                passed = layers_[other];
+            }
+        }
+        return -1;
+    }
+
+    const std::uint8_t* layers_;
+    const float* radius_;
+    std::size_t height_, width_;
+    int threads_;
+};
+
+}  // namespace lommel

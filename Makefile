@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env uv build psf photo fetch test test-torch test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist clean FORCE
+.PHONY: help env uv build psf photo fetch test test-torch test-napari test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -219,6 +219,14 @@ test-torch: build ## run the tests of differentiable functions in PyTorch, in .t
 	@$(call environment,torch,$(everything) --extra torch "$(TORCH)")
 	$(call installed,torch)
 	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/traced
+
+# Needs a virtual display (on Debian and Ubuntu the packages xvfb and xauth, and the libraries of Qt: libegl1, libxkbcommon-x11-0,
+# libxcb-cursor0 and others).
+test-napari: build ## run the tests of the plugin in napari, under a virtual display, in .tools/napari
+	@command -v xvfb-run >/dev/null || { echo "make: there is no xvfb-run on PATH: install xvfb and xauth" >&2; exit 1; }
+	$(call environment,napari,$(everything) "napari[pyqt6]>=0.6")
+	$(call installed,napari)
+	xvfb-run -a .tools/napari/bin/python -m pytest -p no:cacheprovider tests/napari_plugin
 
 # Needs clang++ (on Debian and Ubuntu the package clang).
 test-clang: ## compile the core by clang++ and run the tests, in .tools/clang

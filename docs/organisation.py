@@ -33,7 +33,7 @@ ORDER = [
     {"estimation", "field", "stacks"},
     {"imaging", "localize"},
     {"lensfiles", "microscopy"},
-    {"adapters", "compat", "page", "paper"},
+    {"adapters", "compat", "napari_plugin", "page", "paper"},
     {"cli"},
     {"the package"},
 ]

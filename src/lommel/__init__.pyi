@@ -14,6 +14,7 @@ from lommel import (
     measures as measures,
     methods as methods,
     microscopy as microscopy,
+    napari_plugin as napari_plugin,
     optics as optics,
     page as page,
     show as show,

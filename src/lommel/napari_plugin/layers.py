@@ -1,0 +1,59 @@
+"""PSFs as layers of napari, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.psf import PSF
+
+LayerData: TypeAlias = tuple[Any, dict[str, Any], str]
+"""Data, options and type of a layer."""
+
+KEY = "lommel"  # of what a layer's metadata holds for this plugin
+
+
+def layer_of(psf: PSF, name: str) -> LayerData:
+    """Return a PSF as a layer with its voxel size in micrometres."""
+    scale = voxel(psf)
+    options: dict[str, Any] = {"name": name, "metadata": {KEY: psf}, "colormap": "inferno", "gamma": 0.5}
+    if scale is not None:
+        options |= {"scale": scale, "units": ("um",) * len(scale)}
+    return np.asarray(psf.values), options, "image"
+
+
+def voxel(psf: PSF) -> tuple[float, ...] | None:
+    """Return the size of a voxel in micrometres, that of a microscope in the sample; None where it has no metres."""
+    if psf.pupil.unit != "m":
+        return None
+    magnification: float = 1.0
+    steps: tuple[float, ...] = ()
+    if isinstance(psf.pupil, ObjectivePupil):
+        magnification = psf.pupil.magnification
+        z = np.ravel(psf.pupil.z)
+        steps = (1e6 * float(abs(z[1] - z[0])),) if z.size > 1 else ()
+    sides = tuple(1e6 * side / magnification for side in psf.grid.pitch)
+    others = (1.0,) * (np.ndim(psf.values) - len(sides) - len(steps))
+    return (*others, *steps, *sides)
+
+
+def psf_of(metadata: dict[str, Any]) -> PSF | None:
+    """Return the PSF that a layer was made of, by its metadata, or None."""
+    found = metadata.get(KEY)
+    return found if isinstance(found, PSF) else None
+
+
+def reader(path: str | Sequence[str]) -> Callable[[str | Sequence[str]], list[LayerData]] | None:
+    """Return a function that reads the PSF of a file, or None for files that others made."""
+    if not isinstance(path, str):
+        return None
+    try:
+        psf = PSF.load(path)
+    except (ValueError, OSError, ImportError, TypeError):
+        return None
+    # Read once: napari calls the function at once with the same path.
+    return lambda _: [layer_of(psf, Path(path).name.partition(".")[0])]

@@ -1,0 +1,59 @@
+"""The part that both widgets share: buttons to start and stop, progress, and a line of text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from lommel.napari_plugin import work
+
+if TYPE_CHECKING:
+    from magicgui.widgets import Container
+
+
+class Panel:
+    """Fields of a widget, with a button that works on them in a thread, and one that stops it."""
+
+    def __init__(self, fields: list[Any], label: str, begin: Callable[[], Callable[[Callable[[float], None]], Any]],
+                 done: Callable[[Any], str]) -> None:  # fmt: skip
+        from magicgui.widgets import Container, Label, ProgressBar, PushButton
+
+        self.run, self.cancel = PushButton(text=label), PushButton(text="Cancel", enabled=False)
+        self.bar, self.status = ProgressBar(min=0, max=100, value=0), Label(value="")
+        buttons = Container(widgets=[self.run, self.cancel], layout="horizontal", labels=False)
+        self.widget: Container[Any] = Container(widgets=[*fields, buttons, self.bar, self.status])
+        self._begin, self._done = begin, done
+        self._stop: Callable[[], None] = lambda: None
+        self.run.clicked.connect(self.start)
+        self.cancel.clicked.connect(self.stop)
+        self.widget.panel = self  # keeps it as long as the widget, and lets tests find it
+
+    def start(self) -> None:
+        """Start the work of the fields."""
+        try:
+            job = self._begin()
+        except Exception as error:
+            self._say(error)
+            return
+        self._busy(True)
+        self.status.value = "working"
+        self._stop = work.start(job, done=self._finish, failed=self._say, progress=self._show)
+
+    def stop(self) -> None:
+        """Ask the work to stop."""
+        self._stop()
+
+    def _show(self, share: float) -> None:
+        self.bar.value = round(100 * min(max(share, 0.0), 1.0))
+
+    def _finish(self, result: Any) -> None:
+        self._busy(False)
+        self.status.value = "cancelled" if result is None else self._done(result)
+
+    def _say(self, error: Exception) -> None:
+        self._busy(False)
+        self.status.value = str(error) or type(error).__name__
+
+    def _busy(self, busy: bool) -> None:
+        self.run.enabled, self.cancel.enabled = not busy, busy
+        self.bar.value = 0

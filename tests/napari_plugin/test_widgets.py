@@ -1,0 +1,134 @@
+"""The plugin in a real napari: manifest, sample data, reader and both widgets. Needs napari, Qt and a display."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+pytest.importorskip("napari")
+if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+    pytest.skip("napari needs a display: xvfb-run", allow_module_level=True)
+
+pytestmark = pytest.mark.filterwarnings("default")
+
+
+@pytest.fixture(scope="module")
+def viewer():
+    import napari
+    from npe2 import PluginManager
+
+    PluginManager.instance().discover()
+    made = napari.Viewer(show=False)
+    yield made
+    made.close()
+
+
+def wait(condition, seconds: float = 120.0) -> None:
+    """Let the windows work until a condition holds."""
+    from qtpy.QtWidgets import QApplication
+
+    end = time.monotonic() + seconds
+    while not condition():
+        QApplication.processEvents()
+        time.sleep(0.01)
+        assert time.monotonic() < end, "the widget did not finish"
+
+
+def panel_of(viewer, name):
+    _, widget = viewer.window.add_plugin_dock_widget("lommel", name)
+    return widget.panel
+
+
+def test_napari_finds_the_manifest_and_its_contributions(viewer):
+    from npe2 import PluginManager
+
+    manifest = PluginManager.instance().get_manifest("lommel")
+    assert [part.display_name for part in manifest.contributions.widgets] == ["PSF of a microscope", "Deconvolution"]
+    assert [part.key for part in manifest.contributions.sample_data] == ["psf", "beads"]
+
+
+def test_a_psf_file_opens_with_its_voxels(viewer, tmp_path):
+    from lommel.napari_plugin import samples
+
+    data, options, _ = samples.psf()[0]
+    options["metadata"]["lommel"].save(tmp_path / "psf.ome.tif")
+    (layer,) = viewer.open(tmp_path / "psf.ome.tif", plugin="lommel")
+    np.testing.assert_array_equal(layer.data, data)
+    assert tuple(layer.scale) == pytest.approx((0.2, 6.5 / 63, 6.5 / 63))
+    viewer.layers.clear()
+
+
+def test_the_psf_widget_computes_what_the_library_does(viewer):
+    panel = panel_of(viewer, "PSF of a microscope")
+    fields = {one.label: one for one in panel.widget if hasattr(one, "label")}
+    fields["objective"].value = "nikon-60x-1.2-water"
+    fields["planes"].value, fields["step (nm)"].value, fields["pixels"].value = 5, 300.0, 17
+    fields["depth (um)"].value = 2.0
+    assert fields["wavelength (nm)"].value == 520.0
+    panel.start()
+    assert not panel.run.enabled
+    wait(lambda: panel.run.enabled)
+    (layer,) = viewer.layers
+    microscope = lm.load_microscope(lm.example_files()["nikon-60x-1.2-water"])
+    z = 300e-9 * (np.arange(5) - 2)
+    pupil = microscope.objective.pupil(depth=2e-6, z=z, wavelength=520e-9, origin=microscope.origin)
+    np.testing.assert_allclose(layer.data, lm.psf(pupil, 17, 6.5e-6).values, rtol=1e-5, atol=1e-12)
+    assert tuple(layer.scale) == pytest.approx((0.3, 6.5 / 60, 6.5 / 60))
+    assert panel.status.value.startswith("error at most ")
+    fields["camera"].value = "andor-ixon-888"
+    fields["planes"].value = 1
+    panel.start()
+    wait(lambda: panel.run.enabled)
+    assert tuple(viewer.layers[-1].scale) == pytest.approx((13 / 60, 13 / 60))
+    viewer.layers.clear()
+
+
+def test_the_deconvolution_widget_restores_the_sample_and_can_be_stopped(viewer):
+    panel = panel_of(viewer, "Deconvolution")
+    panel.start()
+    assert panel.status.value.startswith("open a stack")
+    viewer.open_sample("lommel", "beads")
+    fields = {one.label: one for one in panel.widget if hasattr(one, "label")}
+    assert fields["stack"].value == "beads"
+    fields["camera"].value = "hamamatsu-orca-flash4-v3"
+    assert fields["offset (counts)"].value == 100.0
+    fields["steps at most"].value = 12
+    shares = []
+    panel.bar.changed.connect(shares.append)
+    panel.start()
+    wait(lambda: panel.run.enabled)
+    found = viewer.layers["beads deconvolved"]
+    assert panel.status.value.startswith("12 steps, discrepancy "), panel.status.value
+    assert len(set(shares)) > 3
+    assert tuple(found.scale) == tuple(viewer.layers["beads"].scale)
+    # As sharp as the library makes it.
+    noise = lm.load_camera("hamamatsu-orca-flash4-v3").noise
+    kernel = viewer.layers["PSF of the beads"].metadata["lommel"]
+    method = lm.imaging.RichardsonLucy(steps=12, target=1.0)
+    truth = lm.microscopy.deconvolve(viewer.layers["beads"].data, kernel, noise, method=method)
+    np.testing.assert_allclose(found.data, truth.values, rtol=1e-4, atol=1e-3)
+    fields["steps at most"].value = 1000
+    panel.start()
+    wait(lambda: panel.bar.value > 0 or panel.run.enabled)
+    panel.stop()
+    wait(lambda: panel.run.enabled)
+    assert panel.status.value == "cancelled"
+    assert "beads deconvolved [1]" not in viewer.layers
+    viewer.layers.clear()
+
+
+def test_errors_of_the_library_are_told_in_the_widget(viewer):
+    panel = panel_of(viewer, "PSF of a microscope")
+    fields = {one.label: one for one in panel.widget if hasattr(one, "label")}
+    fields["pixels"].value, fields["planes"].value = 9, 1
+    fields["depth (um)"].value = 900.0
+    panel.start()
+    wait(lambda: panel.run.enabled)
+    assert "where the objective touches the cover glass" in panel.status.value, panel.status.value
+    assert not viewer.layers

@@ -166,7 +166,7 @@ def test_terms_of_high_degree_hardly_reach_a_small_window(seed):
     rng = np.random.default_rng(seed)
     wavefront = lm.Wavefront.zernike({(n, m): 0.1 * rng.normal() for n in (2, 3) for m in range(-n, n + 1, 2)})
     v = rng.uniform(0.3, 3.0)
-    size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v])).around
+    size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v])).across
     q = int(rng.integers(0, 3))
     degree = q + 2 * (seed + 1) - 1
 
@@ -220,6 +220,31 @@ def test_waves_are_folded_by_parity(chords, nodes):
         found = folded_waves(terms, wavefront.edge, at.weight, largest)
         expected = np.einsum("pi,kwihn->kwphn", signs, np.array(kinds))
         assert found == pytest.approx(expected, rel=0.0, abs=1e-13 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize(("y", "x"), [(0.0, 0.0), (0.3, 0.1), (4.0, 0.0), (0.0, 4.0), (6.0, 8.0), (15.0, 15.0)])
+def test_means_of_the_kernel_are_within_their_bounds(y, x):
+    found = chordal_debye.means_of_kernel(y, x)
+    a, (eta, weight) = 2.0 * np.pi * (np.arange(96) + 0.5) / 96, np.polynomial.legendre.leggauss(40)
+    for k in range(0, 64, 7):
+        b = chordal_debye._B[k]
+        if max(x, y) * np.sinh(b) > 40.0:
+            continue
+        z = a[:, None] + 1j * b
+
+        def light(first, second, turn=0.0):
+            at = np.cos(turn) * first - np.sin(turn) * second, np.sin(turn) * first + np.cos(turn) * second
+            return np.abs(np.exp(-1j * (x * at[0] + y * at[1])))
+
+        across = np.mean([light(np.cos(z), eta * np.sin(z), turn).mean(axis=0) @ weight / 2.0 for turn in a])
+        shares = np.abs(np.sin(z)) ** 2 / (0.5 * np.cosh(2.0 * b))
+        around = (shares * light(np.cos(z), eta * np.sin(z))).mean(axis=0) @ weight / 2.0
+        chord = np.pi / 21 * np.arange(1, 21)[:, None]
+        nodes = light(np.cos(chord), np.sin(chord) * np.cos(a + 1j * b)).mean(axis=1)
+        along = (2.0 / 21 * np.sin(chord[:, 0]) ** 2) @ nodes
+        assert across == pytest.approx(np.exp(found[0][k]), rel=1e-9)
+        assert around * (1.0 - 1e-12) <= np.exp(found[1][k]) <= 4.0 * around
+        assert along * (1.0 - 1e-12) <= np.exp(found[2][k]) <= 8.0 * along
 
 
 def test_tilts_shift_the_window():

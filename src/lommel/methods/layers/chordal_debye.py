@@ -41,6 +41,9 @@ _B = np.geomspace(0.03, 2.7, 64)  # how far curves are from the real angles, eac
 _SINH = np.sinh(_B)
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
+_TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # the weight of chords on curves over its mean
+_ETA = np.linspace(0.0, 1.0, 17)
+_BESSEL = math.pi / 8.0  # exp(-s) I_0(s) is at most the root of this over s
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
 _MOST_NODES, _MOST_DEGREE = 256, 250  # of which sums of exp(n b) are finite
 _ROUNDING = 2.0**-53
@@ -343,14 +346,14 @@ def _case(
     highest = max((n for n, _ in phases), default=0)
     size = plain.times(max((n for n, _ in by.terms), default=highest if by_k else 0))
     norm = projection.norm(layers, model)
-    degree = degree_for(size.around, norm, _SHARES[0] * field)
+    degree = degree_for(size.across, norm, _SHARES[0] * field)
     largest = sum(phases.values()) if by_k else 0.0
     sets = all_sets(by, turned=largest > 0.0)
     factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
     sizes = Growth(*(np.stack(each) for each in zip(*(plain.times(n) for n in factors), strict=True)))
     # Films change s and p waves, which add up to a part, by factors of their own.
     norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
-    left = np.array([norms[series] for series, _, _ in sets]) * left_out(sizes.around, degree)
+    left = np.array([norms[series] for series, _, _ in sets]) * left_out(sizes.across, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
@@ -463,14 +466,18 @@ def _powers(order: int, degree: int) -> Array:
 
 
 class Growth(NamedTuple):
-    """Logarithms of bounds on ``abs(exp(i W - i v.r))`` on the curves of chords, and on those of nodes."""
+    """Logarithms of bounds on the means of ``abs(exp(i W - i v.r))`` on curves.
 
+    On those of the projection, of chords and of nodes.
+    """
+
+    across: Array
     around: Array
     along: Array
 
     def times(self, n: int) -> Growth:
         """Return bounds with a Zernike term of degree n as a factor, at most ``cosh(n b)`` there."""
-        return Growth(self.around + _factor(n), self.along + _factor(n)) if n else self
+        return Growth(*(each + _factor(n) for each in self)) if n else self
 
 
 @lru_cache(maxsize=256)
@@ -498,7 +505,19 @@ def growth(
     for (n, _), w in (wavefront.amplitudes() if phases is None else phases).items():
         if n > 1:
             total += w * _sinh(n)
-    return Growth(total + math.hypot(*reach) * _SINH, total + reach[0] * _SINH)
+    return Growth(*(total + each for each in means_of_kernel(reach[0], reach[1])))
+
+
+def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
+    """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three curves, for v up to `y` and `x`."""
+    s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
+    across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
+    # The mean over a chord of a convex function, by trapezoids above it.
+    each = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
+    held = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
+    around = s + np.minimum(0.0, np.log(_TWICE * (0.5 * (held[:, 1:] + held[:, :-1])).mean(axis=1)))
+    along = np.maximum(y * _SINH, 1e-12)
+    return across, around, along + np.minimum(0.0, 0.5 * np.log(_BESSEL / along))
 
 
 def left_out(size: Array, degree: int) -> Array:

@@ -25,6 +25,12 @@ from lommel import (
 from lommel.channel_psf import ColourPSF as ColourPSF, colour_psf as colour_psf
 from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.core.caches import clear_caches as clear_caches
+from lommel.estimation.beads import (
+    BeadFit as BeadFit,
+    FittedBead as FittedBead,
+    Suspect as Suspect,
+    fit_beads as fit_beads,
+)
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information

@@ -324,7 +324,7 @@ def retrieve(
     """
     unknowns = Unknowns(terms, also)
     validation.instance("noise", noise, Noise)
-    values, valid = _images(images, mask, saturation)
+    values, valid = recorded(images, mask, saturation)
     start = _supported(pupil, unknowns, len(values))
     electrons, read = noise.electrons(values), noise.variance(np.zeros_like(values))
     known = validation.real_array("defocus", defocus)
@@ -408,7 +408,7 @@ def _supported(pupil: Pupil | ObjectivePupil, unknowns: Unknowns, images: int) -
     return pupil
 
 
-def _images(images: Any, mask: ArrayLike | None, saturation: float | None) -> tuple[Array, NDArray[np.bool_]]:
+def recorded(images: Any, mask: ArrayLike | None, saturation: float | None) -> tuple[Array, NDArray[np.bool_]]:
     """Return images (n, height, width), 0 where they are not valid, and the map of valid pixels."""
     shapes = {np.shape(part) for part in images} if isinstance(images, list | tuple) else set()
     if len(shapes) > 1:

@@ -190,7 +190,7 @@ def test_sums_of_each_term_are_within_the_bound_of_chords_and_nodes(few, count, 
     wavefront, found = lm.Wavefront.zernike({(2, 2): 1.0}), []
     for v in (1.0, 3.0, 8.0):
         size = chordal_debye.growth(wavefront.flattened(), np.array([-v, -v]), np.array([v, v]))
-        at = chordal_debye._quadrant(rule.chords, rule.nodes)
+        at = chordal_debye.quadrant(rule.chords, rule.nodes)
 
         def integrand(rho, theta, v=v):
             phase = wavefront.phase(rho, theta) - v * rho * (np.cos(theta) + np.sin(theta))
@@ -209,7 +209,7 @@ def test_sums_of_each_term_are_within_the_bound_of_chords_and_nodes(few, count, 
 def test_waves_are_folded_by_parity(chords, nodes):
     coefficients = {(2, 2): [0.7, 1.0], (3, 1): [0.2, -3.0], (2, -2): [0.4, 90.0], (1, 1): 1.3, (4, 0): -2.0}
     wavefront = lm.Wavefront.zernike(coefficients).flattened()
-    at, terms = chordal_debye._quadrant(chords, nodes), chordal_debye._terms(chords, nodes, wavefront.terms)
+    at, terms = chordal_debye.quadrant(chords, nodes), chordal_debye.node_terms(chords, nodes, wavefront.terms)
     signs = np.array([[1, 1, 1, 1], [1, -1, 1, -1], [1, 1, -1, -1], [1, -1, -1, 1]])
     phases = np.zeros((2, 4, *at.rho.shape))
     for image, theta in enumerate((at.theta, -at.theta, np.pi - at.theta, np.pi + at.theta)):

@@ -307,11 +307,13 @@ class _Case:
         """Return what depends on the numbers of chords and nodes."""
         found = self.rules.get(rule)
         if found is None:
-            of_phases = _terms(rule.chords, rule.nodes, self.wavefront.terms)
-            weight = _quadrant(rule.chords, rule.nodes).weight
+            of_phases = node_terms(rule.chords, rule.nodes, self.wavefront.terms)
+            weight = quadrant(rule.chords, rule.nodes).weight
             waves = folded_waves(of_phases, self.wavefront.edge, weight, self.largest)
-            tables = _tables(rule, self.orders, self.emitter)
-            found = _Ruled(tables, waves, _terms(rule.chords, rule.nodes, self.by.terms), curves(self.sizes, rule))
+            tables = node_tables(rule, self.orders, self.emitter)
+            found = _Ruled(
+                tables, waves, node_terms(rule.chords, rule.nodes, self.by.terms), curves(self.sizes, rule)
+            )
             if len(self.rules) < _MOST_RULES and waves.nbytes <= _MOST_BYTES:
                 self.rules[rule] = found
         return found
@@ -577,7 +579,7 @@ def _falling(chords: int, nodes: int) -> tuple[Array, Array]:
     return around, _OVER_NODES - 2.0 * nodes * _B
 
 
-class _Quadrant(NamedTuple):
+class Quadrant(NamedTuple):
     """Nodes with x, y > 0, shape (chords / 2, nodes / 2), and their weights."""
 
     rho: Array
@@ -586,17 +588,18 @@ class _Quadrant(NamedTuple):
 
 
 @lru_cache(maxsize=16)
-def _quadrant(chords: int, nodes: int) -> _Quadrant:
+def quadrant(chords: int, nodes: int) -> Quadrant:
+    """Return the nodes of a quadrant of a rule, and their weights."""
     angle = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)[:, None]
     eta, weight = (each[::-1][: nodes // 2] for each in gauss_legendre(nodes, -1.0, 1.0))
     x, y = np.cos(angle) + 0.0 * eta, np.sin(angle) * eta
-    return _Quadrant(np.hypot(x, y), np.arctan2(y, x), np.sin(angle) ** 2 * weight / (chords + 1))
+    return Quadrant(np.hypot(x, y), np.arctan2(y, x), np.sin(angle) ** 2 * weight / (chords + 1))
 
 
 @lru_cache(maxsize=16)
-def _tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables:
+def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables:
     """Return what fields of an emitter are made of at the nodes."""
-    at, waves = _quadrant(rule.chords, rule.nodes), emitter.light.waves
+    at, waves = quadrant(rule.chords, rule.nodes), emitter.light.waves
     radial = [[zernike.radial(int(n), q, at.rho) for n in projection.degrees(q, rule.degree)] for q in orders]
     shares, factors = [], []
     for c, row in enumerate(_rows(emitter)):
@@ -617,9 +620,9 @@ _PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even 
 
 
 @lru_cache(maxsize=16)
-def _terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> NodeTerms:
+def node_terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> NodeTerms:
     """Return Zernike terms at the nodes of a quadrant, and the parity of each."""
-    at = _quadrant(chords, nodes)
+    at = quadrant(chords, nodes)
     odd_y = np.array([m < 0 for _, m in terms], dtype=np.int32)
     odd_x = np.array([(abs(m) + (m < 0)) % 2 for _, m in terms], dtype=np.int32)
     values = [zernike.polynomial(n, m, at.rho, at.theta) for n, m in terms]

@@ -1,0 +1,352 @@
+"""Stacks of fluorescent beads as a model of wavefront, microscope and places, and their likelihood.
+
+Photons and background of each plane are eliminated: for any model they are those of maximum likelihood, and the
+information about all else is the Schur complement. Beads share the wavefront and the constants of the microscope and
+have places of their own, which are eliminated likewise, so that the cost is linear in the number of beads.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Declined
+from lommel.core.engine import star_likelihood
+from lommel.methods.derivative_names import SHIFTS, Term
+from lommel.methods.layers import light_by_rule
+from lommel.methods.layers.chordal_debye import Rule
+from lommel.methods.layers.light_by_rule import HALF, Filter, Planes, Samples
+from lommel.optics.layers.emitter import Emitter
+from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.stratified import Layer
+from lommel.special import zernike
+
+LEAST = 0.05  # electrons squared: the smallest variance of reading
+_MOST_NODES = 160
+_TURNS = 4  # of the search for the light of a plane
+_FAINTEST = 1e-3  # of the light before: no step goes below
+
+
+class Constant(NamedTuple):
+    """A number of the microscope that may be an unknown: step of differences, unit, most of a step of a search."""
+
+    step: float
+    unit: str
+    reach: float
+    relative: bool = False
+
+
+# Differences over these steps err by their square: below 1e-3 of a derivative.
+CONSTANTS: Mapping[str, Constant] = {
+    "sample": Constant(1e-3, "", 0.05),
+    "immersion": Constant(1e-4, "", 5e-3),
+    "coverslip": Constant(1e-6, "m", 3e-5),
+    "NA": Constant(1e-3, "", 0.05),
+    "pixel": Constant(2e-3, "m", 0.05, relative=True),
+    "diameter": Constant(4e-9, "m", 1e-7),
+    "blur": Constant(0.01, "pixels^2", 0.2),
+    "step": Constant(1e-2, "", 0.1),
+    "depth": Constant(4e-9, "m", 3e-7),
+}
+
+
+@dataclass(frozen=True)
+class Setup:
+    """The microscope of the model: all that is not a place, a wavefront or light.
+
+    `blur` is the variance of a Gaussian, in pixels squared; `step` a factor of the positions of the stage.
+    """
+
+    objective: Objective
+    wavelength: float
+    emitter: Emitter
+    pixel: float
+    diameter: float
+    blur: float = 0.0
+    step: float = 1.0
+    integrate: bool = True
+
+    def value(self, name: str) -> float:
+        """Return a constant."""
+        if name == "coverslip":
+            assert self.objective.coverslip is not None
+            return self.objective.coverslip.thickness
+        return float(getattr(self if name in _OWN else self.objective, name))
+
+    def having(self, name: str, value: float) -> Setup:
+        """Return the microscope with another value of a constant; ValueError where there is no such microscope."""
+        if name in _OWN:
+            given: dict[str, Any] = {name: value}
+            return replace(self, **given)
+        return replace(self, objective=changed(self.objective, name, value))
+
+    @property
+    def across(self) -> float:
+        """V of a pixel."""
+        one = self.objective
+        return 2.0 * math.pi * one.NA * self.pixel / (self.wavelength * one.magnification)
+
+    @property
+    def radius(self) -> float:
+        """Radius of the bead in v."""
+        return math.pi * self.objective.NA * self.diameter / self.wavelength
+
+
+_OWN = ("pixel", "diameter", "blur", "step")
+
+
+def changed(objective: Objective, name: str, value: float) -> Objective:
+    """Return an objective with another sample, immersion, NA, or thickness of the cover glass; same design."""
+    given: dict[str, Any] = {name: getattr(objective, name) for name in _OPTICS}
+    if name == "coverslip":
+        assert objective.coverslip is not None
+        given[name] = Layer(objective.coverslip.index, value)
+    else:
+        given[name] = value
+    return Objective(**given)
+
+
+_OPTICS = ("NA", "magnification", "immersion", "working_distance", "coverslip", "sample", "films", "design")
+
+
+class Place(NamedTuple):
+    """Where a bead is: pixels from the middle of its window, stage position from paraxial focus on the glass, depth.
+
+    `drift` is how far it moves, in pixels, from the middle of the stack to either end.
+    """
+
+    row: float
+    column: float
+    focus: float
+    depth: float
+    drift: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Stack:
+    """The recorded stack of a bead: electrons as :func:`star_likelihood` takes them, and positions of the stage."""
+
+    star: Array  # (4, planes, pixels)
+    shape: tuple[int, int]
+    z: Array  # (planes,), metres
+    tested: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "tested", int(self.star[3].sum()))
+
+    @property
+    def times(self) -> Array:
+        """-1 to 1 over the stack, of drift."""
+        return np.linspace(-1.0, 1.0, len(self.z))
+
+    @staticmethod
+    def of(electrons: Array, variance: Array, valid: NDArray[np.bool_], z: Array) -> Stack:
+        """Return the stack of recorded electrons, (planes, height, width)."""
+        planes = len(electrons)
+        parts = np.where(valid, electrons, 0.0), variance, np.maximum(variance, LEAST), valid
+        star = np.stack([part.reshape(planes, -1).astype(np.float64) for part in parts])
+        height, width = electrons.shape[1:]
+        return Stack(star, (height, width), z)
+
+
+def heights(radius: float) -> tuple[Array, Array]:
+    """Return heights of discs of a ball of a radius in v, over the radius, and shares of its volume."""
+    if radius == 0.0:
+        return np.zeros(1), np.ones(1)
+    return _gauss(max(2, math.ceil(1.0 + 1.35 * radius)))
+
+
+@lru_cache(maxsize=16)
+def _gauss(count: int) -> tuple[Array, Array]:
+    from scipy.special import roots_jacobi
+
+    u, w = roots_jacobi(count, 1.0, 1.0)
+    return u, w / w.sum()
+
+
+class BeadImages:
+    """Images of a bead in the planes of a stack, by rules of stated size, and their derivatives.
+
+    Parameters are a `Setup`, coefficients of Zernike `terms` (radians rms), and a `Place`.
+    """
+
+    def __init__(self, terms: Sequence[Term], fixed: Mapping[Term, float], threads: int) -> None:
+        self.solved = tuple(terms)
+        others = [term for term in fixed if term not in self.solved and term not in SHIFTS.values()]
+        self.terms: tuple[Term, ...] = (*self.solved, *others, *SHIFTS.values())
+        self.factors = np.array([zernike.rms_factor(n, m) for n, m in self.solved])
+        self.fixed = {term: fixed[term] for term in others}  # radians at the edge
+        self._others = np.array([*self.fixed.values()])
+        self.threads = threads
+
+    def values(self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool = True) -> Array:
+        """Return the share of all light in each pixel, (planes, height, width).
+
+        Without `ball`, of the middle of the bead, with a blur of its width: for differences.
+        """
+        found: Array = self._made(setup, waves, place, stack, slopes=False, ball=ball)[0]
+        return found
+
+    def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack) -> Array:
+        """Return derivatives by the waves, focus (1/metres), row and column, (k, planes, height, width)."""
+        return self._made(setup, waves, place, stack, slopes=True, ball=False)[1:]
+
+    def _made(self, setup: Setup, waves: Array, place: Place, stack: Stack, *, slopes: bool, ball: bool) -> Array:
+        objective, across, count = setup.objective, setup.across, len(stack.z)
+        layers = objective._layers(setup.wavelength)
+        middle = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
+        samples = Samples(stack.shape, middle, across, _half(setup))
+        edge = np.concatenate([waves * self.factors, self._others, np.zeros(2)])[None]
+        if any(place.drift):
+            edge = np.repeat(edge, count, axis=0)
+            edge[:, -2:] = across * np.outer(stack.times, place.drift)
+        rule = self.rule(samples, edge)
+        u, shares = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
+        depths = np.maximum(place.depth + 0.5 * setup.diameter * u, 0.0)
+        focus = place.focus + setup.step * stack.z
+        planes = Planes(
+            np.repeat(depths, count),
+            np.tile(focus, len(u)),
+            np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge,
+        )
+        found = light_by_rule.light(
+            layers,
+            setup.emitter,
+            planes,
+            samples,
+            rule,
+            self.terms,
+            by=(*self.solved, *SHIFTS.values()) if slopes else (),
+            by_focus=slopes,
+            threads=self.threads,
+        )
+        power = light_by_rule.collected(layers, setup.emitter, depths)
+        scale = across**2 / (4.0 * math.pi * float(shares @ power))
+        if not ball:
+            # The projected ball has the variance of a fifth of its radius squared.
+            variance = setup.radius**2 / 5.0
+            made = self._filter(samples, 0.0, variance, setup).of(found.astype(np.float32) if slopes else found)
+            made *= scale
+            if slopes:
+                # By the focus first; then by terms at the edge.
+                made[2 : 2 + len(self.solved)] *= self.factors[:, None, None, None]
+                made[-2:] *= across
+                made[1:-2] = np.roll(made[1:-2], -1, axis=0)
+            return made
+        total: Array = np.zeros(())
+        for k, share in enumerate(shares):
+            disc = setup.radius * math.sqrt(1.0 - float(u[k]) ** 2)
+            part = found[0, k * count : (k + 1) * count]
+            total = total + share * self._filter(samples, disc, 0.0, setup).of(part)
+        return np.asarray(scale * total)[None]
+
+    def _filter(self, samples: Samples, disc: float, variance: float, setup: Setup) -> Filter:
+        more = setup.blur * samples.step**2
+        return light_by_rule.pixel_filter(samples, disc, variance + more, integrate=setup.integrate)
+
+    def rule(self, samples: Samples, edge: Array) -> Rule:
+        """Return the rule for phases; Declined where these are too strong, as in too long a step."""
+        window = samples.window
+        ends = [max(at, side - 1.0 - at) for at, side in zip(window.center, window.shape, strict=True)]
+        plain = edge[0, :-2]
+        squares = [1.0 / zernike.rms_factor(n, m) ** 2 for n, m in self.terms[:-2]]
+        phase = math.sqrt(float((plain * plain) @ squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
+        made = light_by_rule.enough(max(ends) * window.step, phase)
+        if made.chords > _MOST_NODES:
+            raise Declined("aberrations are too strong")
+        return made
+
+    def differences(self, setup: Setup, waves: Array, place: Place, stack: Stack, name: str) -> Array:
+        """Return the derivative by a constant or the depth, central differences over `CONSTANTS`."""
+        given = CONSTANTS[name]
+        if name == "depth":
+            nearest = 0.5 * setup.diameter
+            h = min(given.step, max(place.depth - nearest, 0.0)) if place.depth - nearest < given.step else given.step
+            up, down = place._replace(depth=place.depth + given.step), place._replace(depth=place.depth - h)
+            pair = [self.values(setup, waves, at, stack) for at in (up, down)]
+            return np.asarray((pair[0] - pair[1]) / (given.step + h))
+        at = setup.value(name)
+        h = given.step * (at if given.relative else 1.0)
+        low, high = at - h, at + h
+        if name == "diameter":
+            low = max(low, 0.25 * at)
+        elif name == "NA":  # which is below the indices
+            high = min(high, at + 0.5 * (min(setup.objective.immersion, setup.objective.design.immersion) - at))
+        whole = name in ("diameter", "sample")  # which change the light along the height of the bead
+        pair = [self.values(setup.having(name, value), waves, place, stack, ball=whole) for value in (high, low)]
+        return np.asarray((pair[0] - pair[1]) / (high - low))
+
+
+def _half(setup: Setup) -> int:
+    """Return how many samples beyond a pixel its filter takes: more of large beads and blurs."""
+    stride = max(1, math.ceil(setup.across / 1.535))
+    wide = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.across + setup.radius
+    return HALF + (stride - 1) * 2 + math.ceil(wide * stride / setup.across)
+
+
+def light_of(values: Array, star: Array, before: Array | None = None) -> Array:
+    """Return the photons and background of each plane, (2, planes), of maximum likelihood for PSFs (planes, ...)."""
+    psf = values.reshape(len(values), -1).astype(np.float64)
+    counted, _, read, valid = star
+    weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
+    found = np.empty((2, len(psf)))
+    for turn in range(_TURNS):
+        if turn or before is not None:
+            given = found if turn else before
+            assert given is not None
+            mean = given[0][:, None] * psf + given[1][:, None]
+            weight = valid / np.maximum(mean + read, 0.25 * read)
+        total, data = weight.sum(axis=-1), weight * counted
+        middle, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
+        square = (weight * psf * psf).sum(axis=-1) - total * middle * middle
+        flux = ((data * psf).sum(axis=-1) - total * middle * level) / np.maximum(square, 1e-300)
+        found[0] = np.maximum(flux, _FAINTEST * np.abs(flux).max() + 1e-9)
+        found[1] = level - found[0] * middle
+    return found
+
+
+class Part(NamedTuple):
+    """What the stack of one bead says: deviance, slope and information of the shared parameters, then of its own."""
+
+    deviance: float
+    slope: Array
+    information: Array
+    chi2: float  # Pearson's sum of squares
+    expected: float
+    spread: float
+    light: Array  # (2, planes)
+    visible: float  # of the light of all planes, standard deviations
+
+
+def likelihood(values: Array, stack: Stack, light: Array, threads: int) -> tuple[float, float, float, float]:
+    """Return minus the log-likelihood, and Pearson's chi2, its expectation and variance."""
+    numbers, products = star_likelihood([values], light[None], stack.star, threads)
+    deviance, expected, spread = numbers.sum(axis=(-1, -2))
+    return float(deviance), float(products[0, :, -1, -1].sum()), float(expected), float(spread)
+
+
+def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
+    """Return what a stack says about parameters, whose derivatives are (planes, parameters, slopes) of `slopes`."""
+    numbers, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
+    deviance, expected, spread = numbers.sum(axis=(-1, -2))
+    each, k = products[0], len(slopes)
+    flux = light[0][:, None, None]
+    inner = each[:, k : k + 2, k : k + 2]
+    cross = flux * each[:, :k, k : k + 2]
+    inner = inner + 1e-12 * np.trace(inner, axis1=1, axis2=2)[:, None, None] * np.eye(2)
+    carried = np.linalg.solve(inner, cross.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
+    square = flux * flux * each[:, :k, :k] - carried @ cross.swapaxes(1, 2)
+    slope = flux[..., 0] * each[:, :k, -1] - np.einsum("pkl,pl->pk", carried, each[:, k : k + 2, -1])
+    information = (chain @ square @ chain.swapaxes(1, 2)).sum(axis=0)
+    found = np.einsum("pak,pk->a", chain, slope)
+    alone = inner[:, 0, 0] - inner[:, 0, 1] ** 2 / inner[:, 1, 1]
+    visible = math.sqrt(float((light[0] ** 2 * np.maximum(alone, 0.0)).sum()))
+    total = float(each[:, -1, -1].sum())
+    return Part(float(deviance), found, information, total, float(expected), float(spread), light, visible)

@@ -1,0 +1,310 @@
+"""Fisher scoring of stacks of beads: shared parameters, and places that are eliminated bead by bead."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Declined
+from lommel.estimation.bead_images import (
+    CONSTANTS,
+    BeadImages,
+    Part,
+    Place,
+    Setup,
+    Stack,
+    light_of,
+    likelihood,
+    part_of,
+)
+
+OWN = ("row", "column", "focus")
+DRIFT = ("drift_row", "drift_column")
+_SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
+_DAMPING = 1e-2, 1e-6, 1e7  # at first, at least, and where a search gives up
+_FAR = 1.0  # radians rms: no step changes the wavefront by more
+_REACH = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "drift_column": 1.0, "depth": 0.3e-6}
+
+
+def lowest(setup: Setup) -> float:
+    """Return the least depth of a bead: it lies on the glass, within what its size and the glass are known."""
+    return 0.25 * setup.diameter
+
+
+class Prior(NamedTuple):
+    """What is known of a constant before: its value and standard deviation, inf for nothing."""
+
+    value: float
+    deviation: float
+
+    def pull(self, at: float) -> tuple[float, float, float]:
+        """Return the deviance, the slope towards the value, and the information."""
+        square = 1.0 / self.deviation**2
+        away = self.value - at
+        return 0.5 * away * away * square, away * square, square
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """A set of parameters: waves (radians rms), constants in a setup, a place and light of each bead."""
+
+    setup: Setup
+    waves: Array
+    places: tuple[Place, ...]
+    light: tuple[Array, ...] = ()
+
+
+class Normal(NamedTuple):
+    """What all stacks and priors say about shared parameters, then about those of each bead."""
+
+    shared: Array  # (k, k)
+    slope: Array  # (k,)
+    across: tuple[Array, ...]  # (k, q) each
+    own: tuple[Array, ...]  # (q, q) each
+    own_slope: tuple[Array, ...]  # (q,) each
+    parts: tuple[Part, ...]
+
+    def reduced(self, damping: float = 0.0) -> tuple[Array, Array]:
+        """Return information and slope of the shared parameters, places being eliminated."""
+        square, slope = _damped(self.shared, damping), self.slope.copy()
+        for cross, own, by in zip(self.across, self.own, self.own_slope, strict=True):
+            carried = _solved(_damped(own, damping), np.column_stack([cross.T, by]))
+            square = square - cross @ carried[:, :-1]
+            slope -= cross @ carried[:, -1]
+        return square, slope
+
+    def step(self, damping: float) -> tuple[Array, list[Array], float]:
+        """Return a damped step, of what is shared and of each bead, and twice the gain that it promises."""
+        shared = _solved(*self.reduced(damping))
+        promised, each = float(shared @ self.slope), []
+        for cross, own, by in zip(self.across, self.own, self.own_slope, strict=True):
+            each.append(_solved(_damped(own, damping), by - cross.T @ shared))
+            promised += float(each[-1] @ by)
+        return shared, each, promised
+
+    def holding(self, bead: int, at: int, step: float) -> Normal:
+        """Return the same with a step of a parameter of a bead given."""
+        across, own, slopes = ([part.copy() for part in each] for each in (self.across, self.own, self.own_slope))
+        slope = self.slope - across[bead][:, at] * step
+        slopes[bead] -= own[bead][:, at] * step
+        across[bead][:, at] = 0.0
+        own[bead][at] = own[bead][:, at] = 0.0
+        own[bead][at, at], slopes[bead][at] = 1.0, step
+        return self._replace(slope=slope, across=tuple(across), own=tuple(own), own_slope=tuple(slopes))
+
+
+def _damped(square: Array, damping: float) -> Array:
+    return np.asarray(square + np.diag(damping * np.diag(square)))
+
+
+def _solved(square: Array, by: Array) -> Array:
+    """Return the solution of scaled equations; unknowns that nothing depends on stay."""
+    diagonal = np.diag(square)
+    scale = np.where(diagonal > 0.0, np.sqrt(np.maximum(diagonal, 1e-300)), 1.0)
+    alike = square / np.outer(scale, scale) + 1e-11 * np.eye(len(scale))
+    right = by / (scale if by.ndim == 1 else scale[:, None])
+    return np.asarray(np.linalg.solve(alike, right) / (scale if by.ndim == 1 else scale[:, None]))
+
+
+class BeadModel:
+    """Several stacks of beads as functions of shared and own parameters."""
+
+    def __init__(
+        self,
+        images: BeadImages,
+        stacks: Sequence[Stack],
+        priors: dict[str, Prior],
+        depths: Sequence[Prior],
+        *,
+        drift: bool,
+    ) -> None:
+        self.images, self.stacks, self.priors, self.depths = images, tuple(stacks), priors, tuple(depths)
+        self.own = (*OWN, *(("depth",) if depths and depths[0].deviation > 0.0 else ()), *(DRIFT if drift else ()))
+        self.names: tuple[object, ...] = (*images.solved, *priors)
+        self.size = len(self.names) + len(self.own) * len(self.stacks)
+        self.tested = sum(stack.tested for stack in stacks) - self.size - 2 * sum(len(s.z) for s in stacks)
+
+    def alone(self, k: int) -> BeadModel:
+        """Return the model of one bead, with the constants of the microscope and its depth fixed."""
+        depth = Prior(self.depths[k].value, 0.0)
+        return BeadModel(self.images, [self.stacks[k]], {}, [depth], drift=DRIFT[0] in self.own)
+
+    def prior_deviance(self, state: State) -> float:
+        """Return what priors add to the deviance."""
+        total = sum(prior.pull(state.setup.value(name))[0] for name, prior in self.priors.items())
+        if "depth" in self.own:
+            total += sum(p.pull(at.depth)[0] for p, at in zip(self.depths, state.places, strict=True))
+        return total
+
+    def lit(self, state: State) -> tuple[State, list[Array], float]:
+        """Return a state with the light of maximum likelihood, the images, and its deviance with priors.
+
+        Declined or ValueError where the aberrations are too strong or there is no such microscope.
+        """
+        light, values, total = [], [], self.prior_deviance(state)
+        for k, (stack, place) in enumerate(zip(self.stacks, state.places, strict=True)):
+            psf = self.images.values(state.setup, state.waves, place, stack)
+            values.append(psf)
+            light.append(light_of(psf, stack.star, state.light[k] if state.light else None))
+            total += likelihood(psf, stack, light[-1], self.images.threads)[0]
+        if not math.isfinite(total):
+            raise Declined("the likelihood is not finite")
+        return replace(state, light=tuple(light)), values, total
+
+    def normal(self, state: State, values: Sequence[Array], more: Sequence[str] = ()) -> Normal:
+        """Return slope and information; those by constants `more`, of all beads alike, follow what is shared."""
+        k, names = len(self.names) + len(more), (*self.names, *more)
+        shared, slope = np.zeros((k, k)), np.zeros(k)
+        across, own, own_slope, parts = [], [], [], []
+        for stack, place, psf, light in zip(self.stacks, state.places, values, state.light, strict=True):
+            slopes, chain = self._slopes(state, place, stack, names)
+            part = part_of(psf, slopes, chain, stack, light, self.images.threads)
+            parts.append(part)
+            shared += part.information[:k, :k]
+            slope += part.slope[:k]
+            across.append(part.information[:k, k:])
+            own.append(part.information[k:, k:].copy())
+            own_slope.append(part.slope[k:].copy())
+        for name, prior in self.priors.items():
+            at = names.index(name)
+            _, pull, square = prior.pull(state.setup.value(name))
+            slope[at] += pull
+            shared[at, at] += square
+        if "depth" in self.own:
+            at = self.own.index("depth")
+            for j, (prior, place) in enumerate(zip(self.depths, state.places, strict=True)):
+                _, pull, square = prior.pull(place.depth)
+                own_slope[j][at] += pull
+                own[j][at, at] += square
+        return Normal(shared, slope, tuple(across), tuple(own), tuple(own_slope), tuple(parts))
+
+    def _slopes(self, state: State, place: Place, stack: Stack, names: Sequence[object]) -> tuple[Array, Array]:
+        """Return derivatives of images, and of images by parameters by these in each plane."""
+        images, setup, waves = self.images, state.setup, state.waves
+        plain, k = images.slopes(setup, waves, place, stack), len(images.solved)
+        found = [plain]
+        at: dict[object, tuple[int, Array]] = {}
+        ones, count = np.ones(len(stack.z)), len(plain)
+        for j, term in enumerate(images.solved):
+            at[term] = j, ones
+        for j, name in enumerate(OWN):
+            at[name] = k + (1, 2, 0)[j], ones
+        for j, name in enumerate(DRIFT):
+            at[name] = k + 1 + j, stack.times
+        at["step"] = k, stack.z
+        wanted = (*(name for name in names if name in CONSTANTS), *(("depth",) if "depth" in self.own else ()))
+        for name in dict.fromkeys(map(str, wanted)):
+            if name in at:
+                continue
+            found.append(images.differences(setup, waves, place, stack, name)[None].astype(plain.dtype))
+            at[name] = count, ones
+            count += 1
+        chain = np.zeros((len(stack.z), len(names) + len(self.own), count))
+        for row, name in enumerate((*names, *self.own)):
+            column, factor = at[name]
+            chain[:, row, column] = factor
+        return np.concatenate(found), chain
+
+    def step(self, state: State, normal: Normal, damping: float) -> tuple[Array, list[Array], float]:
+        """Return a damped step, of what is shared and of each bead, and twice the gain that it promises."""
+        found = normal.step(damping)
+        if "depth" in self.own:
+            at, least = self.own.index("depth"), lowest(state.setup)
+            for j, place in enumerate(state.places):
+                if place.depth + found[1][j][at] < least:
+                    normal = normal.holding(j, at, least - place.depth)
+            found = normal.step(damping)
+        return found
+
+    def moved(self, state: State, shared: Array, each: Sequence[Array]) -> State:
+        """Return the parameters after a step, cut to what it may change at most."""
+        k = len(self.images.solved)
+        longest = [math.sqrt(float(shared[:k] @ shared[:k])) / _FAR]
+        for own in each:
+            longest += [abs(own[j]) / _REACH[name] for j, name in enumerate(self.own)]
+        setup = state.setup
+        for name, step in zip(self.priors, shared[k:], strict=True):
+            given = CONSTANTS[name]
+            longest.append(abs(float(step)) / (given.reach * (setup.value(name) if given.relative else 1.0)))
+        cut = 1.0 / max(1.0, *longest)
+        for name, step in zip(self.priors, shared[k:], strict=True):
+            setup = setup.having(name, setup.value(name) + cut * float(step))
+        if setup.blur < -0.2 or setup.diameter < 0.0:
+            raise Declined("no such blur or bead")
+        places = []
+        for stack, place, own in zip(self.stacks, state.places, each, strict=True):
+            by = {name: cut * float(own[j]) for j, name in enumerate(self.own)}
+            height, width = (0.5 * side for side in stack.shape)
+            places.append(
+                Place(
+                    float(np.clip(place.row + by["row"], -height, height)),
+                    float(np.clip(place.column + by["column"], -width, width)),
+                    place.focus + by["focus"],
+                    max(place.depth + by.get("depth", 0.0), lowest(setup)),
+                    (place.drift[0] + by.get("drift_row", 0.0), place.drift[1] + by.get("drift_column", 0.0)),
+                )
+            )
+        return replace(state, setup=setup, waves=state.waves + cut * shared[:k], places=tuple(places))
+
+    def chi2(self, state: State, values: Sequence[Array]) -> tuple[float, float]:
+        """Return Pearson's chi2 per degree of freedom, and its standard deviation."""
+        each = [
+            likelihood(psf, stack, light, self.images.threads)[1:]
+            for psf, stack, light in zip(values, self.stacks, state.light, strict=True)
+        ]
+        total, expected, spread = np.sum(each, axis=0)
+        return self._over(float(total), float(expected), float(spread))
+
+    def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:
+        """Return the same from what stacks say."""
+        return self._over(sum(p.chi2 for p in parts), sum(p.expected for p in parts), sum(p.spread for p in parts))
+
+    def _over(self, total: float, expected: float, spread: float) -> tuple[float, float]:
+        pixels = self.tested + self.size + 2 * sum(len(s.z) for s in self.stacks)
+        most = max(expected * max(self.tested, 1) / pixels, 1.0)
+        return total / most, math.sqrt(spread) / most
+
+
+class Climbed(NamedTuple):
+    """The end of a search."""
+
+    state: State
+    values: list[Array]
+    deviance: float
+    normal: Normal
+    settled: bool
+    steps: int
+    interrupted: bool
+
+
+def climb(model: BeadModel, start: State, most: int, report: Callable[[int, float], object]) -> Climbed:
+    """Take damped steps from a start until they settle; an interrupt ends the search with the best so far."""
+    state, values, deviance = model.lit(start)
+    normal = model.normal(state, values)
+    damping, settled, taken, interrupted = _DAMPING[0], False, 0, False
+    try:
+        while True:
+            shared, each, promised = model.step(state, normal, damping)
+            settled = promised < _SETTLED and damping <= 1.0
+            report(taken, model.chi2_of(normal.parts)[0])
+            if settled or taken >= most or damping > _DAMPING[2]:
+                break
+            taken += 1
+            try:
+                tried, made, new = model.lit(model.moved(state, shared, each))
+                there = model.normal(tried, made) if new < deviance else None
+            except (Declined, ValueError):  # a step too long: aberrations too strong, or no such microscope
+                there = None
+            if there is None:
+                damping *= 6.0
+                continue
+            state, values, deviance, normal = tried, made, new, there
+            damping = max(0.1 * damping, _DAMPING[1])
+    except KeyboardInterrupt:
+        interrupted = True
+    return Climbed(state, values, deviance, normal, settled, taken, interrupted)

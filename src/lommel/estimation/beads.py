@@ -1,0 +1,920 @@
+"""The aberrations and constants of a microscope from stacks of beads, with standard errors and a verdict."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel import show
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.core.answers import Declined
+from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, light_of
+from lommel.estimation.bead_search import DRIFT, BeadModel, Climbed, Prior, State, climb
+from lommel.estimation.noise import Noise
+from lommel.estimation.phase_retrieval import label, recorded
+from lommel.estimation.star_images import MOST, SURE
+from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
+from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
+from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.layers.stratified import DEPTH_MOST, length
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import psf
+from lommel.special import zernike
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_PLANES = 5  # at the least
+_SUSPECT = 5.0  # standard deviations of a score test
+_VISIBLE = 10.0  # standard deviations of the light of all planes together
+_REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has to fit better
+_ALIKE = 1.0  # of the same: starts that end so near have found one minimum
+_TURNS = 20  # steps of a search for a stack in reversed order
+_OFF = 2e-3  # over the peak: what the images of the search may be off by
+_LEFT = 1.5  # times the median chi2, from which a bead is left out
+_FIRST = 5  # Noll's index of the first term after defocus
+_ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)  # metres of the stage, where restarts begin
+USUAL: Mapping[str, float] = {"depth": 20e-9, "sample": 3e-3, "NA": 0.02, "pixel": 0.01, "diameter": 0.1}
+"""Standard deviations of the constants that are unknowns by default; of pixel and diameter relative ones."""
+
+
+class Suspect(NamedTuple):
+    """A score test of one constant: the value that the data alone want, and how far it is from the one given.
+
+    Attributes
+    ----------
+    name : str
+    sigmas : float
+        Distance from the given value, in standard deviations of both.
+    value, deviation : float
+        One step of Fisher scoring from the answer, and the standard error, in the unit of `unit`.
+    given : float
+        The value that was stated.
+    unit : str
+    """
+
+    name: str
+    sigmas: float
+    value: float
+    deviation: float
+    given: float
+    unit: str
+
+    def __str__(self) -> str:
+        """Return such as "sample = 1.379 +- 0.005 (11 sigma)"."""
+        factor, unit = _SHOWN.get(self.unit, (1.0, f" {self.unit}".rstrip()))
+        value, error = _with_error(factor * self.value, factor * self.deviation)
+        return f"{self.name} = {value} +- {error}{unit} ({abs(self.sigmas):.2g} sigma)"
+
+
+_SHOWN = {"m": (1e6, " um")}
+
+
+def _with_error(value: float, error: float) -> tuple[str, str]:
+    """Return a number and its standard error with two digits, to the same place."""
+    if not 0.0 < error < math.inf:
+        return f"{value:.6g}", f"{error:g}"
+    places = max(0, 1 - math.floor(math.log10(error)))
+    return f"{value:.{places}f}", f"{error:.{places}f}"
+
+
+@dataclass(frozen=True, eq=False)
+class FittedBead:
+    """What was found of one bead.
+
+    Attributes
+    ----------
+    row, column : float
+        Position of its axis in the window, pixels, as `center` of :func:`lommel.psf`.
+    z : float
+        Position of the stage, metres, at which the bead is at the origin of :meth:`lommel.Objective.pupil`: the
+        brightest focus without aberrations.
+    depth : float
+        Of its centre below the glass, metres.
+    deviation : dict of str to float
+        Standard errors of "row", "column", "z" and, where estimated, "depth", "drift_row", "drift_column".
+    drift : (float, float)
+        How far it moves along rows and columns from the middle to the end of the stack, pixels.
+    flux, background : ndarray, shape (planes,)
+        Electrons of the bead, and electrons a pixel.
+    chi2 : float
+        Pearson's, per degree of freedom.
+    used : bool
+        Whether it was part of the joint fit; a bead that does not fit beside the others is left out.
+    images, model, residual : ndarray, shape (planes, height, width)
+        The images, NaN where left out; the model in their unit; the difference in standard deviations of the noise.
+    """
+
+    row: float
+    column: float
+    z: float
+    depth: float
+    deviation: dict[str, float]
+    drift: tuple[float, float]
+    flux: Array = field(repr=False)
+    background: Array = field(repr=False)
+    chi2: float
+    used: bool
+    images: Array = field(repr=False)
+    model: Array = field(repr=False)
+    residual: Array = field(repr=False)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class BeadFit:
+    """The microscope that stacks of beads were taken with: the answer of :func:`lommel.fit_beads`.
+
+    Attributes
+    ----------
+    aberrations : Wavefront
+        Estimated terms and fixed ones, as `aberrations` of :meth:`lommel.Objective.pupil`.
+    objective : Objective
+        With the estimated constants.
+    wavelength, pixel, diameter : float
+        Metres: the pixel on the camera and the diameter of the beads as estimated.
+    emitter : Dipole, Beam or Scalar
+    coefficients : dict
+        What all beads share: Zernike terms (n, m) in radians rms, and constants by name.
+    deviation : dict
+        Standard error of each.
+    covariance : ndarray, shape (k, k)
+        Of `coefficients`, in their order.
+    beads : tuple of FittedBead
+    suspects : tuple of Suspect
+        Score tests of all constants, estimated or not, the largest first.
+    chi2 : float
+        Pearson's chi2 per degree of freedom.
+    converged : bool
+        Whether the steps settled at a chi2 that is consistent with the noise, of a visible bead in the right order.
+    reliable : bool
+        Whether it converged and no constant is suspected.
+    message : str
+        The verdict.
+    model_error : float
+        Largest difference between images of the search and certified ones at the answer, over the peak.
+    steps : int
+    """
+
+    aberrations: Wavefront
+    objective: Objective
+    wavelength: float
+    pixel: float
+    diameter: float
+    emitter: Dipole | Beam | Scalar
+    coefficients: dict[Any, float]
+    deviation: dict[Any, float]
+    covariance: Array
+    beads: tuple[FittedBead, ...]
+    suspects: tuple[Suspect, ...]
+    chi2: float
+    converged: bool
+    reliable: bool
+    message: str
+    model_error: float
+    steps: int
+    _state: State = field(repr=False)
+    _images: BeadImages = field(repr=False)
+
+    def pupil(self, *, depth: ArrayLike, z: ArrayLike = 0.0) -> ObjectivePupil:
+        """Return the fitted pupil with an emitter at a depth and the stage at z, metres, for :func:`lommel.psf`.
+
+        Parameters
+        ----------
+        depth, z : array_like
+            As of :meth:`lommel.Objective.pupil`, from the brightest focus.
+
+        Returns
+        -------
+        ObjectivePupil
+
+        Raises
+        ------
+        ValueError
+            If a position is out of range.
+        """
+        return self.objective.pupil(
+            depth=depth, z=z, wavelength=self.wavelength, emitter=self.emitter, aberrations=self.aberrations
+        )
+
+    def psf_deviation(self, *, depth: float, z: ArrayLike = 0.0, shape: int | tuple[int, int] = 31) -> Array:
+        """Return the standard deviation of the PSF at any depth, from the covariance of the fit.
+
+        Parameters
+        ----------
+        depth : float
+            Of an emitter below the glass, metres.
+        z : array_like, shape (planes,)
+            Of the stage from the brightest focus, metres.
+        shape : int or (int, int), default 31
+            Window, of the fitted pixels.
+
+        Returns
+        -------
+        ndarray, shape (planes, height, width)
+            Of values as ``lommel.psf(found.pupil(depth=depth, z=z), shape, found.pixel)`` has, shares of all light.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range.
+
+        Notes
+        -----
+        The root of ``diag(J C J^T)``, C being the covariance and J derivatives of the PSF: by Zernike terms analytic,
+        by constants of the microscope central differences at fixed z from the brightest focus, which moves with them.
+        """
+        height, width = validation.image_shape(shape)
+        deep = length("depth", depth, DEPTH_MOST)
+        at = np.atleast_1d(validation.real_array("z", z))
+        if at.ndim != 1 or not at.size:
+            raise ValueError(f"z must be a number or have the shape (planes,), got {at.shape}")
+        setup = replace(self._state.setup, diameter=0.0, blur=0.0, step=1.0)
+        self.pupil(depth=deep, z=at)  # checks the range
+        stack = Stack(np.ones((4, at.size, height * width)), (height, width), at)
+        waves, images = self._state.waves, self._images
+
+        def values(one: Setup) -> Array:
+            return images.values(one, waves, _focused(one, deep), stack)
+
+        jacobian = [*images.slopes(setup, waves, _focused(setup, deep), stack)[: len(images.solved)]]
+        for name in self.coefficients:
+            if name in ("diameter", "blur", "step"):
+                jacobian.append(np.zeros((at.size, height, width)))
+            elif isinstance(name, str):
+                given = CONSTANTS[name]
+                h = given.step * (setup.value(name) if given.relative else 1.0)
+                ends = [setup.having(name, setup.value(name) + side * h) for side in (1.0, -1.0)]
+                jacobian.append((values(ends[0]) - values(ends[1])) / (2.0 * h))
+        rows = np.reshape(jacobian, (len(jacobian), -1)).astype(np.float64)
+        square = np.einsum("ip,ij,jp->p", rows, self.covariance, rows)
+        deviation: Array = np.sqrt(np.maximum(square, 0.0))
+        return deviation.reshape(at.size, height, width)
+
+    def plot(self, *, bead: int = 0, unit: str = "waves") -> Figure:
+        """Return a matplotlib figure of planes of a bead, model, residual, and coefficients with standard errors.
+
+        Parameters
+        ----------
+        bead : int, default 0
+        unit : {"waves", "radians"}
+            Of the coefficients, rms.
+
+        Returns
+        -------
+        matplotlib Figure
+
+        Raises
+        ------
+        ValueError
+            If there is no such bead or unit.
+        ImportError
+            If matplotlib is not installed.
+        """
+        one = self.beads[validation.integer("bead", bead, least=0, most=len(self.beads) - 1)]
+        factor = 1.0 / (2.0 * math.pi) if validation.choice("unit", unit, ("waves", "radians")) == "waves" else 1.0
+        planes = np.unique(np.linspace(0, len(one.images) - 1, _PLANES).round().astype(int))
+        names = [name for name in self.coefficients if not isinstance(name, str)]
+        bars = (
+            [label(name) for name in names],
+            [factor * self.coefficients[name] for name in names],
+            [factor * self.deviation[name] for name in names],
+            unit,
+        )
+        titles = [f"plane {k}" for k in planes]
+        images, model, residual = (part[planes] for part in (one.images, one.model, one.residual))
+        return show.estimates.fit(images, model, residual, bars, f"chi2 = {self.chi2:.3g}", titles)
+
+    def __repr__(self) -> str:
+        lines = [f"<BeadFit: {self.message}"]
+        for name, value in self.coefficients.items():
+            unit = CONSTANTS[name].unit if isinstance(name, str) else "rad"
+            factor, unit = _SHOWN.get(unit, (1.0, f" {unit}".rstrip()))
+            shown, error = _with_error(factor * value, factor * self.deviation[name])
+            lines.append(f"  {name if isinstance(name, str) else label(name)}: {shown} +- {error}{unit}")
+        return "\n".join(lines) + ">"
+
+
+def _focused(setup: Setup, depth: float) -> Place:
+    """Return the place of an emitter at its brightest focus."""
+    return Place(0.0, 0.0, _brightest(setup, depth), depth)
+
+
+def _brightest(setup: Setup, depth: float) -> float:
+    made = setup.objective.pupil(depth=depth, wavelength=setup.wavelength, emitter=setup.emitter)
+    return float(made.focus)
+
+
+def fit_beads(
+    stacks: ArrayLike | Sequence[ArrayLike],
+    objective: Objective,
+    *,
+    z: ArrayLike,
+    wavelength: float,
+    pixel: float,
+    noise: Noise,
+    diameter: float = 0.0,
+    depth: float | Sequence[float] | None = None,
+    emitter: str | Dipole | Beam | Scalar = "isotropic",
+    terms: int | Sequence[tuple[int, int] | str] = 17,
+    aberrations: Wavefront | None = None,
+    priors: Mapping[str, float | tuple[float, float]] | None = None,
+    drift: bool = False,
+    mask: ArrayLike | None = None,
+    saturation: float | None = None,
+    integrate: bool = True,
+    starts: int = 5,
+    steps: int = 60,
+    threads: int | None = None,
+    progress: Callable[[float, float], object] | None = None,
+) -> BeadFit:
+    """Estimate the aberrations and constants of a microscope from stacks of fluorescent beads.
+
+    All beads share the wavefront and the constants; each has a place, and each plane photons and a background, which
+    are estimated jointly. What is held fixed is tested: `suspects` says which constant the data want changed.
+
+    Parameters
+    ----------
+    stacks : array_like, shape (planes, height, width), or a sequence of these
+        Windows around one bead each, as recorded, proportional to light but for the offset of `noise`. NaN, infinite
+        and masked values are left out, and in images of integers the largest value of their type.
+    objective : Objective
+    z : array_like, shape (planes,)
+        Position of the stage in each plane, metres, increasing towards the sample (decreasing if planes were taken
+        the other way).
+    wavelength : float
+        Of the emission, metres in vacuum.
+    pixel : float
+        Metres on the camera.
+    noise : Noise
+        Gain, offset and read noise.
+    diameter : float, default 0
+        Of the beads, metres; 0 for a point.
+    depth : float or sequence, optional
+        Of the centre of each bead below the glass, metres; by default its radius: beads lie on the glass.
+    emitter : default "isotropic"
+        As of :meth:`lommel.Objective.pupil`.
+    terms : int or sequence, default 17
+        Zernike terms to estimate. A number: so many from Noll's 5 on. Else pairs (n, m) or names such as "noll 11",
+        without piston, tilts and defocus, which the places of the beads stand for.
+    aberrations : Wavefront, optional
+        Where the search starts; its other terms are fixed.
+    priors : mapping, optional
+        Constants that are unknowns: a standard deviation, or (value, standard deviation), inf for nothing known.
+        Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel", "diameter",
+        "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one of each bead). By
+        default depth 20 nm, sample 0.003, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is within a wavelength
+        of the glass. Empty to fix all.
+    drift : bool, default False
+        Estimate a lateral drift of each bead, linear in time.
+    mask : array_like of bool, optional
+        True where a pixel is to be left out, of the shape of a stack or a plane.
+    saturation : float, optional
+        Values from here on, in the unit of the images, are left out.
+    integrate : bool, default True
+        Whether pixels integrate.
+    starts : int, default 5
+        Maximum number of starts, which differ in focus, while none fits.
+    steps : int, default 60
+        Maximum number of steps from each.
+    threads : int, optional
+        Maximum number of threads; by default the number of processors.
+    progress : callable, optional
+        Called as ``progress(share, chi2)`` before each step. KeyboardInterrupt ends the search with the best so far.
+
+    Returns
+    -------
+    BeadFit
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, a stack has fewer than 5 planes or is constant, or what is asked for cannot be
+        told by any stack: Noll's 4, immersion and cover glass together without a prior.
+
+    See Also
+    --------
+    lommel.retrieve : a stack of a point, with layers known
+
+    Notes
+    -----
+    Fisher scoring maximizes the likelihood of Poisson counts with read noise (Snyder et al. 1993,
+    doi:10.1364/JOSAA.10.001014) with priors. A bead is a sum of discs at two or more heights. Images of the search
+    are by rules of stated size; `model_error` compares them with a certified image at the answer.
+
+    A score test of a constant e, all others that are estimated being eliminated, has the one-step value ``e + q / S``
+    with q the slope of the log-likelihood and S its information, and the standard error ``S^(-1/2)``.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> import numpy as np
+    >>> oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33)
+    >>> z = np.linspace(-0.8e-6, 0.8e-6, 9)
+    >>> wave = lm.Wavefront.zernike({5: 0.4, 7: -0.3}, order="noll")
+    >>> truth = oil.pupil(depth=50e-9, z=z, wavelength=600e-9, aberrations=wave)
+    >>> camera = lm.Noise(read=1.6)
+    >>> bead = camera.record(2e4 * lm.microscopy.bead(truth, 100e-9, 17, 6.5e-6).values + 10, seed=1)
+    >>> found = lm.fit_beads(
+    ...     bead, oil, z=z, wavelength=600e-9, pixel=6.5e-6, noise=camera, diameter=100e-9, terms=5, priors={}
+    ... )
+    >>> found.converged, abs(found.coefficients[2, -2] - 0.4) < 0.02
+    (True, True)
+    """
+    validation.instance("objective", objective, Objective)
+    validation.instance("noise", noise, Noise)
+    solved = _terms(terms)
+    given = _stacks(stacks)
+    size = validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
+    deep = _depths(depth, 0.5 * size, len(given))
+    places = np.atleast_1d(validation.real_array("z", z))
+    made, values = [], []
+    for k, each in enumerate(given):
+        images, valid = recorded(each, mask, saturation)
+        if len(images) < _PLANES:
+            raise ValueError(
+                f"stacks must have at least {_PLANES} planes above and below focus, got {len(images)}: fewer do not "
+                "tell aberrations from the place of the bead"
+            )
+        if places.shape != (len(images),):
+            raise ValueError(f"z must have a position for each of {len(images)} planes, got shape {places.shape}")
+        electrons, read = noise.electrons(images), noise.variance(np.zeros_like(images))
+        made.append(Stack.of(electrons, read, valid, places))
+        values.append(np.where(valid, images, np.nan))
+        if np.shape(each)[-2:] != np.shape(given[0])[-2:]:
+            raise ValueError(f"stacks must have windows of one shape, got {np.shape(each)} of stacks[{k}]")
+    apart = np.diff(places)
+    if not (np.all(apart > 0.0) or np.all(apart < 0.0)):
+        raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
+    if np.abs(apart).max() > 1e-4:
+        raise ValueError(f"z is in metres, got planes {np.abs(apart).max():g} m apart")
+    count = validation.integer("starts", starts, least=1, most=len(_ORIGINS))
+    most = validation.integer("steps", steps, least=1, most=10_000)
+    validation.function("progress", progress, required=False)
+    validation.optional("aberrations", aberrations, Wavefront)
+    workers = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+    light = emitter_of(emitter)
+    pitch = validation.real("pixel", pixel, above=0.0, unit="metres")
+    setup = Setup(
+        objective,
+        validation.wavelength(wavelength),
+        light,
+        pitch,
+        size,
+        integrate=validation.truth("integrate", integrate),
+    )
+    setup, known, of_depth, notes = _priors(priors, setup, deep)
+    start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
+    if (2, 0) in start and start[2, 0] and aberrations is not None:
+        notes.append("defocus (Noll 4) of the start is kept: z of the beads says the rest")
+    factors = np.array([zernike.rms_factor(n, m) for n, m in solved])
+    waves = np.array([start.get(term, 0.0) for term in solved]) / factors
+    images_of = BeadImages(solved, start, workers)
+    model = BeadModel(
+        images_of, made, known, [Prior(d, of_depth) for d in deep], drift=validation.truth("drift", drift)
+    )
+    if model.tested < 1:
+        raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
+    search = _Search(model, setup, waves, count, most, progress)
+    found, used = search.all()
+    return _fitted(model, search, found, used, values, noise, notes)
+
+
+def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
+    if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
+        count = validation.integer("terms", terms, least=1, most=200)
+        return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
+    found = tuple(
+        term for name in checked(cast("Sequence[Any]", terms), "terms", ()) if (term := term_of(name)) is not None
+    )
+    if len({*found}) < len(found):
+        raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
+    for term in ((2, 0), *SHIFTS.values()):
+        if term in found:
+            raise ValueError(
+                f"terms must be without {label(term)}, which no stack tells from the place of the bead: z, row and "
+                "column stand for it"
+            )
+    return found
+
+
+def _stacks(stacks: Any) -> list[Any]:
+    """Return the stacks, one or several."""
+    if isinstance(stacks, list | tuple) and len(stacks) and np.ndim(stacks[0]) == 3:
+        return list(stacks)
+    dimensions = np.ndim(stacks)
+    if dimensions == 4:
+        return list(stacks)
+    if dimensions != 3:
+        raise ValueError(
+            f"stacks must have the shape (planes, height, width), or be a sequence of such, got {dimensions} "
+            f"dimension{'s' * (dimensions != 1)}"
+        )
+    return [stacks]
+
+
+def _depths(depth: Any, radius: float, count: int) -> list[float]:
+    given = validation.real_array("depth", radius if depth is None else depth)
+    if given.shape not in ((), (count,)):
+        raise ValueError(f"depth must be a number, or one for each of {count} beads, got shape {given.shape}")
+    found = [length("depth", float(one), DEPTH_MOST) for one in np.broadcast_to(given, (count,))]
+    for one in found:
+        if one < radius * (1.0 - 1e-9):
+            raise ValueError(
+                f"depth is that of the centre of a bead, at least its radius {radius:g} metres, got {one:g}"
+            )
+    return found
+
+
+def _available(setup: Setup) -> list[str]:
+    """Return the constants that this microscope has."""
+    one = setup.objective
+    without = {"coverslip"} if one.coverslip is None else set()
+    if one.working_distance is None:
+        without |= {"immersion"}
+    if setup.diameter == 0.0:
+        without |= {"diameter"}
+    return [name for name in CONSTANTS if name not in without]
+
+
+def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[str]]:
+    """Return the setup at the values of priors, these, the deviation of depths, and what is to be said."""
+    known, notes = _available(setup), []
+    near = min(deep) <= setup.wavelength
+    blind = not near and setup.objective.sample < setup.objective.NA
+    if given is None:
+        given = {name: value for name, value in USUAL.items() if name in known and not (name == "NA" and blind)}
+        for name in ("pixel", "diameter"):
+            if name in given:
+                given[name] *= setup.value(name)
+    if not isinstance(given, Mapping):
+        raise TypeError(f"priors must map names to standard deviations, got {validation.shown(given)}")
+    found, of_depth = {}, 0.0
+    for name, prior in given.items():
+        if name not in CONSTANTS:
+            validation.choice("priors", name, tuple(CONSTANTS))
+        if name not in known:
+            raise ValueError(f"priors must be without {name!r}, which this objective or bead does not have")
+        pair = prior if isinstance(prior, tuple | list) else (None, prior)
+        if len(pair) != 2:
+            raise ValueError(f"priors[{name!r}] must be a deviation or (value, deviation), got {prior!r}")
+        deviation = float(pair[1])
+        if not deviation > 0.0:
+            raise ValueError(f"priors[{name!r}] must have a deviation above 0, got {deviation:g}")
+        if name == "depth":
+            if pair[0] is not None:
+                raise ValueError("priors['depth'] must be a deviation alone: values are those of depth")
+            of_depth = deviation
+            continue
+        value = setup.value(name) if pair[0] is None else validation.real(f"priors[{name!r}]", pair[0])
+        found[name] = Prior(value, deviation)
+        setup = setup.having(name, value)
+    if all(name in found and math.isinf(found[name].deviation) for name in ("immersion", "coverslip")):
+        raise ValueError(
+            "priors must state one of immersion and coverslip: images depend on their sum only, give a standard "
+            "deviation such as 5e-6 metres of the cover glass"
+        )
+    if "NA" in found and blind:
+        if math.isinf(found["NA"].deviation):
+            raise ValueError(
+                "priors must state NA where all beads are deeper than a wavelength: of NA above the index of the "
+                "sample no such light arrives; add a bead on the glass, or leave NA out"
+            )
+        notes.append("NA is as its prior says: no bead is within a wavelength of the glass")
+    return setup, found, of_depth, notes
+
+
+class _Search:
+    """Searches for the answer of a model, from several starts, of single beads first."""
+
+    def __init__(
+        self,
+        model: BeadModel,
+        setup: Setup,
+        waves: Array,
+        starts: int,
+        most: int,
+        progress: Callable[[float, float], object] | None,
+    ) -> None:
+        self.model, self.setup, self.waves, self.starts, self.most = model, setup, waves, starts, most
+        self.steps, self._done, self._progress, self.interrupted = 0, 0.0, progress, False
+
+    def all(self) -> tuple[Climbed, list[bool]]:
+        """Return the best fit of all beads, and which are part of it."""
+        model, count = self.model, len(self.model.stacks)
+        singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
+        scores = np.array([model.alone(k).chi2_of(one.normal.parts) for k, one in enumerate(singles)])
+        middle = float(np.median(scores[:, 0]))
+        used = [chi2 < _LEFT * middle or chi2 < 1.0 + MOST * spread for chi2, spread in scores]
+        kept = [k for k in range(count) if used[k]]
+        joint = _of(model, kept)
+        if count == 1 and not model.priors and "depth" not in model.own:
+            return singles[0], used
+        waves = np.median([singles[k].state.waves for k in kept], axis=0)
+        start = State(self.setup, waves, tuple(singles[k].state.places[0] for k in kept))
+        return self.climb(joint, start, 0.4), used
+
+    def one(self, model: BeadModel, share: float) -> Climbed:
+        """Return the best fit of one stack."""
+        best: Climbed | None = None
+        for origin in _ORIGINS[: self.starts]:
+            place = _start(model.stacks[0], self.setup, model.depths[0].value, origin)
+            found = self.climb(model, State(self.setup, self.waves, (place,)), share)
+            alike = best is not None and abs(found.deviance - best.deviance) < _ALIKE
+            if best is None or found.deviance < best.deviance:
+                best = found
+            chi2, spread = model.chi2_of(best.normal.parts)
+            if self.interrupted or (best.settled and (alike or chi2 < 1.0 + SURE * spread)):
+                break
+            share = 0.0
+        assert best is not None
+        return best
+
+    def climb(self, model: BeadModel, start: State, share: float) -> Climbed:
+        """Return the end of one search; `share` of the progress."""
+        before = self._done
+
+        def report(step: int, chi2: float) -> None:
+            if self._progress is not None:
+                self._progress(min(before + share * (1.0 - 0.8**step), 1.0), chi2)
+
+        found = climb(model, start, self.most, report)
+        self.steps += found.steps
+        self._done, self.interrupted = before + share, found.interrupted
+        return found
+
+
+def _of(model: BeadModel, kept: Sequence[int]) -> BeadModel:
+    """Return the model of some of the beads."""
+    return BeadModel(
+        model.images,
+        [model.stacks[k] for k in kept],
+        model.priors,
+        [model.depths[k] for k in kept],
+        drift=DRIFT[0] in model.own,
+    )
+
+
+def _start(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
+    """Return the place of a bead: centroid of the sharpest planes, and the focus where squares are centred."""
+    counted, _, _, valid = stack.star
+    images = np.where(valid > 0.0, counted, np.nan).reshape(len(stack.z), *stack.shape)
+    light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
+    sharp = (light * np.abs(light)).sum(axis=(1, 2))
+    sharp = np.clip(sharp - np.median(sharp), 0.0, None)
+    total = float(sharp.sum())
+    middle = float(sharp @ stack.z) / total if total > 0.0 else float(stack.z.mean())
+    best = light[np.argsort(-sharp)[:5]].mean(axis=0)
+    best = np.where(best > 0.2 * best.max(), best, 0.0)
+    row, column = (
+        float((best.sum(axis=1 - axis) * (np.arange(side) - side // 2)).sum() / max(best.sum(), 1e-300))
+        for axis, side in enumerate(stack.shape)
+    )
+    return Place(row, column, _brightest(setup, depth) - setup.step * middle + origin, depth)
+
+
+def _fitted(
+    model: BeadModel,
+    search: _Search,
+    found: Climbed,
+    used: list[bool],
+    values: list[Array],
+    noise: Noise,
+    notes: list[str],
+) -> BeadFit:
+    """Return the result."""
+    kept = [k for k in range(len(used)) if used[k]]
+    joint, state = _of(model, kept), found.state
+    frozen = [name for name in _available(state.setup) if name not in joint.priors and name != "depth"]
+    if min(d.value for d in joint.depths) > state.setup.wavelength and state.setup.objective.sample < (
+        state.setup.objective.NA
+    ):
+        frozen = [name for name in frozen if name != "NA"]
+    more = [*frozen, "depth"]
+    normal = joint.normal(state, found.values, more)
+    square, slope = normal.reduced()
+    k = len(joint.names)
+    inverse = _inverse(square[:k, :k])
+    suspects = _suspects(joint, state, square, slope, more)
+    chi2, spread = joint.chi2_of(normal.parts)
+    beads = _beads(model, joint, state, normal, inverse, used, values, noise)
+    visible = max(part.visible for part in normal.parts)
+    limit = 1.0 + MOST * spread
+    error = _model_error(joint, state)
+    misfit = chi2 >= limit
+    worst = suspects[0] if suspects else None
+    suspected = worst is not None and abs(worst.sigmas) > _SUSPECT
+    backwards, solved = "", None
+    if (misfit or suspected) and visible >= _VISIBLE and not search.interrupted:
+        solved = _freed(joint, found, worst) if worst is not None else None
+        best = found.deviance if solved is None else min(solved.deviance, found.deviance)
+        backwards = _backwards(search, joint, best)
+    converged = found.settled and not misfit and visible >= _VISIBLE and not backwards and not search.interrupted
+    work = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
+    if visible < _VISIBLE:
+        message = f"no bead: {work}, but the light of all planes is within the noise"
+    elif backwards:
+        message = backwards
+    elif search.interrupted:
+        message = f"interrupted, the best so far: {work}"
+    elif misfit:
+        message = f"misfit: {work}; pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
+    elif not found.settled:
+        message = f"the steps did not settle: {work}"
+    else:
+        message = f"converged: {work}"
+    if chi2 < 1.0 - MOST * spread and converged:
+        message += "; the images are less noisy than gain, read noise and offset state"
+    if suspected and not backwards and visible >= _VISIBLE:
+        named = ", ".join(map(str, [one for one in suspects if abs(one.sigmas) > 0.5 * _SUSPECT][:3]))
+        message += f"; the data want {named}: check these constants"
+        if solved is not None and worst is not None and not backwards:
+            message += f" ({_settled_at(joint, worst, solved)})"
+    if not all(used):
+        left = ", ".join(str(j) for j, one in enumerate(used) if not one)
+        message += f"; left out, beside which the others do not fit: bead {left}"
+    for note in notes:
+        message += f"; {note}"
+    edge = dict(zip(joint.images.solved, state.waves * joint.images.factors, strict=True))
+    names = joint.names
+    constants = [state.setup.value(str(name)) for name in joint.priors]
+    coefficients = dict(zip(names, [*map(float, state.waves), *constants], strict=True))
+    return BeadFit(
+        aberrations=Wavefront.zernike(edge | joint.images.fixed, normalization="edge"),
+        objective=state.setup.objective,
+        wavelength=state.setup.wavelength,
+        pixel=state.setup.pixel,
+        diameter=state.setup.diameter,
+        emitter=state.setup.emitter,
+        coefficients=coefficients,
+        deviation=dict(zip(names, np.sqrt(np.diag(inverse)).tolist(), strict=True)),
+        covariance=inverse,
+        beads=beads,
+        suspects=suspects,
+        chi2=chi2,
+        converged=converged,
+        reliable=converged and not suspected and error < _OFF,
+        message=message,
+        model_error=error,
+        steps=search.steps,
+        _state=state,
+        _images=joint.images,
+    )
+
+
+def _inverse(square: Array) -> Array:
+    """Return the covariance of an information matrix."""
+    scale = np.sqrt(np.maximum(np.diag(square), 1e-300))
+    return np.asarray(np.linalg.pinv(square / np.outer(scale, scale), rcond=1e-12) / np.outer(scale, scale))
+
+
+def _suspects(
+    model: BeadModel, state: State, square: Array, slope: Array, more: Sequence[str]
+) -> tuple[Suspect, ...]:
+    """Return score tests of all constants, the largest first."""
+    k, found = len(model.names), []
+    names = [*model.names, *more]
+    for name in (*model.priors, *more):
+        e = names.index(name)
+        others = [j for j in range(k) if j != e]
+        prior = model.priors.get(name)
+        at = 0.0 if name == "depth" else state.setup.value(name)
+        pull, known = (0.0, 0.0) if prior is None else prior.pull(at)[1:]
+        carried = np.linalg.solve(square[np.ix_(others, others)], square[others, e])
+        information = float(square[e, e] - known - square[e, others] @ carried)
+        score = float(slope[e] - pull - carried @ slope[others])
+        if information <= 1e-9 * square[e, e]:
+            continue  # the data say nothing
+        value, given = at + score / information, at if prior is None else prior.value
+        spread = math.sqrt(1.0 / information + (0.0 if prior is None else prior.deviation**2))
+        deep = model.depths[0].value if name == "depth" else 0.0
+        shown = Suspect(
+            name,
+            (value - given) / spread,
+            deep + value,
+            1.0 / math.sqrt(information),
+            deep + given,
+            CONSTANTS[name].unit,
+        )
+        found.append(shown)
+    return tuple(sorted(found, key=lambda one: -abs(one.sigmas)))
+
+
+def _beads(
+    model: BeadModel,
+    joint: BeadModel,
+    state: State,
+    normal: Any,
+    inverse: Array,
+    used: list[bool],
+    values: list[Array],
+    noise: Noise,
+) -> tuple[FittedBead, ...]:
+    """Return what was found of each bead; of those left out, their fit with all that is shared held."""
+    found, taken, k = [], 0, len(joint.names)
+    for j, stack in enumerate(model.stacks):
+        alone = BeadModel(model.images, [stack], {}, [model.depths[j]], drift=DRIFT[0] in model.own)
+        if used[j]:
+            place, light = state.places[taken], state.light[taken]
+            own, cross = normal.own[taken], normal.across[taken][:k]
+            back = _inverse(own)
+            covered = back + back @ cross.T @ inverse @ cross @ back
+            errors = dict(zip(model.own, np.sqrt(np.diag(covered)).tolist(), strict=True))
+            taken += 1
+        else:
+            place = _start(stack, state.setup, model.depths[j].value, 0.0)
+            light, errors = light_of(model.images.values(state.setup, state.waves, place, stack), stack.star), {}
+        image = model.images.values(state.setup, state.waves, place, stack)
+        mean = light[0][:, None, None] * image + light[1][:, None, None]
+        chi2 = alone.chi2(replace(state, places=(place,), light=(light,)), [image])[0]
+        counted, _, read, valid = (part.reshape(mean.shape) for part in stack.star)
+        residual = np.where(valid > 0.0, (counted - mean) / np.sqrt(np.maximum(mean + read, 0.25 * read)), np.nan)
+        errors = {("z" if name == "focus" else name): value for name, value in errors.items()}
+        if "z" in errors:
+            errors["z"] /= state.setup.step
+        found.append(
+            FittedBead(
+                row=stack.shape[0] // 2 + place.row,
+                column=stack.shape[1] // 2 + place.column,
+                z=(_brightest(state.setup, place.depth) - place.focus) / state.setup.step,
+                depth=place.depth,
+                deviation=errors,
+                drift=place.drift,
+                flux=light[0],
+                background=light[1],
+                chi2=chi2,
+                used=used[j],
+                images=values[j],
+                model=noise.image(mean),
+                residual=residual,
+            )
+        )
+    return tuple(found)
+
+
+def _model_error(model: BeadModel, state: State) -> float:
+    """Return how far images of the search are from certified ones of a point, over the peak."""
+    setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
+    edge = dict(zip(model.images.solved, state.waves * model.images.factors, strict=True)) | model.images.fixed
+    ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
+    pupil = setup.objective.pupil(
+        depth=place.depth,
+        z=place.focus + setup.step * stack.z[ends],
+        wavelength=setup.wavelength,
+        origin="coverslip",
+        emitter=setup.emitter,
+        aberrations=Wavefront.zernike(edge, normalization="edge"),
+    )
+    center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
+    true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
+    few = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
+    quick = model.images.values(setup, state.waves, place._replace(drift=(0.0, 0.0)), few)
+    return float(np.abs(quick - true.values).max() / true.values.max())
+
+
+def _settled_at(joint: BeadModel, worst: Suspect, solved: Climbed) -> str:
+    """Return where a suspected constant ends that is solved for without a prior, and the chi2 there."""
+    factor, unit = _SHOWN.get(worst.unit, (1.0, f" {worst.unit}".rstrip()))
+    state = solved.state
+    value = state.places[0].depth if worst.name == "depth" else state.setup.value(worst.name)
+    shown, _ = _with_error(factor * value, factor * worst.deviation)
+    return f"solved for, {worst.name} is {shown}{unit}, with chi2 {joint.chi2_of(solved.normal.parts)[0]:.4g}"
+
+
+def _freed(joint: BeadModel, found: Climbed, suspect: Suspect) -> Climbed | None:
+    """Return the fit with a suspected constant unknown and without a prior."""
+    state, name = found.state, suspect.name
+    depths = joint.depths
+    priors = dict(joint.priors)
+    if name == "depth":
+        depths = tuple(Prior(prior.value, math.inf) for prior in depths)
+    else:
+        priors[name] = Prior(suspect.given, math.inf)
+    model = BeadModel(joint.images, joint.stacks, priors, depths, drift=DRIFT[0] in joint.own)
+    try:
+        return climb(model, state, _TURNS, lambda *_: None)
+    except (Declined, ValueError):
+        return None
+
+
+def _backwards(search: _Search, joint: BeadModel, best: float) -> str:
+    """Return what is to be said where planes in reversed order fit far better than a deviance of `best`, or ""."""
+    turned = [Stack(stack.star, stack.shape, -stack.z) for stack in joint.stacks]
+    other = BeadModel(joint.images, turned, joint.priors, joint.depths, drift=DRIFT[0] in joint.own)
+    places = tuple(_start(s, search.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
+    try:
+        there = climb(other, State(search.setup, search.waves, places), _TURNS, lambda *_: None)
+    except (Declined, ValueError):
+        return ""
+    if there.deviance > best - _REVERSED:
+        return ""
+    return (
+        f"reversed z: planes in reversed order fit far better, chi2 {other.chi2_of(there.normal.parts)[0]:.4g}; z "
+        "increases towards the sample, change the sign of the step"
+    )

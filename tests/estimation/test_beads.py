@@ -1,0 +1,290 @@
+"""Stacks of beads: images against sums of plane waves over the ball, estimates, score tests, verdicts, bad input."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+import plane_waves
+from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, changed
+from lommel.special import zernike
+from objectives import OIL, oil
+
+WAVE, PIXEL = 600e-9, 6.5e-6
+Z = np.linspace(-0.9e-6, 0.9e-6, 9)
+NOISE = lm.Noise(read=1.6, offset=100)
+GIVEN = {"z": Z, "wavelength": WAVE, "pixel": PIXEL, "noise": NOISE, "diameter": 0.1e-6, "threads": 1}
+TERMS = tuple(zernike.term(5 + k, "noll") for k in range(7))
+
+
+def waves(seed, rms=0.12, terms=TERMS):
+    """Return random coefficients of terms, radians rms."""
+    drawn = np.random.default_rng(1000 + seed).normal(size=len(terms))
+    return drawn * (2.0 * np.pi * rms / np.linalg.norm(drawn))
+
+
+def wavefront(coefficients):
+    """Return the wavefront of coefficients of terms."""
+    return lm.Wavefront.zernike(dict(zip(TERMS, coefficients, strict=True)))
+
+
+def recorded(
+    seed, coefficients, objective=OIL, *, light=1e4, depth=50e-9, diameter=0.1e-6, z=Z, pixel=PIXEL, size=17
+):
+    """Return the stack of a bead, by a certified PSF, and where it is."""
+    rng = np.random.default_rng(seed)
+    row, column, up = *rng.uniform(-0.8, 0.8, 2), rng.uniform(-80e-9, 80e-9)
+    pupil = objective.pupil(depth=depth, z=z - up, wavelength=WAVE, aberrations=wavefront(coefficients))
+    center = size // 2 + row, size // 2 + column
+    method = lm.methods.Bead(diameter, 1e-4)
+    made = lm.psf(pupil, size, pixel, method=method, integrate=True, center=center).values
+    return NOISE.record(light * made.astype(float) + 10.0, seed=seed), (*center, up)
+
+
+def ball(count):
+    """Return points in a ball of radius 1, (x, y, u), and weights, by quadrature in all three dimensions."""
+    u, w = np.polynomial.legendre.leggauss(count)
+    s, v = np.polynomial.legendre.leggauss(count)
+    s, v = 0.5 * (1.0 + s), 0.5 * v
+    turn = 2.0 * np.pi * np.arange(2 * count) / (2 * count)
+    rho = np.sqrt((1.0 - u[:, None] ** 2) * s)[..., None]
+    share = (w * (1.0 - u**2))[:, None, None] * v[:, None] * np.ones(turn.size)
+    x, y, up = np.broadcast_arrays(rho * np.cos(turn), rho * np.sin(turn), u[:, None, None])
+    return x, y, up, share / share.sum()
+
+
+@pytest.mark.parametrize("diameter", [0.1e-6, 0.25e-6])
+def test_images_are_those_of_plane_waves_summed_over_the_ball_and_the_pixel(diameter):
+    coefficients, place = waves(1, 0.15), Place(0.3, -0.2, 0.15e-6, 0.5 * diameter)
+    z, size = np.array([-0.5e-6, 0.2e-6]), 21
+    stack = Stack(np.ones((4, 2, size * size)), (size, size), z)
+    setup = Setup(OIL, WAVE, OIL.pupil(depth=0.0, wavelength=WAVE).emitter, PIXEL, diameter)
+    found = BeadImages(TERMS, {}, 1).values(setup, coefficients, place, stack)
+    rows, columns = np.array([10, 11, 8, 13, 5]), np.array([10, 9, 12, 10, 4])
+    sub, weight = np.polynomial.legendre.leggauss(3)
+    dy, dx = np.meshgrid(0.5 * sub, 0.5 * sub, indexing="ij")
+    x, y, up, share = ball(4)
+    total, power = np.zeros((2, rows.size)), 0.0
+    aberrations = wavefront(coefficients)
+    for k in range(x.shape[0]):
+        depth = place.depth + 0.5 * diameter * up[k, 0, 0]
+        pupil = OIL.pupil(
+            depth=depth, z=place.focus + z, wavelength=WAVE, aberrations=aberrations, origin="coverslip"
+        )
+        shift = 0.5 * diameter * OIL.magnification / PIXEL
+        at_x = columns[:, None, None] - 10 - place.column + dx.ravel()[:, None] - shift * x[k].ravel()
+        at_y = rows[:, None, None] - 10 - place.row + dy.ravel()[:, None] - shift * y[k].ravel()
+        made = plane_waves.intensity(OIL, pupil, PIXEL * at_x.ravel(), PIXEL * at_y.ravel(), 24, 48)
+        made = made.reshape(2, rows.size, dx.size, -1)
+        total += np.einsum("zpqb,q,b->zp", made, np.outer(weight, weight).ravel() / 4.0, share[k].ravel())
+        power += share[k].sum() * pupil.power[0]
+    cell = (2.0 * np.pi * OIL.NA * PIXEL / (WAVE * OIL.magnification)) ** 2 / (4.0 * np.pi)
+    true = cell * total / power
+    np.testing.assert_allclose(found[:, rows, columns], true, rtol=0, atol=3e-4 * found.max())
+
+
+@pytest.mark.parametrize("name", [*CONSTANTS, "row", "column", "focus", 0, 5])
+def test_derivatives_are_differences_of_images(name):
+    coefficients, place = waves(2), Place(0.3, -0.2, 0.1e-6, 80e-9)
+    stack = Stack(np.ones((4, 3, 225)), (15, 15), np.array([-0.6e-6, 0.0, 0.5e-6]))
+    setup = Setup(OIL, WAVE, OIL.pupil(depth=0.0, wavelength=WAVE).emitter, PIXEL, 0.1e-6)
+    images = BeadImages(TERMS, {(6, 0): 0.1}, 1)
+
+    def at(h):
+        if isinstance(name, int):
+            return setup, coefficients + h * np.eye(len(TERMS))[name], place
+        if name in place._fields:
+            return setup, coefficients, place._replace(**{name: getattr(place, name) + h})
+        return setup.having(name, setup.value(name) + h), coefficients, place
+
+    steps = {"row": 1e-3, "column": 1e-3, "focus": 1e-9} | {key: 0.2 * of.step for key, of in CONSTANTS.items()}
+    h = steps.get(name, 1e-3) * (PIXEL if name == "pixel" else 1.0)
+    exact = (images.values(*at(h), stack) - images.values(*at(-h), stack)) / (2.0 * h)
+    if name in CONSTANTS:
+        found = images.differences(setup, coefficients, place, stack, name)
+    else:
+        order = [*range(len(TERMS)), "focus", "row", "column"]
+        found = images.slopes(setup, coefficients, place, stack)[order.index(name)]
+    # Of the middle of the bead alone: its two discs differ by little.
+    assert np.abs(found - exact).max() <= 0.06 * np.abs(exact).max()
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_aberrations_and_places_are_found_from_nothing_within_their_standard_errors(seed):
+    given = waves(seed, (0.15, 0.28)[seed])
+    images, (row, column, up) = recorded(seed, given)
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+    assert found.converged, found.message
+    off = [(found.coefficients[t] - c) / found.deviation[t] for t, c in zip(TERMS, given, strict=True)]
+    assert np.abs(off).max() < 4.5
+    one = found.beads[0]
+    for value, true, error in ((one.row, row, "row"), (one.column, column, "column"), (one.z, up, "z")):
+        assert abs(value - true) < 5.0 * one.deviation[error]
+    assert found.model_error < 1e-3
+    assert one.flux == pytest.approx(np.full(9, 1e4), rel=0.2)
+
+
+def test_standard_errors_hold_for_dim_beads():
+    off = []
+    for seed in range(3):
+        given = waves(20 + seed, 0.1)
+        images, _ = recorded(seed, given, light=1000.0)
+        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+        assert found.converged, found.message
+        off += [(found.coefficients[t] - c) / found.deviation[t] for t, c in zip(TERMS, given, strict=True)]
+    assert 0.7 < np.sqrt(np.mean(np.square(off))) < 1.35
+
+
+# Each microscope differs from the one that is stated in one constant.
+WRONG = {
+    "sample": {"objective": changed(OIL, "sample", 1.38)},
+    "NA": {"objective": changed(OIL, "NA", 1.37)},
+    "depth": {"depth": 0.3e-6},
+    "diameter": {"diameter": 0.2e-6, "depth": 0.1e-6},
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_score_tests_name_the_constant_that_is_wrong(name):
+    images, _ = recorded(3, waves(3, 0.1), **WRONG[name], light=3e4)
+    asked = GIVEN | ({"depth": 0.1e-6} if name == "diameter" else {})
+    found = lm.fit_beads(images, OIL, **asked, terms=TERMS, priors={})
+    assert found.suspects[0].name == name
+    assert abs(found.suspects[0].sigmas) > 5.0
+    assert not found.reliable
+    assert f"the data want {name} = " in found.message
+
+
+def test_immersion_and_cover_glass_are_named_together():
+    images, _ = recorded(4, waves(3, 0.1), oil(design=lm.Design(1.515, OIL.coverslip)))
+    other = oil(design=lm.Design(1.515, OIL.coverslip))
+    stated = changed(other, "immersion", 1.516)
+    found = lm.fit_beads(images, stated, **GIVEN, terms=TERMS, priors={})
+    assert {one.name for one in found.suspects[:2]} == {"immersion", "coverslip"}
+
+
+def test_constants_with_priors_are_estimated_and_right_ones_not_suspected():
+    images, _ = recorded(5, waves(5), changed(OIL, "sample", 1.335), light=3e4)
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.02), "depth": 5e-9})
+    assert found.reliable, found.message
+    assert found.objective.sample == pytest.approx(1.335, abs=4.0 * found.deviation["sample"])
+    assert found.deviation["sample"] < 0.01
+    assert f"sample: {found.objective.sample:.3f}" in repr(found)
+    sure = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 1e-6), "depth": 5e-9})
+    assert sure.objective.sample == pytest.approx(1.33, abs=1e-5)
+
+
+def test_a_stack_in_reversed_order_is_told_before_constants():
+    images, _ = recorded(6, waves(6), light=2e4)
+    found = lm.fit_beads(images[::-1], OIL, **GIVEN, terms=TERMS, priors={})
+    assert not found.converged
+    assert found.message.startswith("reversed z: ")
+    assert "the data want" not in found.message
+    again = lm.fit_beads(images[::-1], OIL, **GIVEN | {"z": -Z}, terms=TERMS, priors={})
+    assert again.converged
+
+
+def test_several_beads_share_the_microscope():
+    given = waves(7)
+    stacks = [recorded(30 + k, given)[0] for k in range(2)]
+    stacks.append(recorded(40, given, depth=1e-6)[0])
+    depths = [50e-9, 50e-9, 1e-6]
+    alone = lm.fit_beads(stacks[0], OIL, **GIVEN, terms=TERMS, priors={})
+    found = lm.fit_beads(stacks, OIL, **GIVEN, depth=depths, terms=TERMS, priors={})
+    assert found.converged
+    for term, c in zip(TERMS, given, strict=True):
+        assert abs(found.coefficients[term] - c) < 4.5 * found.deviation[term]
+        assert found.deviation[term] < 0.75 * alone.deviation[term]
+    assert [one.used for one in found.beads] == [True] * 3
+
+
+def test_the_deviation_of_the_psf_elsewhere_is_what_fits_differ_by():
+    given, truth = waves(8, 0.1), None
+    z, off = np.array([-0.3e-6, 0.3e-6]), []
+    for seed in range(2):
+        images, _ = recorded(50 + seed, given)
+        found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+        sd = found.psf_deviation(depth=2e-6, z=z, shape=15)
+        if truth is None:
+            aberrations = wavefront(given)
+            pupil = OIL.pupil(depth=2e-6, z=z, wavelength=WAVE, aberrations=aberrations)
+            truth = lm.psf(pupil, 15, PIXEL).values
+        made = lm.psf(found.pupil(depth=2e-6, z=z), 15, PIXEL).values
+        bright = truth > 0.1 * truth.max()
+        off.append((made - truth)[bright] / sd[bright])
+    assert sd.shape == truth.shape
+    assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.5
+
+
+def test_drift_is_estimated():
+    given = waves(9, 0.1)
+    rng = np.random.default_rng(0)
+    light = []
+    for t, z in zip(np.linspace(-1, 1, 9), Z, strict=True):
+        pupil = OIL.pupil(depth=50e-9, z=z, wavelength=WAVE, aberrations=wavefront(given))
+        bead = lm.methods.Bead(0.1e-6, 1e-4)
+        light.append(lm.psf(pupil, 17, PIXEL, method=bead, integrate=True, center=(8 + 0.3 * t, 8 - 0.2 * t)).values)
+    images = NOISE.record(1e4 * np.array(light) + 10.0, seed=rng)
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, drift=True)
+    assert found.converged, found.message
+    for value, true, name in zip(found.beads[0].drift, (0.3, -0.2), ("drift_row", "drift_column"), strict=True):
+        assert abs(value - true) < 5.0 * found.beads[0].deviation[name]
+
+
+def test_an_interrupt_keeps_the_best_so_far():
+    images, _ = recorded(10, waves(10))
+    calls = []
+
+    def stop(share, chi2):
+        calls.append(share)
+        if len(calls) == 4:
+            raise KeyboardInterrupt
+
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, progress=stop)
+    assert not found.converged
+    assert found.message.startswith("interrupted")
+    assert calls == sorted(calls)
+
+
+def test_noise_alone_is_no_bead():
+    images = NOISE.record(np.full((9, 17, 17), 20.0), seed=1)
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, starts=1)
+    assert not found.converged
+    assert "no bead" in found.message
+
+
+STACK = recorded(11, waves(11), light=2e3)[0]
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ({"stacks": STACK[:4], "z": Z[:4]}, "at least 5 planes above and below focus, got 4"),
+        ({"stacks": STACK[0]}, "stacks must have the shape .planes, height, width., .* got 2 dimensions"),
+        ({"z": Z[:5]}, "z must have a position for each of 9 planes"),
+        ({"z": Z[[1, 0, *range(2, 9)]]}, "z must increase from plane to plane"),
+        ({"z": 1e6 * Z}, "z is in metres"),
+        ({"depth": 10e-9}, "depth is that of the centre of a bead, at least its radius"),
+        ({"depth": [1e-6, 2e-6]}, "depth must be a number, or one for each of 1 beads"),
+        ({"terms": ["noll 4", "noll 5"]}, "no stack tells from the place of the bead"),
+        ({"terms": [(2, 2), "noll 6"]}, "terms must not name one thing twice"),
+        ({"priors": {"index": 0.1}}, "priors must be"),
+        ({"priors": {"sample": 0.0}}, "deviation above 0"),
+        ({"priors": {"immersion": math.inf, "coverslip": math.inf}}, "depend on their sum only"),
+        ({"priors": {"NA": math.inf}, "depth": 2e-6}, "NA where all beads are deeper than a wavelength"),
+        ({"priors": {"depth": (1e-6, 1e-9)}}, "a deviation alone"),
+        ({"diameter": 1.0}, "diameter must be"),
+        ({"stacks": np.full((9, 17, 17), 100.0)}, "must show a star"),
+        ({"saturation": 50.0}, "saturated"),
+        ({"stacks": [STACK, STACK[:, :15, :15]]}, "windows of one shape"),
+    ],
+    ids=str,
+)
+def test_what_cannot_be_fitted_is_refused_with_a_sentence(more, told):
+    given = {"stacks": STACK, "terms": TERMS} | GIVEN | more
+    with pytest.raises((ValueError, TypeError), match=told) as caught:
+        lm.fit_beads(given.pop("stacks"), OIL, **given)
+    assert len(str(caught.value)) < 300

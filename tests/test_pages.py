@@ -25,6 +25,7 @@ import api
 import drawn
 import lommel as lm
 import simulated_movies
+import simulated_stacks
 from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
 from lommel.cli.main import main
@@ -120,6 +121,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
     tifffile.imwrite("dark.tif", np.full((48, 48), 100, np.uint16))
     tifffile.imwrite("movie.tif", simulated_movies.recorded(mean, camera, 1), photometric="minisblack")
+    simulated_stacks.write(Path("stack.ome.tif"))
     seen = lm.load_microscope("objective.toml")
     astigmatic = lm.Wavefront.zernike({6: 0.5}, order="noll")
     planes = {"depth": 1e-7, "z": [-2e-7, 0.0, 2e-7], "wavelength": seen.wavelength, "aberrations": astigmatic}

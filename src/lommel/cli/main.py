@@ -29,6 +29,7 @@ COMMANDS = {
     "stack": "stack_command",
     "blur": "photo_commands",
     "restore": "photo_commands",
+    "deconvolve": "deconvolve_command",
     "depth": "depth_commands",
     "precision": "depth_commands",
     "retrieve": "retrieve_command",
@@ -110,6 +111,7 @@ def main() -> None:
       lommel stack   phone.toml --between 1m 3m --count 500 -o depths.zarr
       lommel blur    photo.jpg depth.tif phone.toml --focus 2m -o out.jpg
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 -o s.tif
+      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml -o restored.ome.tif
       lommel retrieve star-*.tif phone.toml --defocus -4 0 4 --read 2
       lommel localize movie.tif zeiss-63x-astigmatic.toml --read 2 -o found.csv
     """  # noqa: D301 (\b is meant)

@@ -1,7 +1,25 @@
 """Microscopy: confocal, two-photon, STED and light-sheet PSFs, images of beads, and deconvolution of stacks."""
 
+from lommel.io.recordings import Recording, RecordingError, open_recording
+from lommel.microscopy.camera_noise import estimate_noise
 from lommel.microscopy.deconvolution import deconvolve
 from lommel.microscopy.modalities import bead, confocal, light_sheet, sted, two_photon
+from lommel.microscopy.restoration import RestoredChannel, RestoredStack, restore
 from lommel.microscopy.stack_blur import StackBlur
 
-__all__ = ["StackBlur", "bead", "confocal", "deconvolve", "light_sheet", "sted", "two_photon"]
+__all__ = [
+    "Recording",
+    "RecordingError",
+    "RestoredChannel",
+    "RestoredStack",
+    "StackBlur",
+    "bead",
+    "confocal",
+    "deconvolve",
+    "estimate_noise",
+    "light_sheet",
+    "open_recording",
+    "restore",
+    "sted",
+    "two_photon",
+]

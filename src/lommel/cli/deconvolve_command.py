@@ -1,0 +1,206 @@
+"""The command ``lommel deconvolve``: the stack of a microscope restored, from file to file."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+from rich.text import Text
+
+from lommel.base.units import format_length
+from lommel.base.validation import line, shown
+from lommel.cli.instruments import LENS, SQUARE_PIXEL, microscope_of
+from lommel.cli.options import JSON, LENGTHS, MICROMETRES, NANOMETRES, Option, command, documented, under
+from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, written
+from lommel.cli.progress import progress
+from lommel.estimation.noise import Noise
+from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.io import recordings
+from lommel.io.photos import read_images
+from lommel.microscopy import RestoredStack, restore
+from lommel.microscopy.depth_model import MODALITIES
+from lommel.microscopy.refinement import PARAMETERS
+from lommel.microscopy.restoration import INTERRUPTED
+
+_STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
+
+
+def _map(text: str | None, name: str) -> Any:
+    """Return a number, or the map of a file; None for None."""
+    if text is None:
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        path = Path(text)
+    if not path.suffix:
+        raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {shown(text)}")
+    found = read_images([path])
+    if len(found) != 1:
+        raise ValueError(f"--{name} must be one image, got {len(found)} in {line(path)}")
+    return np.asarray(found[0], np.float64)
+
+
+@command(
+    click.Argument(["stack"], type=_STACK),
+    LENS,
+    Option("-o", "--output", "outputs", type=_STACK, required=True, multiple=True,
+           help="Restored stack: .ome.tif or .ome.zarr; may be repeated."),
+    *under(
+        "Microscope",
+        Option("--depth", type=MICROMETRES,
+               help="Depth below the cover glass in focus in the middle plane, such as 10um; by default that of the "
+               "file of the objective."),
+        Option("--wavelength", type=LENGTHS, metavar="LENGTHS",
+               help="Emission, such as 520nm, or one for each channel: 520nm,610nm; by default that of the stack."),
+        SQUARE_PIXEL,
+        Option("--step", type=NANOMETRES, help="Step between planes, such as 200nm; by default that of the stack."),
+        Option("--modality", type=click.Choice(MODALITIES), default="widefield", help="Kind of microscope."),
+        Option("--excitation", type=NANOMETRES, help="Excitation wavelength of scanning microscopes, such as 488nm."),
+        documented(restore, "pinhole", type=float, help="Diameter of the pinhole in Airy units."),
+        Option("--thickness", type=MICROMETRES, help="Thickness of the light sheet, such as 2um (FWHM)."),
+        Option("--direction", type=click.Choice(("auto", "up", "down")), default="auto",
+               help="up: the first plane is the nearest to the cover glass; auto asks the data."),
+    ),
+    *under(
+        "Camera",
+        Option("--gain", "white", metavar="NUMBER|FILE",
+               help="Electrons per count; by default estimated from the stack. A file (.tif, .npy) is a map, also of "
+               "--read and --offset."),
+        Option("--read", metavar="NUMBER|FILE", help="Read noise, rms electrons."),
+        Option("--offset", metavar="NUMBER|FILE", help="Counts of a pixel without electrons, such as 100."),
+        Option("--saturation", type=float, help="Counts from which on pixels are saturated."),
+    ),
+    *under(
+        "Restoration",
+        Option("--steps", type=click.IntRange(1, 100_000), help="Number of steps, instead of stopping at the noise."),
+        documented(restore, "slabs", type=click.IntRange(1, 64),
+                   help="Number of PSFs over the depth of the stack; by default as many as are needed."),
+        Option("--refine", multiple=True, type=click.Choice(PARAMETERS),
+               help="Estimate this from the stack first; may be repeated."),
+        Option("--channel", type=click.IntRange(0), help="Channel, from 0; by default all."),
+        Option("--time", "time_point", type=click.IntRange(0), help="Time point, from 0."),
+        Option("--axes", help='Axes of the file where it does not say, such as "ZYX".'),
+        Option("--tile", type=click.IntRange(16), help="Side of chunks in pixels; by default what --memory holds."),
+        Option("--memory", type=float, default=2.0, help="Gigabytes that may be used besides the stack."),
+        documented(restore, "threads", type=click.IntRange(1), help="Number of threads; by default all processors."),
+    ),
+    JSON,
+)  # fmt: skip
+def deconvolve(
+    stack: Path,
+    lens: Path,
+    outputs: tuple[Path, ...],
+    wavelength: tuple[float, ...] | None,
+    pixel: float | None,
+    white: str | None,
+    read: str | None,
+    offset: str | None,
+    steps: int | None,
+    refine: tuple[str, ...],
+    time_point: int | None,
+    memory: float,
+    **given: Any,
+) -> Report:
+    """Deconvolve the stack of a microscope (3-D deconvolution).
+
+    STACK is an OME-TIFF, a TIFF of ImageJ or a folder of OME-Zarr, as the camera recorded it; LENS is the file of the
+    objective. Voxel sizes, channels and wavelengths are those of STACK. The PSF depends on the depth where the sample
+    and the immersion differ. Iterations stop where the result agrees with the recording within its noise.
+
+    The output has the voxel sizes of the stack. An output .ome.zarr alone is written chunk by chunk, for stacks
+    larger than memory; the same command goes on where it was interrupted. Ctrl-C keeps the steps that are done.
+
+    Examples
+    --------
+      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --depth 8um -o restored.ome.tif
+      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --gain 0.46 --read 1.6 --offset 100 -o restored.ome.zarr
+    """
+    for path in outputs:
+        recordings.kind_of(path)
+        require_folder(path)
+    if stack.suffix.lower() == ".toml" != lens.suffix.lower():
+        raise ValueError(f"the order is STACK LENS, the stack first, got {line(stack)} and then {line(lens)}")
+    microscope = microscope_of(lens)
+    if microscope is None:
+        raise ValueError(f"lommel deconvolve needs a microscope, a file with a section [objective]; {lens} has none")
+    maps = {"white": _map(white, "gain"), "read": _map(read, "read"), "offset": _map(offset, "offset")}
+    camera = None
+    if any(each is not None for each in maps.values()):
+        if maps["read"] is None:
+            raise ValueError("--read must be given with --gain or --offset: the read noise in electrons, 0 for none")
+        camera = Noise(**{name: each for name, each in maps.items() if each is not None})
+    whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
+    begun = time.perf_counter()
+    with progress("reading") as step:
+        found = restore(
+            stack,
+            microscope,
+            wavelength=None if wavelength is None else list(wavelength),
+            pixel=pixel,
+            noise=camera,
+            refine=refine,
+            method=None if steps is None else RichardsonLucy(steps=steps, target=0.0),
+            time=time_point,
+            memory=1e9 * memory,
+            out=whole,
+            progress=lambda share, words: step(words, share),
+            **given,
+        )
+        if whole is None:
+            step("writing")
+            found.save(*outputs)
+    facts = _facts(stack, found, microscope.name) | {"seconds": time.perf_counter() - begun}
+    return Report(facts, _parts(facts)) + written(outputs)
+
+
+def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:
+    channels = []
+    for label, wave, each in zip(found.recording.names, found.recording.emission, found.channels, strict=False):
+        low, high = float(each.depths.min()), float(each.depths.max())
+        channels.append(
+            {
+                "name": label,
+                "wavelength": wave,
+                "discrepancy": {"before": each.before, "after": each.discrepancy},
+                "steps": each.steps,
+                "stopped": each.stopped,
+                "direction": each.direction,
+                "depths": [low, high],
+                "psfs": len(each.psf_depths),
+                "refined": each.refined,
+            }
+        )
+    return {
+        "stack": str(stack),
+        "name": name,
+        "shape": list(found.values.shape[-3:]),
+        "pixel_in_sample": found.recording.pixel,
+        "step": found.recording.step,
+        "channels": channels,
+        "notes": list(found.notes),
+    }
+
+
+def _parts(facts: Facts) -> list[Any]:
+    planes, height, width = facts["shape"]
+    lines = [
+        ("stack", f"{planes} planes of {height} x {width}"),
+        ("voxels", f"{format_length(facts['pixel_in_sample'])} x {format_length(facts['step'])} along z"),
+    ]
+    for each in facts["channels"]:
+        low, high = (format_length(end, digits=3) for end in each["depths"])
+        before, after = each["discrepancy"]["before"], each["discrepancy"]["after"]
+        label = each["name"] if len(facts["channels"]) > 1 else "restored"
+        lines += [
+            (label, f"discrepancy {before:.3g} before, {after:.3g} after {each['steps']} steps ({each['stopped']})"),
+            ("depth in focus", f"{low} to {high}, {each['psfs']} PSF{'s' * (each['psfs'] > 1)}"),
+        ]
+    notes = [*facts["notes"]]
+    if any(each["stopped"] == INTERRUPTED for each in facts["channels"]):
+        notes.append("It was interrupted: the result has the steps that were done.")
+    lines.append(("time", f"{facts['seconds']:.3g} s"))
+    return [Text(facts["name"], "bold"), list_of(lines), *map(Wrapped, notes)]

@@ -1,0 +1,594 @@
+"""Stacks that microscopes recorded: OME-TIFF, TIFF of ImageJ and OME-Zarr, read lazily with their metadata."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from os import PathLike
+from pathlib import Path
+from typing import Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import atomic, optional, reading, validation
+from lommel.base.arrays import Values
+from lommel.base.units import format_length
+from lommel.base.validation import line, shown
+
+_UNITS = {
+    "m": 1.0, "meter": 1.0, "mm": 1e-3, "millimeter": 1e-3, "µm": 1e-6, "μm": 1e-6, "um": 1e-6, "micron": 1e-6,
+    "microns": 1e-6, "micrometer": 1e-6, "micrometre": 1e-6, "nm": 1e-9, "nanometer": 1e-9, "nanometre": 1e-9,
+    "Å": 1e-10, "angstrom": 1e-10, "pm": 1e-12, "\\u00B5m": 1e-6, "cm": 1e-2, "inch": 2.54e-2,
+}  # fmt: skip
+_XML = 2**24  # bytes of a description that are parsed
+_CHUNK = (32, 256, 256)  # of an OME-Zarr that is written
+_AXES = "TCZYX"
+_SHARE = 1e-4  # of lengths that count as equal
+
+
+class RecordingError(ValueError):
+    """A file that cannot be read as a stack; the message names it and says what to do."""
+
+
+class Source(Protocol):
+    """Values of shape (channels, planes, height, width), of which a plane at a time is read."""
+
+    shape: tuple[int, int, int, int]
+    dtype: np.dtype[Any]
+
+    def plane(self, channel: int, plane: int) -> Values:
+        """Return one plane."""
+
+
+class _Channel:
+    """One channel as a stack; ``[plane]`` and ``[plane, rows, columns]`` read it."""
+
+    def __init__(self, source: Source, channel: int) -> None:
+        self._source, self._channel = source, channel
+        self.shape, self.dtype, self.ndim = source.shape[1:], source.dtype, 3
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __getitem__(self, at: Any) -> Values:
+        plane, *part = at if isinstance(at, tuple) else (at,)
+        found = self._source.plane(self._channel, plane)
+        return found[tuple(part)] if part else found
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Values:
+        out = np.empty(self.shape, self.dtype)
+        for plane in range(len(self)):
+            out[plane] = self[plane]
+        return out if dtype is None else out.astype(dtype)
+
+
+class _Held:
+    """An array of any package that NumPy can read parts of."""
+
+    def __init__(self, values: Any) -> None:
+        self._values = values
+        self.shape: tuple[int, int, int, int] = (1,) * (4 - len(values.shape)) + tuple(values.shape)
+        self.dtype = np.dtype(values.dtype)
+
+    def plane(self, channel: int, plane: int) -> Values:
+        """Return one plane."""
+        at: tuple[int, ...] = (channel, plane)[2 - (len(self._values.shape) - 2) :]
+        return np.asarray(self._values[at])
+
+
+class _Pages:
+    """Pages of a TIFF file."""
+
+    def __init__(self, path: Path, pages: Any, places: Values, shape: tuple[int, int], dtype: Any) -> None:
+        self._path, self._pages, self._places = path, pages, places
+        self.shape = (*places.shape, *shape)
+        self.dtype = np.dtype(dtype)
+
+    def plane(self, channel: int, plane: int) -> Values:
+        """Return one plane."""
+        number = int(self._places[channel, plane])
+        page = self._pages[number]
+        if page is None:
+            raise RecordingError(f"{line(self._path)}: page {number} is missing; the file is cut off")
+        try:
+            with reading.quietly():
+                found = np.asarray(page.asarray())
+        except OSError:
+            raise
+        except Exception as error:  # of tifffile's decoders among others
+            raise RecordingError(f"{line(self._path)}: page {number}: {reading.reason(error)}") from None
+        return found.reshape(self.shape[2:])
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Recording:
+    """A stack that a microscope recorded, with what its file says of it; values stay on the disk until they are read.
+
+    Made by :func:`lommel.microscopy.open_recording`.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Channels, planes, height, width.
+    dtype : dtype
+        Of the values as they are stored.
+    pixel : float or None
+        Side of a pixel in the sample, metres; None if the file does not say.
+    step : float or None
+        Distance between planes, metres of the stage, not negative; None if the file does not say.
+    names : tuple of str
+        Of the channels.
+    emission, excitation : tuple of float or None
+        Wavelength of each channel, metres.
+    NA, magnification, immersion : float or None
+        Of the objective, if the file says so.
+    path : Path or None
+    source, closed
+        What reads planes, and what closes the file.
+    notes : tuple of str
+        What was taken from the file, and what it lacks, in sentences.
+    """
+
+    source: Source
+    pixel: float | None = None
+    step: float | None = None
+    names: tuple[str, ...] = ()
+    emission: tuple[float | None, ...] = ()
+    excitation: tuple[float | None, ...] = ()
+    NA: float | None = None
+    magnification: float | None = None
+    immersion: float | None = None
+    path: Path | None = None
+    notes: tuple[str, ...] = ()
+    closed: Any = field(default=None)
+
+    @property
+    def shape(self) -> tuple[int, int, int, int]:  # noqa: D102
+        return self.source.shape
+
+    @property
+    def dtype(self) -> np.dtype[Any]:  # noqa: D102
+        return self.source.dtype
+
+    def __repr__(self) -> str:
+        channels, planes, height, width = self.shape
+        name = "array" if self.path is None else self.path.name
+        sides = "without voxel sizes"
+        if self.pixel is not None and self.step is not None:
+            sides = f"pixels of {format_length(self.pixel)}, {format_length(self.step)} apart"
+        many = f"{channels} channels of " if channels > 1 else ""
+        return f"<Recording {name!r}: {many}{planes} planes of {height} x {width}, {self.dtype}, {sides}>"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the file."""
+        if self.closed is not None:
+            self.closed()
+
+    def stack(self, channel: int = 0) -> Any:
+        """Return a channel as a stack of shape (planes, height, width); read by ``[plane]`` and NumPy.
+
+        Parameters
+        ----------
+        channel : int, default 0
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there is no such channel; RecordingError, when it is read, if the file is damaged.
+        """
+        number = validation.integer("channel", channel, least=0, most=self.shape[0] - 1)
+        return _Channel(self.source, number)
+
+
+def open_recording(
+    path: str | PathLike[str] | ArrayLike | Recording, *, time: int | None = None, axes: str | None = None
+) -> Recording:
+    """Open a stack that a microscope recorded, with its voxel sizes, channels and wavelengths.
+
+    Parameters
+    ----------
+    path : path or array_like
+        An OME-TIFF file, another TIFF file (ImageJ's voxel sizes are read), a folder of OME-Zarr (OME-NGFF 0.4 or
+        0.5); or an array of NumPy, dask or Zarr, of shape (planes, height, width) or (channels, planes, height,
+        width).
+    time : int, optional
+        Which time point, from 0; needed where the file holds several.
+    axes : str, optional
+        Letters of the axes, such as "ZYX" or "CZYX", where the file does not state them or is wrong.
+
+    Returns
+    -------
+    Recording
+
+    Raises
+    ------
+    RecordingError
+        If the file is damaged, holds colours (RGB), several time points without `time`, or axes that are unknown.
+    TypeError, ValueError
+        If an argument is out of range.
+    OSError, ImportError
+        If the file cannot be read, or tifffile or zarr is not installed.
+
+    See Also
+    --------
+    lommel.microscopy.restore
+    """
+    if isinstance(path, Recording):
+        return path
+    if axes is not None and (not isinstance(axes, str) or not re.fullmatch(r"[TCZ]*YX", axes)):
+        raise ValueError(f'axes must be letters of TCZYX that end in YX, such as "ZYX", got {shown(axes)}')
+    if time is not None:
+        validation.integer("time", time, least=0, most=validation.MAX_VALUES)
+    if not isinstance(path, str | PathLike):
+        values = path if hasattr(path, "shape") and hasattr(path, "dtype") else validation.array("stack", path)
+        return _of_array(values, axes)
+    where = validation.path("path", path)
+    if where.is_dir():
+        return _zarr(where, time, axes)
+    return _tiff(where, time, axes)
+
+
+def _of_array(values: Any, axes: str | None) -> Recording:
+    sides = len(values.shape)
+    if axes in ("CZYX", "ZYX") and len(axes) != sides:
+        raise ValueError(f"axes must have a letter for each of {sides} axes, got {shown(axes)}")
+    if axes not in (None, "CZYX", "ZYX"):
+        raise ValueError(f'axes of an array must be "ZYX" or "CZYX", got {shown(axes)}; index or transpose it first')
+    _numbers("stack", values.dtype)
+    if sides not in (3, 4):
+        raise ValueError(
+            f"stack must have the shape (planes, height, width) or (channels, planes, height, width), got "
+            f"{tuple(values.shape)}"
+        )
+    if 0 in values.shape:
+        raise ValueError(f"stack must have planes, rows and columns, got the shape {tuple(values.shape)}")
+    count = values.shape[0] if sides == 4 else 1
+    nothing = (None,) * count
+    return Recording(_Held(values), names=_names([], count), emission=nothing, excitation=nothing)
+
+
+def _numbers(name: str, dtype: Any) -> None:
+    if np.dtype(dtype).kind not in "iufb":
+        raise TypeError(f"{name} must hold real numbers, got {np.dtype(dtype)}")
+
+
+def _names(given: Sequence[str | None], count: int) -> tuple[str, ...]:
+    return tuple((given[k] if k < len(given) else None) or f"channel {k}" for k in range(count))
+
+
+def _tiff(path: Path, time: int | None, axes: str | None) -> Recording:
+    optional.require("tifffile", "reading TIFF files needs", "images")
+    try:
+        file, errors = reading.tiff_on_disk(path)
+    except OSError:
+        raise
+    except Exception as error:  # of tifffile's parser among others
+        raise RecordingError(f"{line(path)}: {reading.reason(error)}") from None
+    try:
+        if errors:
+            raise RecordingError(f"{line(path)}: it is cut off or damaged: {validation.brief(errors[0])}")
+        return _tiff_recording(path, file, time, axes)
+    except BaseException:
+        file.close()
+        raise
+
+
+def _tiff_recording(path: Path, file: Any, time: int | None, axes: str | None) -> Recording:
+    notes: list[str] = []
+    series = file.series[0]
+    if len(file.series) > 1:
+        first = " x ".join(map(str, series.shape))
+        notes.append(f"The file holds {len(file.series)} images; the first, {first}, was taken.")
+    letters: str = series.axes
+    sides: tuple[int, ...] = tuple(series.shape)
+    if "S" in letters:
+        raise RecordingError(f"{line(path)}: it holds colours (RGB); save each channel in grey")
+    plain: dict[str, int] = {}
+    plain.update((letter, side) for letter, side in zip(letters, sides, strict=True) if side != 1 or letter in "YX")
+    if axes is not None:
+        given = [side for side in sides if side != 1 or len(sides) == len(axes)]
+        if len(given) != len(axes):
+            raise RecordingError(f"{line(path)}: axes={axes!r} does not fit its shape {sides}")
+        plain = dict(zip(axes, given, strict=True))
+        order = axes
+    else:
+        order = "".join(letter for letter in letters if letter in plain)
+    unknown = [letter for letter in order if letter not in _AXES]
+    if unknown:
+        raise RecordingError(
+            f"{line(path)}: what its axis of {plain[unknown[0]]} images is, the file does not say; "
+            f'state it, such as axes="ZYX" for planes along z'
+        )
+    _numbers(line(path), series.dtype)
+    if "T" in plain and "Z" not in plain and time is None:
+        raise RecordingError(
+            f"{line(path)}: it is a time series of {plain['T']} images without planes along z; if these are planes, "
+            'state axes="ZYX"'
+        )
+    lead = [letter for letter in order if letter not in "YX"]
+    numbers = np.arange(math.prod(plain[letter] for letter in lead)).reshape([plain[letter] for letter in lead])
+    numbers = _without_time(path, numbers, lead, time)
+    lead = [letter for letter in lead if letter != "T"]
+    for place, letter in enumerate("CZ"):
+        if letter not in lead:
+            numbers = np.expand_dims(numbers, place)
+            lead.insert(place, letter)
+    numbers = np.transpose(numbers, [lead.index("C"), lead.index("Z")])
+    pages = _Pages(path, series.pages, numbers, (plain["Y"], plain["X"]), series.dtype)
+    if len(series.pages) == 1 and numbers.size > 1:  # several planes in one page, which are read together
+        whole = np.asarray(series.asarray()).reshape(-1, plain["Y"], plain["X"])[numbers]
+        made = Recording(_Held(whole))
+    else:
+        made = Recording(pages)
+    found = _ome(file) if file.is_ome else _imagej(file) if file.is_imagej else {}
+    told = "OME" if file.is_ome else "ImageJ"
+    return _told(replace(made, path=path, closed=file.close), found, told, notes)
+
+
+def _without_time(path: Path, numbers: Values, lead: list[str], time: int | None) -> Values:
+    if "T" not in lead:
+        return numbers
+    axis = lead.index("T")
+    count = numbers.shape[axis]
+    if time is None:
+        raise RecordingError(
+            f"{line(path)}: it holds {count} time points; say which with time=, from 0 to {count - 1}, or restore "
+            "each in turn"
+        )
+    return np.asarray(np.take(numbers, validation.integer("time", time, least=0, most=count - 1), axis=axis))
+
+
+def _told(made: Recording, found: dict[str, Any], told: str, notes: list[str]) -> Recording:
+    """Return a recording with what its file says, checked."""
+    count, name = made.shape[0], line(made.path or "")
+    taken = []
+    for key, words in (("pixel", "pixels"), ("step", "planes apart")):
+        value = found.get(key)
+        if value is not None and not (1e-12 < value < 1e-3):
+            notes.append(f"The file says {words} {value:g} m, which cannot be; it was left out.")
+            found[key] = value = None
+        if value is not None:
+            taken.append(f"{format_length(value)} {words}")
+    across, down = found.get("pixel"), found.get("down")
+    if across and down and abs(across - down) > _SHARE * across:
+        raise RecordingError(
+            f"{name}: its pixels are {format_length(down)} high and {format_length(across)} wide; resample it to "
+            "square ones, or pass an array with pixel="
+        )
+    if taken:
+        notes.append(f"From the {told} metadata of the file: {', '.join(taken)}.")
+    waves: dict[str, Any] = {
+        key: tuple((list(found.get(key, [])) + [None] * count)[:count]) for key in ("emission", "excitation")
+    }
+    others: dict[str, Any] = {key: found.get(key) for key in ("NA", "magnification", "immersion", "pixel", "step")}
+    return replace(made, **others, **waves, names=_names(found.get("names", []), count), notes=tuple(notes))
+
+
+def _length(value: Any, unit: Any, default: str) -> float | None:
+    try:
+        found = float(value) * _UNITS[str(unit or default)]
+    except (TypeError, ValueError, KeyError):
+        return None
+    return abs(found) if math.isfinite(found) and found != 0.0 else None
+
+
+def _number(value: Any) -> float | None:
+    try:
+        found = float(value)
+    except (TypeError, ValueError):
+        return None
+    return found if math.isfinite(found) and found > 0.0 else None
+
+
+def _ome(file: Any) -> dict[str, Any]:
+    """Return what OME-XML says of the first image."""
+    from xml.etree import ElementTree as ET
+
+    text = file.ome_metadata or ""
+    if len(text) > _XML:
+        return {}
+    try:
+        root = ET.fromstring(text)
+    except ET.ParseError:
+        return {}
+    pixels = root.find(".//{*}Image/{*}Pixels")
+    if pixels is None:
+        return {}
+
+    def side(letter: str) -> float | None:
+        name = f"PhysicalSize{letter}"
+        return _length(pixels.get(name), pixels.get(f"{name}Unit"), "µm")
+
+    found: dict[str, Any] = {"pixel": side("X"), "down": side("Y"), "step": side("Z")}
+    channels = pixels.findall("{*}Channel")
+    found["names"] = [each.get("Name") for each in channels]
+    for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
+        found[key] = [_length(each.get(name), each.get(f"{name}Unit"), "nm") for each in channels]
+    if (lens := root.find(".//{*}Instrument/{*}Objective")) is not None:
+        found["NA"] = _number(lens.get("LensNA"))
+        found["magnification"] = _number(lens.get("CalibratedMagnification") or lens.get("NominalMagnification"))
+    if (used := root.find(".//{*}Image/{*}ObjectiveSettings")) is not None:
+        found["immersion"] = _number(used.get("RefractiveIndex"))
+    return found
+
+
+def _imagej(file: Any) -> dict[str, Any]:
+    """Return what ImageJ says."""
+    told, page = file.imagej_metadata or {}, file.pages[0]
+    unit = str(told.get("unit", ""))
+    sides = []
+    for tag in ("XResolution", "YResolution"):
+        value = page.tags.get(tag)
+        ratio = value.value if value is not None else (0, 1)
+        each = ratio[1] / ratio[0] if isinstance(ratio, tuple) and ratio[0] else None
+        sides.append(_length(each, unit, "pixel"))
+    return {"pixel": sides[0], "down": sides[1], "step": _length(told.get("spacing"), unit, "pixel")}
+
+
+def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
+    zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
+    for name in ("zarr.json", ".zattrs", ".zgroup"):
+        if (path / name).exists() and reading.size(path / name) > _XML:
+            raise RecordingError(f"{line(path)}: {name} is larger than any description")
+    try:
+        group = zarr.open(str(path), mode="r")
+    except Exception as error:  # of any kind
+        raise RecordingError(f"{line(path)}: no OME-Zarr: {reading.reason(error)}") from None
+    if not hasattr(group, "attrs") or hasattr(group, "dtype"):
+        raise RecordingError(f"{line(path)}: it is an array without OME metadata; pass zarr.open(...) and pixel=")
+    attributes = dict(group.attrs)
+    told = attributes.get("ome", attributes)
+    try:
+        scales = told["multiscales"][0]
+        names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
+        units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
+        first = scales["datasets"][0]
+        array = group[first["path"]]
+        moves = [*first.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
+        scale = np.ones(len(names))
+        for move in moves:
+            if move.get("type") == "scale":
+                scale = scale * np.asarray(move["scale"], float)
+    except (KeyError, IndexError, TypeError, ValueError) as error:
+        raise RecordingError(
+            f"{line(path)}: its multiscales are not those of an OME-Zarr ({reading.reason(error)})"
+        ) from None
+    order = axes or "".join(names).upper()
+    if not re.fullmatch(r"[TCZ]*YX", order) or len(order) != array.ndim or len(set(order)) != len(order):
+        raise RecordingError(f"{line(path)}: its axes are {shown(order)}, not some of t, c, z, y, x in this order")
+    _numbers(line(path), array.dtype)
+    at: list[Any] = [slice(None)] * array.ndim
+    if "T" in order:
+        count = array.shape[order.index("T")]
+        if count > 1 and time is None:
+            raise RecordingError(f"{line(path)}: it holds {count} time points; say which with time=")
+        at[order.index("T")] = validation.integer("time", time or 0, least=0, most=count - 1)
+    sizes = {
+        letter: _length(value, unit, "um") if unit or letter in "ZYX" else None
+        for letter, value, unit in zip(order, scale, [*units, *[None] * 5], strict=False)
+    }
+    named = any(units)
+    found: dict[str, Any] = {}
+    if named:
+        found = {"pixel": sizes.get("X"), "down": sizes.get("Y"), "step": sizes.get("Z")}
+    listed = told.get("omero", attributes.get("omero", {})) or {}
+    channels = listed.get("channels", []) if isinstance(listed, dict) else []
+    found["names"] = [each.get("label") for each in channels if isinstance(each, dict)]
+    found["emission"] = [_length(each.get("emission_wavelength"), "nm", "nm") for each in channels]
+    made = Recording(_Chunked(array, order, at), path=path)
+    return _told(made, found, "OME-Zarr", [])
+
+
+class _Chunked:
+    """An array of Zarr, whose chunks are read once for a plane."""
+
+    def __init__(self, array: Any, order: str, at: list[Any]) -> None:
+        self._array, self._order, self._at = array, order, at
+        sides = dict(zip(order, array.shape, strict=True))
+        self.shape = (sides.get("C", 1), sides.get("Z", 1), sides["Y"], sides["X"])
+        self.dtype = np.dtype(array.dtype)
+        self._block: tuple[int, int, Values] | None = None
+
+    def plane(self, channel: int, plane: int) -> Values:
+        """Return one plane."""
+        deep = self._array.chunks[self._order.index("Z")] if "Z" in self._order else 1
+        first = plane - plane % deep
+        block = self._block
+        if block is None or block[:2] != (channel, first):
+            at = list(self._at)
+            if "C" in self._order:
+                at[self._order.index("C")] = channel
+            if "Z" in self._order:
+                at[self._order.index("Z")] = slice(first, min(first + deep, self.shape[1]))
+            values = np.asarray(self._array[tuple(at)]).reshape(-1, *self.shape[2:])
+            self._block = block = channel, first, values
+        return np.asarray(block[2][plane - first])
+
+
+def save_stack(path: Path, values: Values, recording: Recording, description: str = "") -> None:
+    """Write a stack, of shape (channels, planes, height, width), with the metadata of its recording, atomically.
+
+    As OME-TIFF where the name ends in .tif or .tiff, as OME-Zarr (0.4) where it ends in .zarr.
+    """
+    kind = kind_of(path)
+    if kind == "zarr":
+        optional.require("zarr", "writing OME-Zarr needs", "zarr")
+        atomic.write_folder(path, lambda folder: _fill_zarr(folder, values, recording, description))
+    else:
+        optional.require("tifffile", "writing OME-TIFF needs", "images")
+        atomic.write_by(path, lambda target: _fill_tiff(target, values, recording, description))
+
+
+def kind_of(path: Path) -> str:
+    """Return the format of a stack that is written; ValueError for another."""
+    name = path.name.lower()
+    if name.endswith(".zarr"):
+        return "zarr"
+    if name.endswith((".tif", ".tiff")):
+        return "tiff"
+    raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {shown(path.name)}")
+
+
+def _fill_tiff(target: Path, values: Values, recording: Recording, description: str) -> None:
+    import tifffile
+
+    fields: dict[str, Any] = {"axes": "CZYX", "Description": description}
+    for key, letters in (("pixel", "XY"), ("step", "Z")):
+        if (value := getattr(recording, key)) is not None:
+            for letter in letters:
+                fields[f"PhysicalSize{letter}"] = float(f"{1e6 * value:.12g}")
+                fields[f"PhysicalSize{letter}Unit"] = "µm"
+    channel: dict[str, Any] = {"Name": list(recording.names)}
+    for key, name in (("emission", "EmissionWavelength"), ("excitation", "ExcitationWavelength")):
+        waves = getattr(recording, key)
+        if waves and all(wave is not None for wave in waves):
+            channel |= {name: [float(f"{1e9 * wave:.12g}") for wave in waves], f"{name}Unit": ["nm"] * len(waves)}
+    fields["Channel"] = channel
+    big = values.nbytes > 2**32 - 2**25
+    tifffile.imwrite(target, values, ome=True, metadata=fields, photometric="minisblack", bigtiff=big)
+
+
+def new_zarr(folder: Path, shape: tuple[int, ...], recording: Recording, description: str = "") -> Any:
+    """Return the array of a new OME-Zarr (0.4) of float32, of shape (channels, planes, height, width)."""
+    import zarr
+
+    group = zarr.create_group(str(folder), zarr_format=2)
+    sides = [1.0]
+    known_sides = (recording.step, recording.pixel, recording.pixel)
+    sides += [1.0 if value is None else float(f"{1e6 * value:.12g}") for value in known_sides]
+    known = recording.pixel is not None and recording.step is not None
+    space = [{"name": name, "type": "space"} | ({"unit": "micrometer"} if known else {}) for name in "zyx"]
+    group.attrs["multiscales"] = [
+        {
+            "version": "0.4",
+            "name": folder.stem,
+            "axes": [{"name": "c", "type": "channel"}, *space],
+            "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": sides}]}],
+        }
+    ]
+    channels: list[Any] = [{"label": name, "active": True, "color": "FFFFFF"} for name in recording.names]
+    for each, wave in zip(channels, recording.emission, strict=False):
+        if wave is not None:
+            each["emission_wavelength"] = float(f"{1e9 * wave:.12g}")
+    group.attrs["omero"] = {"channels": channels}
+    group.attrs["lommel"] = {"description": description}
+    chunks = (1, *(min(most, side) for most, side in zip(_CHUNK, shape[1:], strict=True)))
+    return group.create_array(
+        "0", shape=shape, dtype="float32", chunks=chunks, chunk_key_encoding={"name": "v2", "separator": "/"}
+    )
+
+
+def _fill_zarr(folder: Path, values: Values, recording: Recording, description: str) -> None:
+    array = new_zarr(folder, values.shape, recording, description)
+    for channel in range(values.shape[0]):
+        for plane in range(0, values.shape[1], _CHUNK[0]):
+            array[channel, plane : plane + _CHUNK[0]] = values[channel, plane : plane + _CHUNK[0]]

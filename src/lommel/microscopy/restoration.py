@@ -1,0 +1,813 @@
+"""From the file of a microscope to a restored stack: metadata, noise, direction of z, PSFs by depth, chunks."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import shutil
+import time as clock
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Values
+from lommel.base.units import format_length
+from lommel.base.validation import line, shown
+from lommel.estimation.noise import Noise
+from lommel.imaging.deconvolution import MISFIT, STEPS, RichardsonLucy
+from lommel.io import recordings
+from lommel.io.recordings import Recording
+from lommel.microscopy import depth_model
+from lommel.microscopy.camera_noise import estimate_noise
+from lommel.microscopy.deconvolution import STACK_MISFIT, Counted, Walk
+from lommel.microscopy.depth_model import MODALITIES, DepthModel
+from lommel.microscopy.refinement import PARAMETERS, crop_of, direction_of, refined
+from lommel.microscopy.stack_blur import TiledBlur
+from lommel.optics.layers.emitter import emitter_of
+from lommel.optics.layers.objective import Objective
+
+INTERRUPTED = "interrupted"
+"""Why a restoration ended that was interrupted (Ctrl-C): what was done until then is kept."""
+
+_DIRECTIONS = ("auto", "up", "down")
+_MEMORY = 2.0**31  # bytes
+_FULL = 8  # voxels of the largest value a sensor has, from which on they count as saturated
+_OFF = 0.02  # by which lengths of the file and of the objective may differ
+_PARTIAL = ".partial"
+_LEAST_PLANES = 8  # of the margin
+
+Shown = Callable[[float, str], object]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class RestoredChannel:
+    """How one channel of a stack was restored.
+
+    Attributes
+    ----------
+    discrepancy, before : float
+        Poisson deviance per voxel of the result and of the recording itself; about 1 where PSF and noise fit.
+    steps : int
+    stopped : str
+        As of :class:`lommel.imaging.Restoration`; "interrupted" after Ctrl-C.
+    noise : Noise
+    direction : str
+        "up" if the planes run from the cover glass into the sample, else "down".
+    depths : ndarray of float, shape (planes,)
+        Depth below the cover glass that is in focus in each plane, in the order of the recording, metres.
+    psf_depths : ndarray of float
+        Depths of the PSFs that were used.
+    refined : dict
+        Values found from the stack itself, by name.
+    """
+
+    discrepancy: float
+    before: float
+    steps: int
+    stopped: str
+    noise: Noise
+    direction: str
+    depths: Array
+    psf_depths: Array
+    refined: dict[str, float]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class RestoredStack:
+    """Result of :func:`lommel.microscopy.restore`; converts to an array of its values.
+
+    Attributes
+    ----------
+    values : ndarray of float32, or array of Zarr
+        Restored light in the unit of the recording, without the offset of the camera; shape (planes, height, width),
+        or (channels, planes, height, width) of several channels and of `out`. In the order of the recording.
+    channels : tuple of RestoredChannel
+    recording : Recording
+        With the voxel sizes and wavelengths that were used.
+    notes : tuple of str
+        What was taken from the file, estimated or assumed, in sentences.
+    """
+
+    values: Any
+    channels: tuple[RestoredChannel, ...]
+    recording: Recording
+    notes: tuple[str, ...]
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
+        """Return the values."""
+        return np.array(self.values[...], dtype=dtype, copy=copy)
+
+    def __repr__(self) -> str:
+        """Return the result in one line."""
+        size = " x ".join(map(str, self.values.shape))
+        first = self.channels[0]
+        return (
+            f"<RestoredStack, {size}: discrepancy {first.before:.3g} before, {first.discrepancy:.3g} after "
+            f"{first.steps} steps, stopped by {first.stopped!r}>"
+        )
+
+    def save(self, *paths: str | PathLike[str]) -> None:
+        """Write the stack with its voxel sizes, channels and wavelengths.
+
+        Parameters
+        ----------
+        *paths : path
+            OME-TIFF where a name ends in .tif or .tiff, OME-Zarr (0.4) where it ends in .zarr; written under another
+            name and moved into place.
+
+        Raises
+        ------
+        ValueError
+            If a name ends otherwise.
+        OSError, ImportError
+            If it cannot be written, or tifffile or zarr is not installed.
+        """
+        places = [validation.path("paths", path) for path in paths]
+        for place in places:
+            recordings.kind_of(place)
+        values = np.asarray(self.values[...], np.float32)
+        values = values[np.newaxis] if values.ndim == 3 else values
+        for place in places:
+            recordings.save_stack(place, values, self.recording, " ".join(self.notes))
+
+
+def restore(
+    stack: str | PathLike[str] | ArrayLike | Recording,
+    objective: Any,
+    *,
+    depth: float | None = None,
+    wavelength: float | Sequence[float] | None = None,
+    pixel: float | None = None,
+    step: float | None = None,
+    channel: int | None = None,
+    time: int | None = None,
+    axes: str | None = None,
+    noise: Noise | None = None,
+    saturation: float | None = None,
+    modality: str = "widefield",
+    excitation: float | None = None,
+    pinhole: float = 1.0,
+    thickness: float | None = None,
+    direction: str = "auto",
+    slabs: int | None = None,
+    refine: Sequence[str] = (),
+    method: RichardsonLucy | None = None,
+    psf_shape: tuple[int, int] | None = None,
+    margin: tuple[int, int] | None = None,
+    tile: int | None = None,
+    memory: float = _MEMORY,
+    out: str | PathLike[str] | None = None,
+    progress: Shown | None = None,
+    threads: int | None = None,
+) -> RestoredStack:
+    """Deconvolve the stack of a microscope, from its file: voxel sizes, noise and PSFs by depth are found for it.
+
+    Parameters
+    ----------
+    stack : path or array_like
+        As of :func:`lommel.microscopy.open_recording`: OME-TIFF, TIFF of ImageJ, OME-Zarr; arrays of NumPy, dask or
+        Zarr, of shape (planes, height, width) or (channels, planes, height, width), of any real type.
+    objective : Objective or Microscope
+        The objective; or the microscope of :func:`lommel.load_microscope`, whose depth, wavelength, pixel, step,
+        emitter and aberrations are used where the file has none.
+    depth : float, optional
+        Depth below the cover glass that is in focus in plane ``planes // 2``, metres. By default that of the
+        Microscope; else half of the stack, as if it began at the glass.
+    wavelength : float or sequence of float, optional
+        Of the emission, metres; one for each channel. By default that of the file.
+    pixel, step : float, optional
+        Pixel pitch on the camera, and distance of the stage between planes, metres. By default those of the file,
+        whose pixels are in the sample.
+    channel, time : int, optional
+        Which to restore; by default all channels, and the only time point.
+    axes : str, optional
+        As of :func:`lommel.microscopy.open_recording`.
+    noise : Noise, optional
+        Of the camera, in the unit of the file; maps per pixel apply to each plane. By default
+        :func:`lommel.microscopy.estimate_noise` of each channel.
+    saturation : float, optional
+        Value from which on voxels are saturated, and unknown. By default the largest value of 8, 10, 12, 14 or 16
+        bits, if integers have it at several voxels.
+    modality : {"widefield", "confocal", "spinning disc", "light sheet", "two-photon"}, default "widefield"
+    excitation : float, optional
+        Vacuum wavelength of the excitation, metres: for "confocal", "spinning disc" and "two-photon", where the file
+        does not say.
+    pinhole : float, default 1
+        Diameter in Airy units, for "confocal" and "spinning disc".
+    thickness : float, optional
+        Full width at half maximum of the "light sheet", metres, which stays in the focal plane.
+    direction : {"auto", "up", "down"}, default "auto"
+        "up": the first plane is the nearest to the cover glass. "auto" tries both and takes the one that the data
+        follow better; "up" where they do not tell.
+    slabs : int, optional
+        Number of PSFs over the depth of the stack, with linear weights between them; 1 for the same everywhere. By
+        default as many as are needed for PSFs in between to be within 3 % of the light, up to 9.
+    refine : sequence of {"depth", "sample", "spherical"}
+        What is estimated from the stack by its likelihood first: the depth, the refractive index of the sample, or
+        spherical aberration (waves rms).
+    method : RichardsonLucy, optional
+        By default ``lm.imaging.RichardsonLucy(target=1.0)``.
+    psf_shape : (int, int), optional
+        Planes and pixels of the PSFs, odd. By default those of the cone of light over half of the planes, up to 97.
+    margin : (int, int), optional
+        As of :func:`lommel.microscopy.deconvolve`.
+    tile : int, optional
+        Side of lateral chunks, pixels. By default the whole, or what `memory` holds. Chunks overlap by the PSF, and
+        all take the steps of the central one; in tests of few steps the sum of differences from the whole was 4 % of
+        the light.
+    memory : float, default 2**31
+        Bytes that may be used besides input and output.
+    out : path, optional
+        A folder .zarr that values are written to, chunk by chunk, for stacks larger than memory. If it is
+        interrupted, the same call goes on where it ended.
+    progress : callable, optional
+        Called as ``progress(share, words)`` with the share that is done, 0 to 1.
+    threads : int, optional
+        By default as many as there are processors. The result does not depend on it.
+
+    Returns
+    -------
+    RestoredStack
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is of another type or out of range; if the voxel sizes or the wavelength are unknown, or the
+        stack is thinner than three planes; :class:`lommel.io.recordings.RecordingError` for files.
+    OSError, ImportError
+        If a file cannot be read or written, or a library for it is not installed.
+
+    Notes
+    -----
+    Depths are those of the brightest focus of an emitter, by :meth:`lommel.Objective.focus`: restored points stay in
+    the plane in which they are brightest. A stack is blurred as ``sum_s h_s * (w_s x)``, with PSFs h_s and weights
+    w_s of each plane, and with the exact transpose of that. After Ctrl-C the steps that are done are kept, as
+    ``stopped="interrupted"``; with `out` it raises KeyboardInterrupt, and can be continued.
+    """
+    validation.choice("modality", modality, MODALITIES)
+    validation.choice("direction", direction, _DIRECTIONS)
+    validation.optional("noise", noise, Noise)
+    validation.optional("method", method, RichardsonLucy)
+    validation.function("progress", progress, required=False)
+    count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+    limit = validation.real("memory", memory, least=2.0**24)
+    wanted = [validation.choice("refine", name, PARAMETERS) for name in _listed("refine", refine)]
+    tell = progress or _silent
+    lens, given = _objective(objective)
+    with recordings.open_recording(stack, time=time, axes=axes) as opened:
+        chosen = range(opened.shape[0])
+        if channel is not None:
+            number = validation.integer("channel", channel, least=0, most=opened.shape[0] - 1)
+            chosen = range(number, number + 1)
+        notes = list(opened.notes)
+        sizes = _Sizes(opened, lens, given, pixel, step, notes)
+        waves = _wavelengths(opened, given, wavelength, chosen, notes)
+        models = [
+            _model(
+                opened, lens, given, sizes, wave, number, depth, modality, excitation, pinhole, thickness, psf_shape
+            )
+            for number, wave in zip(chosen, waves, strict=True)
+        ]
+        if depth is None and given is None:
+            notes.append(
+                f"The depth in focus in the middle was taken to be {format_length(models[0].depth, digits=3)}, as if "
+                "the stack began at the cover glass; depth= states another."
+            )
+        described = replace(
+            opened,
+            pixel=sizes.pixel / lens.magnification,
+            step=sizes.step,
+            names=tuple(opened.names[k] for k in chosen),
+            emission=tuple(waves),
+            excitation=tuple(opened.excitation[k] for k in chosen),
+            path=opened.path,
+        )
+        whole = (len(chosen), *opened.shape[1:])
+        target = _Target(out, whole, described)
+        made = []
+        for place, (number, model) in enumerate(zip(chosen, models, strict=True)):
+            job = _Job(opened.stack(number), model, notes if place == 0 else [], count, limit, target, place)
+            job.name = "" if len(chosen) == 1 else f"{opened.names[number]}: "
+
+            def told(share: float, words: str, place: int = place, name: str = job.name) -> None:
+                tell((place + share) / len(chosen), name + words)
+
+            made.append(job.run(noise, saturation, direction, slabs, wanted, method, margin, tile, told))
+            if made[-1].stopped == INTERRUPTED:
+                break
+        values = target.finish(" ".join(notes), len(made))
+    return RestoredStack(values, tuple(made), replace(described, closed=None), tuple(notes))
+
+
+def _silent(*_: object) -> None:
+    return None
+
+
+def _listed(name: str, given: Any) -> list[Any]:
+    if isinstance(given, str) or not isinstance(given, Sequence):
+        raise TypeError(f'{name} must be a sequence of names, such as ("depth",), got {shown(given)}')
+    return list(given)
+
+
+def _objective(given: Any) -> tuple[Objective, Any]:
+    """Return an objective, and the microscope that it is of, if it is of one."""
+    if isinstance(given, Objective):
+        return given, None
+    if isinstance(getattr(given, "objective", None), Objective):
+        return given.objective, given
+    raise TypeError(
+        f"objective must be an Objective, or a Microscope as lommel.load_microscope reads it, got {shown(given)}"
+    )
+
+
+class _Sizes:
+    """Pixel on the camera and step of the stage, metres."""
+
+    def __init__(
+        self,
+        opened: Recording,
+        lens: Objective,
+        given: Any,
+        pixel: float | None,
+        step: float | None,
+        notes: list[str],
+    ) -> None:
+        told = None if opened.pixel is None else opened.pixel * lens.magnification
+        self.pixel = self._one("pixel", pixel, told, getattr(given, "pixel", None), opened, notes)
+        self.step = self._one("step", step, opened.step, abs(getattr(given, "step", 0.0)) or None, opened, notes)
+        if pixel is not None:
+            validation.pixel(self.pixel, metric=True)
+        if not 0.0 < self.step < 1e-4:
+            raise ValueError(f"step must be of the stage, in metres, above 0 and below 1e-4, got {self.step:g}")
+        if opened.NA is not None and abs(opened.NA - lens.NA) > _OFF * lens.NA:
+            notes.append(f"The file says NA {opened.NA:g}, the objective {lens.NA:g}, which was used.")
+
+    def _one(
+        self,
+        name: str,
+        asked: float | None,
+        told: float | None,
+        other: float | None,
+        opened: Recording,
+        notes: list[str],
+    ) -> float:
+        if asked is not None:
+            return validation.real(name, asked, above=0.0)
+        if told is None and other is None:
+            what = "an array" if opened.path is None else line(opened.path)
+            raise ValueError(
+                f"{what} does not say the voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
+            )
+        if told is None:
+            notes.append(f"The {name} of the objective file, {format_length(float(other or 0.0))}, was taken.")
+            return float(other or 0.0)
+        if other is not None and abs(other - told) > _OFF * told:
+            notes.append(
+                f"The stack has a {name} of {format_length(told)}, the objective file {format_length(other)}: that "
+                "of the stack was taken."
+            )
+        return told
+
+
+def _wavelengths(opened: Recording, given: Any, asked: Any, chosen: range, notes: list[str]) -> list[float]:
+    if asked is not None:
+        each = list(np.atleast_1d(np.asarray(asked, float)))
+        if len(each) not in (1, len(chosen)):
+            raise ValueError(f"wavelength must be one, or one for each of {len(chosen)} channels, got {len(each)}")
+        return [validation.wavelength(float(wave)) for wave in (each * len(chosen) if len(each) == 1 else each)]
+    found = []
+    for number in chosen:
+        wave = opened.emission[number]
+        if wave is None:
+            if given is None or len(chosen) > 1:
+                raise ValueError(
+                    f"the stack does not say the emission wavelength of {opened.names[number]!r}: give wavelength=, "
+                    "in metres, such as 520e-9"
+                )
+            wave = given.wavelength
+            notes.append(f"The wavelength of the objective file, {format_length(wave)}, was taken.")
+        found.append(validation.wavelength(float(wave)))
+    return found
+
+
+def _model(
+    opened: Recording,
+    lens: Objective,
+    given: Any,
+    sizes: _Sizes,
+    wave: float,
+    number: int,
+    depth: float | None,
+    modality: str,
+    excitation: float | None,
+    pinhole: float,
+    thickness: float | None,
+    psf_shape: tuple[int, int] | None,
+) -> DepthModel:
+    """Return the model of a channel, its arguments checked."""
+    planes, height, width = opened.shape[1:]
+    if planes < 3:
+        raise ValueError(
+            f"stack must have 3 planes or more, got {planes}: there is no depth to restore; for single images use "
+            "lommel.imaging.restore_with"
+        )
+    laser = excitation if excitation is not None else opened.excitation[number]
+    if modality in ("confocal", "spinning disc", "two-photon") and laser is None:
+        raise ValueError(f"excitation must be given for modality={modality!r}: its wavelength in metres")
+    if modality == "light sheet" and thickness is None:
+        raise ValueError('thickness must be given for modality="light sheet": its full width at half maximum, metres')
+    if thickness is not None:
+        validation.real("thickness", thickness, above=0.0)
+    if psf_shape is None:
+        size = depth_model.usual_window(lens, wave, sizes.pixel, sizes.step, (planes, height, width))
+    else:
+        if not isinstance(psf_shape, tuple | list) or len(psf_shape) != 2 or any(int(n) % 2 == 0 for n in psf_shape):
+            raise ValueError(f"psf_shape must be (planes, pixels), both odd, got {shown(psf_shape)}")
+        size = validation.integer("psf_shape", psf_shape[0], least=3, most=513), int(psf_shape[1])
+        validation.integer("psf_shape", psf_shape[1], least=3, most=513)
+    middle = depth
+    if middle is None:
+        middle = planes // 2 * sizes.step if given is None else given.depth
+    return DepthModel(
+        lens,
+        wave,
+        sizes.pixel,
+        sizes.step,
+        validation.real("depth", middle, least=0.0, most=1e-2),
+        planes,
+        size,
+        modality,
+        None if laser is None else validation.wavelength(laser),
+        validation.real("pinhole", pinhole, above=0.0),
+        thickness,
+        emitter_of("isotropic") if given is None else given.emitter,
+        None if given is None else given.aberrations,
+    )
+
+
+class _Turned:
+    """A stack whose planes are taken in the other order."""
+
+    def __init__(self, stack: Any) -> None:
+        self._stack = stack
+        self.shape, self.dtype = stack.shape, stack.dtype
+
+    def __len__(self) -> int:
+        return int(self.shape[0])
+
+    def __getitem__(self, at: Any) -> Values:
+        plane, *rest = at if isinstance(at, tuple) else (at,)
+        found: Values = self._stack[(len(self) - 1 - plane, *rest)]
+        return found
+
+
+class _Target:
+    """Where values go: an array, or a folder of OME-Zarr that is given its name when it is complete."""
+
+    def __init__(self, out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> None:
+        self.shape, self._recording = shape, recording
+        self.place = None if out is None else validation.path("out", out)
+        self._array: Any = None
+        self._done: set[str] = set()
+        self.stored = ""
+        if self.place is None:
+            return
+        if recordings.kind_of(self.place) != "zarr":
+            raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(self.place.name)}")
+        if not self.place.parent.is_dir():
+            raise FileNotFoundError(2, "No such file or directory", str(self.place.parent))
+        if self.place.exists() and not ((self.place / ".zattrs").exists() or (self.place / "zarr.json").exists()):
+            raise FileExistsError(17, "File exists", str(self.place))
+        self._room = self.place.with_name(self.place.name + _PARTIAL)
+
+    def begin(self, request: str) -> None:
+        """Make the array, or go on with one that the same request has left."""
+        if self._array is not None:
+            return
+        if self.place is None:
+            self._array = np.zeros(self.shape, np.float32)
+            return
+        mark = self._room / "request.json"
+        if mark.exists():
+            said = json.loads(mark.read_text(encoding="utf-8"))
+            if said.get("request") == request:
+                self._array = _opened(self._room, "r+")["0"]
+                self._done = set(said.get("done", []))
+                self._request = request
+                return
+        shutil.rmtree(self._room, ignore_errors=True)
+        self._array = recordings.new_zarr(self._room, self.shape, self._recording)
+        self._request = request
+        self._mark()
+
+    def _mark(self) -> None:
+        mark = self._room / "request.json"
+        new = mark.with_name("request.new")
+        new.write_text(json.dumps({"request": self._request, "done": sorted(self._done)}), encoding="utf-8")
+        new.replace(mark)
+
+    def has(self, name: str) -> bool:
+        """Return whether a chunk is done."""
+        return name in self._done
+
+    def put(self, name: str, channel: int, rows: slice, columns: slice, values: Values) -> None:
+        """Write a chunk."""
+        self._array[channel, :, rows, columns] = values
+        self._done.add(name)
+        if self.place is not None:
+            self._mark()
+
+    def finish(self, description: str, channels: int) -> Any:
+        """Return all values."""
+        if self.place is None:
+            values = self._array[:channels]
+            return values[0] if self.shape[0] == 1 else values
+        group = _opened(self._room, "r+")
+        group.attrs["lommel"] = {"description": description}
+        (self._room / "request.json").unlink()
+        old = self.place.with_name(self.place.name + ".old")
+        if self.place.exists():
+            self.place.replace(old)
+        self._room.replace(self.place)
+        shutil.rmtree(old, ignore_errors=True)
+        return _opened(self.place, "r")["0"]  # of four axes, as stored
+
+
+def _opened(folder: Path, mode: Any) -> Any:
+    """Return a group of Zarr."""
+    import zarr
+
+    return zarr.open(str(folder), mode=mode)
+
+
+class _Job:
+    """The restoration of one channel."""
+
+    name = ""
+
+    def __init__(
+        self,
+        stack: Any,
+        model: DepthModel,
+        notes: list[str],
+        threads: int,
+        memory: float,
+        target: _Target,
+        place: int,
+    ) -> None:
+        self._stack, self._model, self._notes, self._threads = stack, model, notes, threads
+        self._memory, self._target, self._place = memory, target, place
+
+    def run(
+        self,
+        noise: Noise | None,
+        saturation: float | None,
+        direction: str,
+        slabs: int | None,
+        refine: list[str],
+        method: RichardsonLucy | None,
+        margin: tuple[int, int] | None,
+        tile: int | None,
+        tell: Shown,
+    ) -> RestoredChannel:
+        """Restore it; what was assumed is added to the notes."""
+        stack, notes, model = self._stack, self._notes, self._model
+        planes, height, width = stack.shape
+        tell(0.0, "noise")
+        limit = self._limit(saturation)
+        camera = noise
+        if camera is None:
+            camera = estimate_noise(stack)
+            gain = 1.0 if camera.white is None else float(camera.white)
+            notes.append(
+                f"The noise was estimated from the stack: {gain:.3g} electrons per count, offset "
+                f"{float(camera.offset):.4g}; read noise {float(camera.read):g} electrons was assumed."
+            )
+        _maps(camera, (height, width))
+        crop = crop_of(stack, model.window[1])
+        turned = direction == "down"
+        if direction == "auto":
+            tell(0.01, "direction of z")
+            found, words = direction_of(stack, crop, model, camera, limit, self._threads)
+            turned = found == "down"
+            notes.append(words)
+        source = _Turned(stack) if turned else stack
+        estimated: dict[str, float] = {}
+        if refine:
+
+            def looked(words: str) -> None:
+                tell(0.02, words)
+
+            model, estimated = refined(source, crop, model, camera, limit, refine, self._threads, looked)
+            for name, value in estimated.items():
+                told = format_length(value, digits=4) if name == "depth" else f"{value:.4g}"
+                unit = " waves rms" if name == "spherical" else ""
+                notes.append(f"Estimated from the stack: {_CALLED[name]} {told}{unit}.")
+        usual = (
+            min(model.window[0] // 2, max(_LEAST_PLANES, planes // 4)),
+            model.window[1] // 2,
+        )
+        asked = usual if margin is None else margin
+        if not isinstance(asked, tuple | list) or len(asked) != 2:
+            raise ValueError(f"margin must be (planes, pixels), got {shown(margin)}")
+        around = (int(asked[0]), int(asked[1]))
+        tell(0.03, "PSFs")
+        psfs, weights, nodes = model.operator(around[0], slabs)
+        if len(psfs) > 1:
+            ends = f"{format_length(nodes[0], digits=3)} to {format_length(nodes[-1], digits=3)}"
+            notes.append(f"{len(psfs)} PSFs were used, of depths from {ends}.")
+        side = self._side(tile, around, len(psfs))
+        if margin is None and planes < model.window[0] // 2:
+            notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
+        request = hashlib.sha256(
+            repr(
+                (stack.shape, str(stack.dtype), model.psf(nodes[0]).values.sum(), nodes.tolist(), around, side,
+                 turned, camera.to_dict(), method, limit)
+            ).encode()
+        ).hexdigest()  # fmt: skip
+        self._target.begin(request)
+        after, before, steps, stopped = self._tiles(
+            source, camera, limit, psfs, weights, around, side, method, turned, tell
+        )
+        depths = model.depths()
+        return RestoredChannel(
+            after, before, steps, stopped, camera, "down" if turned else "up", depths[::-1] if turned else depths,
+            nodes, estimated,
+        )  # fmt: skip
+
+    def _limit(self, saturation: float | None) -> float:
+        """Return the value from which on voxels are saturated."""
+        if saturation is not None:
+            return validation.real("saturation", saturation, infinite=True)
+        if self._stack.dtype.kind not in "iu":
+            return math.inf
+        most = max(int(np.asarray(self._stack[plane]).max()) for plane in range(len(self._stack)))
+        if most + 1 not in (2**8, 2**10, 2**12, 2**14, 2**16):
+            return math.inf
+        count = sum(int((np.asarray(self._stack[plane]) == most).sum()) for plane in range(len(self._stack)))
+        if count < _FULL:
+            return math.inf
+        share = 100.0 * count / math.prod(self._stack.shape)
+        self._notes.append(
+            f"{count} voxels ({share:.2g} %) have the largest value, {most}: they were taken as saturated, and left "
+            "out. Record with less light or time, or state saturation=."
+        )
+        return float(most)
+
+    def _side(self, tile: int | None, margin: tuple[int, int], psfs: int) -> int:
+        """Return the side of the chunks."""
+        _, height, width = self._stack.shape
+        if tile is not None:
+            return int(validation.integer("tile", tile, least=16, most=validation.MAX_SIDE))
+        side, overlap = int(max(height, width)), self._model.window[1]
+        while side > 64 and self._bytes(side, overlap, margin, psfs) > self._memory:
+            pieces = math.ceil(max(height, width) / side) + 1
+            side = math.ceil(max(height, width) / pieces)
+        return side
+
+    def _bytes(self, side: int, overlap: int, margin: tuple[int, int], psfs: int) -> float:
+        """Return about how much memory a chunk takes."""
+        planes, height, width = self._stack.shape
+        given = math.prod(min(side + 2 * overlap, each) for each in (height, width))
+        whole = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
+        deep = planes + 2 * margin[0]
+        transfers = 2.0 * psfs * (planes + self._model.window[0]) * whole / 4.0
+        return 4.0 * float(3.0 * deep * whole + 2.0 * planes * given + planes * given + transfers)
+
+    def _tiles(
+        self,
+        source: Any,
+        camera: Noise,
+        limit: float,
+        psfs: list[Any],
+        weights: Array | None,
+        margin: tuple[int, int],
+        side: int,
+        method: RichardsonLucy | None,
+        turned: bool,
+        tell: Shown,
+    ) -> tuple[float, float, int, str]:
+        """Restore chunk by chunk; the central one first, which the others follow."""
+        way = method or RichardsonLucy(target=1.0)
+        planes, height, width = source.shape
+        tiles = sorted(_parts(height, width, side), key=lambda part: _off(part, height, width))
+        alone = len(tiles) == 1
+        overlap = self._model.window[1]
+        blurs: dict[tuple[int, ...], TiledBlur] = {}
+        paces: list[float] | None = None
+        level = 0.0 if alone else _level(source, camera, limit)
+        after = before = known = 0.0
+        steps, stopped = 0, STEPS
+        for number, (rows, columns) in enumerate(tiles):
+            name = f"{self._place}/{rows.start}/{columns.start}"
+            if self._target.has(name) and number:
+                continue
+            y, x = _around(rows, overlap, height), _around(columns, overlap, width)
+            counted = Counted(_loaded(source, y, x), _cut(camera, y, x), limit)
+            if not alone:
+                counted.level = level
+            size = (planes, y.stop - y.start, x.stop - x.start)
+            if size not in blurs:
+                blurs.clear()  # one at a time is in memory
+                blurs[size] = TiledBlur(psfs, size, margin, weights=weights, threads=self._threads)
+            blur = blurs[size]
+            told = _Told(tell, number, len(tiles), way.steps if paces is None else len(paces))
+            earlier = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
+            walk = Walk(blur, counted, paces)
+            try:
+                count, why, each = walk.solve(way, told)
+            except KeyboardInterrupt:
+                if not alone or self._target.place is not None or not walk.paces:
+                    raise
+                count, why, each = len(walk.paces) - 1, INTERRUPTED, walk.discrepancies
+            if paces is None:
+                paces, steps, stopped = walk.paces, count, why
+            voxels = float(counted.known.sum())
+            after += counted.mean(each) * voxels
+            before += earlier * voxels
+            known += voxels
+            values = walk.inside(*margin)
+            if turned:
+                values = values[::-1]
+            inside = np.s_[:, rows.start - y.start : rows.stop - y.start, columns.start - x.start :]
+            kept = np.ascontiguousarray(values[inside][:, :, : columns.stop - columns.start])
+            self._target.put(name, self._place, rows, columns, kept)
+        stopped = STACK_MISFIT if stopped == MISFIT else stopped
+        return after / known, before / known, steps, stopped
+
+
+class _Told:
+    """Tells the steps of a chunk as a share of all."""
+
+    def __init__(self, tell: Shown, number: int, count: int, steps: int) -> None:
+        self._tell, self._number, self._count, self._steps = tell, number, count, steps
+        self._begun = clock.monotonic()
+
+    def __call__(self, step: int, discrepancy: float, left: float) -> None:
+        words = f"step {step}, discrepancy {discrepancy:.3g}"
+        share = min(step / max(self._steps, 1), 1.0)
+        if self._count == 1:
+            spent = clock.monotonic() - self._begun
+            share = spent / (spent + left) if spent + left > 0.0 else 0.0
+        else:
+            words = f"chunk {self._number + 1} of {self._count}, {words}"
+        self._tell(0.05 + 0.95 * (self._number + share) / self._count, words)
+
+
+_CALLED = {"depth": "depth", "sample": "refractive index of the sample", "spherical": "spherical aberration"}
+
+
+def _maps(camera: Noise, side: tuple[int, int]) -> None:
+    for name in ("offset", "read", "white"):
+        given = np.shape(getattr(camera, name))
+        if given not in ((), side):
+            raise ValueError(f"noise must have one {name}, or a map of the shape {side}, got the shape {given}")
+
+
+def _level(stack: Any, camera: Noise, limit: float) -> float:
+    """Return the mean light of a stack, from which all chunks start."""
+    total = weights = 0.0
+    for plane in range(len(stack)):
+        values = np.asarray(stack[plane])
+        gain = np.where(np.isfinite(values) & (values < limit), 1.0 if camera.white is None else camera.white, 0.0)
+        light = np.maximum(np.nan_to_num(values.astype(np.float64)) - camera.offset, 0.0)
+        total += float((gain * light).sum())
+        weights += float(gain.sum())
+    return total / max(weights, 1e-30)
+
+
+def _cut(camera: Noise, rows: slice, columns: slice) -> Noise:
+    """Return the noise of a part of the planes."""
+    parts = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
+    return Noise(**parts)
+
+
+def _parts(height: int, width: int, side: int) -> Iterator[tuple[slice, slice]]:
+    """Yield the chunks of planes, about as large as each other."""
+    down, across = (math.ceil(each / math.ceil(each / side)) for each in (height, width))
+    for row in range(0, height, down):
+        for column in range(0, width, across):
+            yield slice(row, min(row + down, height)), slice(column, min(column + across, width))
+
+
+def _off(part: tuple[slice, slice], height: int, width: int) -> float:
+    return math.hypot(*(at.start + at.stop - side for at, side in zip(part, (height, width), strict=True)))
+
+
+def _around(part: slice, overlap: int, side: int) -> slice:
+    return slice(max(part.start - overlap, 0), min(part.stop + overlap, side))
+
+
+def _loaded(source: Any, rows: slice, columns: slice) -> Values:
+    """Return part of all planes in memory, read by one thread, as files must be."""
+    out = np.empty((source.shape[0], rows.stop - rows.start, columns.stop - columns.start), source.dtype)
+    for plane in range(len(out)):
+        out[plane] = source[plane, rows, columns]
+    return out

@@ -1,0 +1,89 @@
+"""The command that restores a stack, from a file that tifffile wrote to one that tifffile reads."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import tifffile
+from click.testing import CliRunner
+
+from lommel.cli.main import main
+
+OBJECTIVE = """
+[objective]
+NA = 1.4
+magnification = 60
+working_distance = "0.2 mm"
+immersion = 1.515
+[coverslip]
+index = 1.5255
+thickness = "170 um"
+[sample]
+index = 1.33
+depth = "8 um"
+[emission]
+wavelength = "520 nm"
+[sensor]
+pixel = "6.5 um"
+"""
+
+
+@pytest.fixture
+def files(tmp_path):
+    z, y, x = np.indices((9, 24, 24)) - np.array([4, 12, 12])[:, None, None, None]
+    spot = 500.0 * np.exp(-(x**2 + y**2) / 8.0 - z**2 / 6.0)
+    stack = np.random.default_rng(0).poisson(20.0 + spot) + 100
+    fields = {"axes": "ZYX", "PhysicalSizeX": 0.108, "PhysicalSizeY": 0.108, "PhysicalSizeZ": 0.25}
+    tifffile.imwrite(tmp_path / "stack.ome.tif", stack.astype(np.uint16), ome=True, metadata=fields)
+    (tmp_path / "lens.toml").write_text(OBJECTIVE)
+    return tmp_path
+
+
+def run(*words):
+    return CliRunner().invoke(main, ["deconvolve", *map(str, words)])
+
+
+CAMERA = ("--gain", 1, "--read", 1.6, "--offset", 100, "--steps", 3)
+
+
+def test_a_stack_is_restored_from_file_to_file(files):
+    there = files / "restored.ome.tif"
+    found = run(files / "stack.ome.tif", files / "lens.toml", *CAMERA, "-o", there)
+    assert found.exit_code == 0, found.output
+    assert f"wrote {there}" in found.output
+    assert "From the OME metadata of the file: 108 nm pixels, 250 nm planes apart." in found.output
+    assert "The wavelength of the objective file, 520 nm, was taken." in found.output
+    with tifffile.TiffFile(there) as file:
+        assert file.asarray().shape == (9, 24, 24)
+        assert 'PhysicalSizeZ="0.25"' in file.ome_metadata
+
+
+def test_json_and_zarr(files):
+    there = files / "restored.ome.zarr"
+    words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "--direction", "up", "--json", "-o", there)
+    found = run(*words)
+    assert found.exit_code == 0, found.output
+    (channel,) = json.loads(found.output)["channels"]
+    assert channel["steps"] == 3
+    assert channel["discrepancy"]["after"] < channel["discrepancy"]["before"]
+    assert (there / ".zattrs").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("lens.toml", "stack.ome.tif", "-o", "a.tif"), "the order is STACK LENS"),
+        (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr"),
+        (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
+        (("stack.ome.tif", "lens.toml", "--modality", "confocal", "-o", "a.tif"), "excitation"),
+        (("missing.ome.tif", "lens.toml", "-o", "a.tif"), "No such file"),
+    ],
+)
+def test_what_is_wrong_is_one_line(files, monkeypatch, words, said):
+    monkeypatch.chdir(files)
+    found = run(*words)
+    assert found.exit_code == 2
+    assert said in found.output
+    assert "Traceback" not in found.output

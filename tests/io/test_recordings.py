@@ -1,0 +1,128 @@
+"""Files of stacks, written by tifffile and zarr themselves, and what is wrong with others."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tifffile
+import zarr
+
+from lommel.io.recordings import RecordingError, open_recording, save_stack
+
+STACK = np.arange(2 * 5 * 8 * 9, dtype=np.uint16).reshape(2, 5, 8, 9)
+SIZES = {
+    "PhysicalSizeX": 0.1, "PhysicalSizeXUnit": "µm", "PhysicalSizeY": 100, "PhysicalSizeYUnit": "nm",
+    "PhysicalSizeZ": 0.0002, "PhysicalSizeZUnit": "mm",
+}  # fmt: skip
+COLOURS = {"Name": ["DAPI", "GFP"], "EmissionWavelength": [460, 520], "EmissionWavelengthUnit": ["nm", "nm"]}
+
+
+def write(path, values, axes, **more):
+    tifffile.imwrite(path, values, ome=True, photometric="minisblack", metadata={"axes": axes, **SIZES, **more})
+    return path
+
+
+@pytest.mark.parametrize(
+    ("axes", "order"), [("CZYX", (0, 1, 2, 3)), ("ZCYX", (1, 0, 2, 3))], ids=["channels first", "planes first"]
+)
+def test_an_ome_tiff_has_its_voxels_channels_and_wavelengths(tmp_path, axes, order):
+    path = write(tmp_path / "a.ome.tif", STACK.transpose(order), axes, Channel=COLOURS)
+    with open_recording(path) as found:
+        assert found.shape == STACK.shape
+        assert (found.pixel, found.step) == (pytest.approx(1e-7), pytest.approx(2e-7))
+        assert found.names == ("DAPI", "GFP")
+        assert found.emission == (pytest.approx(460e-9), pytest.approx(520e-9))
+        assert found.notes == ("From the OME metadata of the file: 100 nm pixels, 200 nm planes apart.",)
+        for channel in (0, 1):
+            np.testing.assert_array_equal(np.asarray(found.stack(channel)), STACK[channel])
+        np.testing.assert_array_equal(found.stack(1)[2, 3:5, 1:4], STACK[1, 2, 3:5, 1:4])
+
+
+@pytest.mark.parametrize("suffix", [".ome.tif", ".ome.zarr"])
+def test_what_is_written_is_read_again_with_all_metadata(tmp_path, suffix):
+    with open_recording(write(tmp_path / "a.ome.tif", STACK, "CZYX", Channel=COLOURS)) as first:
+        there = Path(tmp_path / f"b{suffix}")
+        save_stack(there, STACK.astype(np.float32), first, "restored")
+        with open_recording(there) as again:
+            for name in ("shape", "names"):
+                assert getattr(again, name) == getattr(first, name)
+            for name in ("pixel", "step", "emission"):
+                assert getattr(again, name) == pytest.approx(getattr(first, name))
+            assert again.dtype == np.float32
+            np.testing.assert_array_equal(np.asarray(again.stack(1)), STACK[1])
+    assert {entry.name for entry in tmp_path.iterdir()} == {"a.ome.tif", there.name}
+
+
+def test_a_tiff_of_imagej_has_its_voxels(tmp_path):
+    path, options = tmp_path / "j.tif", {"spacing": 0.3, "unit": "um", "axes": "ZYX"}
+    tifffile.imwrite(path, STACK[0], imagej=True, resolution=(10.0, 10.0), metadata=options)
+    with open_recording(path) as found:
+        assert (found.pixel, found.step) == (pytest.approx(1e-7), pytest.approx(3e-7))
+        np.testing.assert_array_equal(np.asarray(found.stack()), STACK[0])
+
+
+def test_an_ome_zarr_of_version_five_is_read(tmp_path):
+    group = zarr.create_group(str(tmp_path / "v.zarr"), zarr_format=3)
+    group.create_array("0", data=STACK[np.newaxis], chunks=(1, 1, 3, 8, 9))
+    axes = [{"name": "t", "type": "time"}, {"name": "c", "type": "channel"}]
+    axes += [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]
+    scale = [{"type": "scale", "scale": [1, 1, 0.2, 0.1, 0.1]}]
+    scales = [{"axes": axes, "datasets": [{"path": "0", "coordinateTransformations": scale}]}]
+    group.attrs["ome"] = {"version": "0.5", "multiscales": scales}
+    found = open_recording(tmp_path / "v.zarr")
+    assert (found.shape, found.pixel, found.step) == (STACK.shape, pytest.approx(1e-7), pytest.approx(2e-7))
+    np.testing.assert_array_equal(np.asarray(found.stack(1)), STACK[1])
+
+
+def test_time_points_are_asked_for(tmp_path):
+    path = write(tmp_path / "t.ome.tif", STACK, "TZYX")
+    with pytest.raises(RecordingError, match="holds 2 time points; say which with time=, from 0 to 1"):
+        open_recording(path)
+    with open_recording(path, time=1) as found:
+        np.testing.assert_array_equal(np.asarray(found.stack()), STACK[1])
+    with pytest.raises(ValueError, match="time"):
+        open_recording(path, time=2)
+
+
+def test_axes_that_a_file_does_not_state_may_be_given(tmp_path):
+    path = tmp_path / "q.tif"
+    tifffile.imwrite(path, STACK[0], photometric="minisblack")
+    with pytest.raises(RecordingError, match=r'what its axis of 5 images is, .* axes="ZYX"'):
+        open_recording(path)
+    with open_recording(path, axes="ZYX") as found:
+        assert found.pixel is None
+        np.testing.assert_array_equal(np.asarray(found.stack()), STACK[0])
+
+
+def test_files_that_are_no_stacks_are_refused(tmp_path):
+    movie = write(tmp_path / "movie.ome.tif", STACK[0], "TYX")
+    with pytest.raises(RecordingError, match=r'time series of 5 images .* state axes="ZYX"'):
+        open_recording(movie)
+    colours = tmp_path / "rgb.tif"
+    tifffile.imwrite(colours, np.zeros((8, 9, 3), np.uint8), photometric="rgb")
+    with pytest.raises(RecordingError, match="colours"):
+        open_recording(colours)
+    oblong = write(tmp_path / "oblong.ome.tif", STACK[0], "ZYX", PhysicalSizeY=200)
+    with pytest.raises(RecordingError, match="200 nm high and 100 nm wide"):
+        open_recording(oblong)
+    (tmp_path / "no.tif").write_bytes(b"nothing of the kind, but long enough")
+    with pytest.raises(RecordingError, match=r"no\.tif"):
+        open_recording(tmp_path / "no.tif")
+    (tmp_path / "empty.zarr").mkdir()
+    with pytest.raises(RecordingError, match="no OME-Zarr"):
+        open_recording(tmp_path / "empty.zarr")
+    with pytest.raises(FileNotFoundError):
+        open_recording(tmp_path / "missing.tif")
+    with (
+        pytest.raises(ValueError, match=r"end in \.ome\.tif or \.ome\.zarr"),
+        open_recording(movie, axes="ZYX") as made,
+    ):
+        save_stack(tmp_path / "a.png", STACK, made)
+
+
+def test_a_size_that_cannot_be_is_left_out_and_told(tmp_path):
+    with open_recording(write(tmp_path / "huge.ome.tif", STACK[0], "ZYX", PhysicalSizeZ=500.0)) as found:
+        assert found.step is None
+        assert "planes apart 0.5 m, which cannot be; it was left out" in " ".join(found.notes)

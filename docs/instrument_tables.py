@@ -19,7 +19,7 @@ def objectives() -> list[str]:
             f"| `{name}` | {one.magnification:g}x | {one.NA:g} | {medium} | {1e3 * one.working_distance:.2g} mm "
             f"| {_origin(microscope.source)} |"
         )
-    return ["| name | | NA | immersion | working distance | source |", "|---|---|---|---|---|---|", *rows]
+    return ["| name | | NA | immersion | working distance | part |", "|---|---|---|---|---|---|", *rows]
 
 
 def cameras() -> list[str]:

@@ -51,8 +51,8 @@ def test_noise_of_counts_is_the_options_and_then_the_cameras():
 
 
 def test_noise_of_photographs_has_the_full_well_at_white_and_no_offset():
-    assert noise_of(given(), ORCA, photographs=True) == lm.Noise(white=30000.0, read=1.6)
-    assert noise_of(given(offset=0.01), ORCA, photographs=True) == lm.Noise(white=30000.0, read=1.6, offset=0.01)
+    assert noise_of(given(), ZYLA, photographs=True) == lm.Noise(white=30000.0, read=0.9)
+    assert noise_of(given(offset=0.01), ZYLA, photographs=True) == lm.Noise(white=30000.0, read=0.9, offset=0.01)
     with pytest.raises(ValueError, match="--white is missing: the number of electrons at white, which QHY268M"):
         noise_of(given(), lm.load_camera("qhy268m-pro"), photographs=True)
 

@@ -32,6 +32,7 @@ from lommel.estimation.beads import (
     fit_beads as fit_beads,
 )
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
+from lommel.estimation.field_fit import FieldFit as FieldFit, FittedStars as FittedStars, fit_field as fit_field
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information
 from lommel.estimation.moffat import MoffatFit as MoffatFit, fit_moffat as fit_moffat

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, lru_cache
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple, Protocol, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -153,11 +153,45 @@ class Scores(NamedTuple):
     spread: Array
 
 
+class Searched(Protocol):
+    """A model of images whose parameters :func:`climb` looks for."""
+
+    size: int
+    tested: int  # pixels less parameters, of a row
+    alternatives: bool  # whether rows are starts for the same images, of which the first that fits ends the search
+
+    def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
+        """Return the PSFs of images, and their derivatives."""
+
+    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
+        """Return the quality of the fit for parameters `x`, which stand in these rows of the search."""
+
+    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
+        """Return the same from images and derivatives."""
+
+    def with_light(self, x: Array, values: Any) -> Array:
+        """Return the parameters with flux and background from least squares."""
+
+    def within(self, x: Array, before: Array) -> Array:
+        """Limit parameters in place."""
+
+    def rms(self, steps: Array) -> Array:
+        """Return the rms phase of steps."""
+
+    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
+        """Return damped steps and the gain in deviance that their slopes promise."""
+
+    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
+        """Return the largest chi2 within so many standard deviations of its expectation."""
+
+
 class StarImages:
     """Star images as functions of a row of parameters: terms, numbers of the pupil, tilts, flux, background.
 
     Of `electrons` (n, height, width), with `variance` from reading and known `defocus` (C_d, radians) of each image.
     """
+
+    alternatives = True
 
     def __init__(
         self,
@@ -216,7 +250,7 @@ class StarImages:
             self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
-        self._mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
+        self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
     @cached_property
     def sign_ambiguous(self) -> bool:
@@ -303,8 +337,8 @@ class StarImages:
         """Return the variance of pixels, at least a part of that of reading where a background is below 0."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
-    def scores(self, x: Array, *, fast: bool = False) -> Scores:
-        """Return the quality of the fit for parameters (s, p)."""
+    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
+        """Return the quality of the fit for parameters (s, p), of the same images in all `rows`."""
         return self.scores_of(x, *self.images(x, fast=fast))
 
     def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
@@ -329,6 +363,10 @@ class StarImages:
     def limit(self, scores: Scores, deviations: float = MOST) -> Array:
         """Return the largest chi2 within so many standard deviations of its expectation."""
         return 1.0 + deviations * scores.spread
+
+    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
+        """Return damped steps (s, p) and the gain in deviance that their slopes promise."""
+        return damped(scores, damping)
 
     def with_light(self, x: Array, values: Pixels) -> Array:
         """Return the parameters with flux and background from linear least squares, given the PSFs of images."""
@@ -361,7 +399,7 @@ class StarImages:
     def rms(self, steps: Array) -> Array:
         """Return the rms phase of steps of the parameters, without tilts, radians, shape (s,)."""
         edge = steps[:, self.waves] @ self.directions
-        return np.asarray(np.sqrt((edge * edge) @ self._mean_squares))
+        return np.asarray(np.sqrt((edge * edge) @ self.mean_squares))
 
 
 _SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
@@ -374,7 +412,7 @@ _PATIENCE = 3  # such steps one after the other
 
 
 def climb(
-    model: StarImages, x: Array, most: int, report: Callable[[int, float], object], *, fast: bool
+    model: Searched, x: Array, most: int, report: Callable[[int, float], object], *, fast: bool
 ) -> tuple[Array, Scores, NDArray[np.bool_], int]:
     """Take damped steps from starts `x` until they settle or one fits; `report` gets number and best chi2.
 
@@ -390,20 +428,17 @@ def climb(
     now = model.scores_of(x, values, slopes)
     damping, stretch = np.full(count, _DAMPING[0]), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
-    taken, idle, diagonal = 0, np.zeros(count, dtype=int), np.arange(model.size)
+    taken, idle = 0, np.zeros(count, dtype=int)
     for turn in range(most + 1):
         report(turn, float(now.chi2.min()))
         at = np.flatnonzero(moving)
         there = now if at.size == count else Scores(*(part[at] for part in now))
-        scale = deviations(there.information)
-        matrix = there.information / (scale[:, :, None] * scale[:, None, :])
-        matrix[:, diagonal, diagonal] += damping[at][:, None]
-        step = np.linalg.solve(matrix, (there.slope / scale)[..., None])[..., 0] / scale
-        promised = np.einsum("si,si->s", step, there.slope)
+        step, promised = model.steps(there, damping[at])
         done = (promised < (_NEARLY if fast else _SETTLED)) & (damping[at] <= 1.0)
         settled[at] = done
         moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)
-        if turn == most or not moving.any() or (done & (there.chi2 < model.limit(there, SURE))).any():
+        fitting = model.alternatives and (done & (there.chi2 < model.limit(there, SURE))).any()
+        if turn == most or not moving.any() or fitting:
             if fast and done.any():  # the last step is worth taking, but not its scores
                 last = at[done]
                 x[last] = model.within(x[last] + step[done], x[last])
@@ -414,7 +449,7 @@ def climb(
         tried = model.within(x[at] + reach[:, None] * step, x[at])
         new: Scores | None = None
         with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed are no better
-            new = model.scores(tried, fast=fast)
+            new = model.scores(tried, fast=fast, rows=at)
         taken += at.size
         gain = np.full(at.size, -np.inf) if new is None else now.deviance[at] - new.deviance
         promised *= reach
@@ -436,6 +471,16 @@ def climb(
         for mine, theirs in zip(now, new, strict=True):
             mine[at[better]] = theirs[better]
     return x, now, settled, taken
+
+
+def damped(scores: Scores, damping: Array) -> tuple[Array, Array]:
+    """Return steps of Levenberg and Marquardt (s, p), and the gain in deviance that their slopes promise."""
+    scale = deviations(scores.information)
+    matrix = scores.information / (scale[:, :, None] * scale[:, None, :])
+    diagonal = np.arange(scale.shape[1])
+    matrix[:, diagonal, diagonal] += damping[:, None]
+    step = np.linalg.solve(matrix, (scores.slope / scale)[..., None])[..., 0] / scale
+    return step, np.einsum("si,si->s", step, scores.slope)
 
 
 def covariance(information: Array) -> Array:

@@ -90,8 +90,13 @@ class FieldTable:
         Raises
         ------
         TypeError, ValueError
-            If a unit or a direction does not exist, or as :meth:`lommel.FieldMap.radial` and
-            :meth:`lommel.FieldMap.scattered`.
+            If a unit or a direction does not exist, or as :meth:`lommel.FieldMap.radial`,
+            :meth:`lommel.FieldMap.on_grid` and :meth:`lommel.FieldMap.scattered`.
+
+        Notes
+        -----
+        Positions of a full rectangular grid, four or more each way, are interpolated by bicubic splines, others by
+        radial basis functions.
         """
         validation.choice("direction", direction, ("x", "y"))
         checked(pupil)
@@ -103,6 +108,12 @@ class FieldTable:
             azimuth = 0.0 if direction == "x" else 0.5 * math.pi
             return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, aperture=aperture)
         x, y = (np.array(self.positions[name]) for name in ("x", "y"))
+        across, down = np.unique(x), np.unique(y)
+        order = np.lexsort((x, y))
+        grid = np.meshgrid(across, down)
+        full = min(across.size, down.size) >= 4 and x.size == grid[0].size
+        if full and (x[order] == grid[0].ravel()).all() and (y[order] == grid[1].ravel()).all():
+            return FieldMap.on_grid(across, down, wavefront[order.reshape(grid[0].shape)], aperture=aperture)
         return FieldMap.scattered(x, y, wavefront, aperture=aperture)
 
 

@@ -7,6 +7,7 @@ from lommel.base import lazy
 if TYPE_CHECKING:
     from lommel.show import curves as curves
     from lommel.show import estimates as estimates
+    from lommel.show import field_fits as field_fits
     from lommel.show import notebook as notebook
     from lommel.show import plot as plot
     from lommel.show import rays as rays

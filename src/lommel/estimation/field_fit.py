@@ -1,0 +1,690 @@
+"""Field maps from stars: wavefronts over the sensor as polynomials of the position, with standard errors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from dataclasses import field as attribute
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel import show
+from lommel.base import atomic, validation
+from lommel.base.arrays import Array
+from lommel.estimation.field_search import Found, Search
+from lommel.estimation.field_signs import monomials
+from lommel.estimation.field_stars import FieldStars, WholeField
+from lommel.estimation.noise import Noise, random_numbers
+from lommel.estimation.phase_retrieval import label
+from lommel.estimation.star_images import Unknowns
+from lommel.field.maps import FieldMap
+from lommel.methods.derivative_names import Name, Term
+from lommel.optics.pupil import Pupil, checked
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import Plan
+from lommel.special import zernike
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_MOST_DEGREE = 6
+_MOST_SIDE = 10**6
+_GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exact up to degree 3
+_SURE, _SLACK = 6.0, 0.01  # standard deviations of chi2, and what else it may exceed 1 by
+_SIGN = "one focus leaves the common sign of the even terms of the whole field open"
+
+
+@dataclass(frozen=True, eq=False)
+class FittedStars:
+    """The stars of a field fit.
+
+    Attributes
+    ----------
+    places : ndarray, shape (n, 2)
+        Row and column of the middle pixel of each window on the sensor.
+    centers : ndarray, shape (n, e, 2)
+        Fitted row and column of the axis of each image within its window; NaN of stars not used, as below.
+    flux, background : ndarray, shape (n, e)
+        Electrons of a star in an infinite window, and electrons a pixel.
+    chi2 : ndarray, shape (n,)
+        Pearson's chi2 of each, with the wavefront of the field, per degree of freedom.
+    used : ndarray of bool, shape (n,)
+        Stars that the field is fitted to. Others do not fit: doubles, defects, galaxies.
+    """
+
+    places: Array
+    centers: Array
+    flux: Array
+    background: Array
+    chi2: Array
+    used: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class FieldFit:
+    """Wavefronts over the field with their standard errors: the answer of :func:`lommel.fit_field`.
+
+    Attributes
+    ----------
+    field : FieldMap
+        The estimated terms at every position of the sensor, and the fixed ones of `pupil`.
+    twin : FieldMap or None
+        The field with the even part of all phases negated, which has the same images in one focus; None where the
+        images tell the sign.
+    names : tuple
+        The k estimated terms.
+    coefficients : ndarray, shape (k, m)
+        Of each term (radians rms) in products of Legendre polynomials of the position, see :meth:`at`.
+    covariance : ndarray, shape (k * m, k * m)
+        Of the coefficients, row by row; places, light and blur being nuisance parameters.
+    blur, blur_deviation : ndarray, shape (e,)
+        Standard deviation of the Gaussian blur of each exposure, pixels, and its standard error (0 where given).
+    chi2 : float
+        Pearson's chi2 per degree of freedom of all stars used: about 1 where the model is right.
+    held_out : float
+        The same of a fifth of the stars with the wavefronts that a fit of the others predicts; NaN where there are
+        too few.
+    converged : bool
+        Whether the steps settled, at a chi2 that is consistent with the noise.
+    message : str
+        The verdict: "converged", "the steps did not settle", "misfit" or "interrupted", and why.
+    degree : int
+        Of the polynomials.
+    stars : FittedStars
+    images, model : ndarray, shape (n, e, height, width)
+        Images in electrons, NaN where left out, and the fitted model.
+    """
+
+    field: FieldMap
+    twin: FieldMap | None
+    names: tuple[Name, ...]
+    coefficients: Array
+    covariance: Array
+    blur: Array
+    blur_deviation: Array
+    chi2: float
+    held_out: float
+    converged: bool
+    message: str
+    degree: int
+    stars: FittedStars
+    images: Array = attribute(repr=False)
+    model: Array = attribute(repr=False)
+    _sensor: Sensor = attribute(repr=False)
+    _table: tuple[tuple[Term, ...], Callable[[FieldMap, Array, Array], Array]] = attribute(repr=False)
+
+    def at(self, x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
+        """Return the estimated terms and their standard errors at positions of the sensor.
+
+        Parameters
+        ----------
+        x, y : array_like
+            From the axis, x along columns and y along rows, metres or lambda*N; they broadcast.
+
+        Returns
+        -------
+        coefficients, deviation : ndarray, shape ``(..., k)``
+            Radians rms, in the order of `names`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a position is not finite or outside of the sensor.
+        """
+        across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
+        u, v = self._sensor.relative(across, down)
+        if (np.maximum(np.abs(u), np.abs(v)) > 1.0 + 1e-9).any():
+            raise ValueError("x and y must be on the sensor that was fitted, got a position outside of it")
+        basis = monomials(u, v, self.degree)
+        k, m = self.coefficients.shape
+        blocks = self.covariance.reshape(k, m, k, m)[np.arange(k), :, np.arange(k)]
+        variance = np.einsum("...i,kij,...j->...k", basis, blocks, basis)
+        return basis @ self.coefficients.T, np.sqrt(np.maximum(variance, 0.0))
+
+    def save(self, path: str | PathLike[str], *, twin: bool = False) -> None:
+        """Write the map as a CSV table for ``[field] file =`` of a lens file, with ``unit = "waves"``.
+
+        Parameters
+        ----------
+        path : path
+            Ending in .csv.
+        twin : bool, default False
+            Write `twin` instead.
+
+        Raises
+        ------
+        ValueError
+            If the suffix is another, the positions are not in metres, or there is no twin.
+        OSError
+            If the file cannot be written.
+
+        Notes
+        -----
+        A rectangular grid of positions, on which splines reproduce polynomials of degree 3 exactly. Coefficients are
+        in waves rms by Noll's index, less the wavefront of the pupil that the fit was given. Lines that begin with
+        ``#`` say the verdict and the standard errors in the middle and at the corners of the sensor.
+        """
+        target = validation.path("path", path)
+        if target.suffix.lower() != ".csv":
+            raise ValueError(f"path must end in .csv, got {validation.shown(str(path))}")
+        if (chosen := self.twin if validation.truth("twin", twin) else self.field) is None:
+            raise ValueError("twin must be False, for the images tell the sign of even terms: there is no other map")
+        if self.field.unit != "m":
+            raise ValueError(
+                "a table has positions in metres: give fit_field a pupil with wavelength and f_number, and pixel in "
+                "metres"
+            )
+        terms, rest = self._table
+        x, y = self._sensor.grid(_GRID[self.degree <= 3])
+        across, down = (part.ravel() for part in np.meshgrid(x, y))
+        values = rest(chosen, across, down)
+        order = np.argsort([_noll(term) for term in terms])
+        columns = [f"Z{_noll(terms[j])}" for j in order]
+        used = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
+        lines = [f"# {self.message}"]
+        for what, spot in (("the middle", (x[len(x) // 2], y[len(y) // 2])), ("a corner", (x[-1], y[-1]))):
+            errors = self.at(*spot)[1] / (2.0 * math.pi)
+            told = ", ".join(f"{name} {error:.2g}" for name, error in zip(used, errors, strict=True))
+            lines.append(f"# standard errors in {what}, waves rms: {told}")
+        lines.append(",".join(["x", "y", *columns]))
+        for a, b, row in zip(across, down, values[:, order], strict=True):
+            lines.append(",".join([f"{a:.9g} m", f"{b:.9g} m", *(f"{value:.9g}" for value in row)]))
+        atomic.write(Path(target), "\n".join([*lines, ""]).encode())
+
+    def plot(self, *, unit: str = "waves") -> Figure:
+        """Return a matplotlib figure: terms over the field with their standard errors, stars, models and residuals.
+
+        Parameters
+        ----------
+        unit : {"waves", "radians"}
+
+        Returns
+        -------
+        matplotlib Figure
+
+        Raises
+        ------
+        ValueError
+            If there is no such unit.
+        ImportError
+            If matplotlib is not installed.
+        """
+        validation.choice("unit", unit, ("waves", "radians"))
+        factor = 2.0 * math.pi if unit == "waves" else 1.0
+        x, y = self._sensor.grid(25)
+        values, errors = self.at(x, y[:, None])
+        maps = [(label(name), values[..., j] / factor, errors[..., j] / factor) for j, name in enumerate(self.names)]
+        x_star, y_star = self._sensor.positions(self.stars.places)
+        marks = x_star, y_star, self.stars.chi2, self.stars.used
+        return show.field_fits.field(
+            maps, (x, y, self.field.unit), marks, (self.images, self.model), unit, self.message
+        )
+
+    def __repr__(self) -> str:
+        return f"<FieldFit: {self.message}>"
+
+
+@dataclass(frozen=True)
+class Sensor:
+    """Rows and columns of a sensor, its pixel pitch, and the row and column of the axis."""
+
+    shape: tuple[int, int]
+    pixel: float
+    axis: tuple[float, float]
+
+    def positions(self, places: Array) -> tuple[Array, Array]:
+        """Return x and y of rows and columns (n, 2)."""
+        y, x = ((places[:, i] - self.axis[i]) * self.pixel for i in (0, 1))
+        return np.asarray(x), np.asarray(y)
+
+    def relative(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Return positions over the sensor, from -1 to 1."""
+        row, column = (part / self.pixel + at for part, at in zip((y, x), self.axis, strict=True))
+        v, u = (2.0 * (part + 0.5) / side - 1.0 for part, side in zip((row, column), self.shape, strict=True))
+        return np.asarray(u), np.asarray(v)
+
+    def grid(self, count: int) -> tuple[Array, Array]:
+        """Return x and y of so many positions from edge to edge."""
+        y, x = (
+            (np.linspace(-0.5, side - 0.5, count) - at) * self.pixel
+            for side, at in zip(self.shape, self.axis, strict=True)
+        )
+        return np.asarray(x), np.asarray(y)
+
+
+def fit_field(
+    windows: ArrayLike,
+    places: ArrayLike,
+    pupil: Pupil,
+    *,
+    sensor: tuple[int, int],
+    pixel: float,
+    noise: Noise,
+    degree: int | None = 3,
+    terms: int | Sequence[tuple[int, int] | str] = 11,
+    defocus: ArrayLike = 0.0,
+    blur: bool | float = True,
+    start: FieldMap | None = None,
+    axis: tuple[float, float] | None = None,
+    mask: ArrayLike | None = None,
+    saturation: float | None = None,
+    integrate: bool | None = None,
+    tol: float = 1e-6,
+    seed: int | np.random.Generator = 0,
+    threads: int | None = None,
+    progress: Callable[[float, float], object] | None = None,
+) -> FieldFit:
+    """Estimate the wavefront over the field of a camera or telescope from stars all over the image.
+
+    The coefficients of Zernike terms are polynomials of the position. All stars are fitted jointly, in one exposure
+    or several at known defoci, each at an unknown sub-pixel place, with a flux and a background of its own.
+
+    Parameters
+    ----------
+    windows : array_like, shape (n, height, width) or (n, e, height, width)
+        Images of n stars in e exposures, as of :func:`lommel.find_spots`, proportional to light but for the offset of
+        `noise`. NaN, infinite and masked values are left out, and in images of integers the largest value.
+    places : array_like, shape (n, 2)
+        Row and column of the middle pixel ``(height // 2, width // 2)`` of each window on the sensor.
+    pupil : Pupil
+        Aperture, scale and fixed wavefront, a single one: with a spider, segments or a mask, too.
+    sensor : (int, int)
+        Rows and columns of the sensor.
+    pixel : float
+        Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
+    noise : Noise
+        Gain, offset and read noise; numbers, not maps.
+    degree : int or None, default 3
+        Total degree of the polynomials in x and y, 0 to 6, lower where there are fewer than two stars for each
+        coefficient. None chooses the degree with the lowest chi2 of held-out stars.
+    terms : int or sequence, default 11
+        Terms to estimate, as of :func:`lommel.retrieve`: 11 are Noll's 4 to 14.
+    defocus : float or array_like, shape (e,), default 0
+        Known additional C_d of each exposure, radians; positive where the sensor was moved towards the lens.
+    blur : bool or float, default True
+        Gaussian blur by seeing, jitter or charge diffusion: True estimates the standard deviation in each exposure,
+        False is without, and a number is a known standard deviation in pixels.
+    start : FieldMap, optional
+        Where the search begins: the design of the lens, for example. It decides the sign of the even terms.
+    axis : (float, float), optional
+        Row and column of the optical axis on the sensor, from which positions of the map are measured; by default
+        the middle.
+    mask : array_like of bool, shape of `windows`, optional
+        True where a pixel is to be left out.
+    saturation : float, optional
+        Values from here on, in the unit of the images, are left out.
+    integrate : bool, optional
+        As of :func:`lommel.psf`: pixels in metres integrate and pixels in units of lambda*N sample.
+    tol : float, default 1e-6
+        Tolerance of the PSFs relative to the peak.
+    seed : int or Generator, default 0
+        Of random starts.
+    threads : int, optional
+        As of :func:`lommel.psf`.
+    progress : callable, optional
+        Called as ``progress(share, chi2)`` before each step. Of a KeyboardInterrupt the best fit so far is returned,
+        if there is one; other exceptions stop the search.
+
+    Returns
+    -------
+    FieldFit
+        The map with standard errors; `converged` and `message` say whether it holds.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, if there are fewer stars than polynomials, places are outside of the sensor,
+        windows overlap, or a window is constant or saturated.
+    ToleranceError
+        If all starts are beyond what can be computed.
+
+    Notes
+    -----
+    The brightest stars are fitted one by one, from random starts. In one focus the sign of the even part of each
+    phase is open: signs are made consistent over the field by the first eigenvector of the similarities of neighbours
+    (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Robust polynomials through these wavefronts are
+    then fitted to all stars by Fisher scoring of the likelihood of :func:`lommel.retrieve`, with places and light of
+    each star eliminated. Stars with a chi2 above the median by five standard deviations are left out. Blur is
+    computed from samples at most 0.45 lambda*N apart, not on the pixels of the camera.
+
+    One focus leaves the common sign of the even terms of the whole field open: `start` decides it, and without it the
+    map whose first even term is positive in the mean is returned; the other is `twin`. A second exposure at another
+    known defocus tells it. Tilts (distortion) are not known, since places are not.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> import numpy as np
+    >>> rng, noise = np.random.default_rng(1), lm.Noise(read=2.0)
+    >>> places = np.stack(np.meshgrid([30, 90, 150, 210], [30, 90, 150, 210]), axis=-1).reshape(-1, 2)
+    >>> field = lm.FieldMap.from_seidel(150.0, W131=0.3, W222=0.4)
+    >>> pupil = field.pupil(*((places[:, ::-1] - 119.5) * 0.5).T)
+    >>> stars = noise.record(3e4 * lm.psf(pupil, 25, 0.5).values + 20.0, seed=2)
+    >>> fit = lm.fit_field(stars, places, lm.Pupil(), sensor=(240, 240), pixel=0.5, noise=noise, degree=2, terms=5)
+    >>> fit.converged
+    True
+    """
+    unknowns = Unknowns(terms, ("center",))
+    validation.instance("noise", noise, Noise)
+    images, valid = _windows(windows, mask, saturation)
+    count, exposures, height, width = images.shape
+    given = _single(pupil)
+    if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
+        raise TypeError(f"sensor must be its rows and columns, got {validation.shown(sensor)}")
+    rows, columns = (validation.integer("sensor", side, least=1, most=_MOST_SIDE) for side in sensor)
+    at = _places(places, (rows, columns), (count, height, width))
+    known = validation.real_array("defocus", defocus)
+    if known.shape not in ((), (exposures,)):
+        raise ValueError(
+            f"defocus must be a number, or one for each of {exposures} exposures, got shape {known.shape}"
+        )
+    known = np.broadcast_to(known, exposures)
+    most = _MOST_DEGREE if degree is None else validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
+    validation.optional("start", start, FieldMap)
+    validation.function("progress", progress, required=False)
+    draw = random_numbers(seed)
+    pitch = validation.pixel(pixel, metric=given.wavelength is not None)
+    middle = ((rows - 1) / 2.0, (columns - 1) / 2.0) if axis is None else validation.position("axis", axis)
+    chip = Sensor((rows, columns), pitch, middle)
+    width_given = (
+        None if isinstance(blur, bool) else validation.real("blur", blur, least=0.0, below=0.25 * min(height, width))
+    )
+    electrons, read = noise.electrons(images), noise.variance(np.zeros_like(images))
+    plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
+    x, y = chip.positions(at)
+    begun = given if start is None else _begun(start, given, x, y)
+    stars = FieldStars(
+        electrons, read, valid, begun, known, unknowns, pitch,
+        blurred=blur is True, integrate=plan.grid(given).integrate, tol=plan.tol, threads=plan.threads,
+        known=width_given or 0.0,
+    )  # fmt: skip
+    if stars.tested < 1:
+        raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
+    best = _degree(most, count)
+    if best < 0:
+        raise ValueError(f"windows must be of at least 4 stars, got {count}")
+    share = progress or (lambda *_: None)
+    u, v = chip.relative(x, y)
+    degrees = [best] if degree is not None else list(range(best + 1))
+    state: dict[str, Any] = {}
+    interrupted = False
+    search = Search(stars, np.stack([u, v], axis=1), degrees[-1], draw, share)
+    try:
+        _run(search, degrees, start is not None, state)
+    except KeyboardInterrupt:
+        if search.latest is None or search.latest.best is None:
+            raise
+        interrupted = True
+    return _answer(search, state, interrupted, given, start, chip, at, images, (noise, valid))
+
+
+def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any]) -> None:
+    """Put the fit, the rejected stars and the held-out chi2 into `state` as they become known."""
+    first = search.from_start() if begun else None
+    if first is None:
+        first = search.from_singles()
+    first, _ = search.cleaned(first, (0.65, 0.05))
+    if len(degrees) > 1:
+        tried = []
+        for degree in degrees:
+            search.degree = degree
+            found = search.refined(first.model.chosen, first.polynomials(), first.squares(), 10, (0.7, 0.05))
+            if found is not None:
+                tried.append((search.held_out(found), degree, found))
+        # A degree that is not better by a hundredth of the excess is not worth its coefficients.
+        lowest = min(each[0] for each in tried)
+        _, search.degree, first = next(each for each in tried if each[0] <= lowest + 0.05 * abs(lowest - 1.0) + 1e-3)
+    state["found"], state["lost"] = search.whole(first)
+    state["held_out"] = search.held_out(state["found"])
+
+
+def _degree(most: int, count: int) -> int:
+    """Return the degree whose coefficients have two stars each, at least 0; -1 of fewer than four stars."""
+    degree = most
+    while degree > 0 and (degree + 1) * (degree + 2) > count:
+        degree -= 1
+    return degree if count >= 4 else -1
+
+
+def _noll(term: Term) -> int:
+    return int(zernike.index_of(term[0], term[1], "noll"))
+
+
+def _single(pupil: Pupil) -> Pupil:
+    if checked(pupil).shape != ():
+        raise ValueError(f"pupil must be a single one, for the whole field, got a stack of shape {pupil.shape}")
+    return pupil
+
+
+def _begun(start: FieldMap, pupil: Pupil, x: Array, y: Array) -> Pupil:
+    """Return the pupils of a map at the places of stars, in the aperture of the pupil."""
+    if start.unit != pupil.unit:
+        raise ValueError(f"start must have positions in {pupil.unit}, as the pupil has, got {start.unit}")
+    if start.vignetting is not None:
+        raise ValueError("start must be without vignetting: the aperture is that of the pupil all over the field")
+    return pupil.carrying(start.pupil(x, y).wavefront, None)
+
+
+def _windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> tuple[Array, NDArray[np.bool_]]:
+    """Return windows (n, e, height, width), 0 where not valid, and which pixels are."""
+    hidden = np.ma.getmaskarray(windows) if isinstance(windows, np.ma.MaskedArray) else None
+    raw = validation.number_array("windows", np.ma.getdata(windows) if hidden is not None else windows)
+    if raw.ndim not in (3, 4) or raw.size == 0:
+        raise ValueError(
+            "windows must have the shape (n, height, width) or (n, exposures, height, width), at least one star, got "
+            f"{raw.shape}"
+        )
+    valid = np.isfinite(raw)
+    if hidden is not None:
+        valid &= ~hidden
+    if raw.dtype.kind in "iu":
+        valid &= raw < np.iinfo(raw.dtype).max
+    if saturation is not None:
+        valid &= raw < validation.real("saturation", saturation)
+    if mask is not None:
+        out = validation.array("mask", mask)
+        if out.dtype != bool or out.shape != raw.shape:
+            raise ValueError(f"mask must be True or False for each pixel of windows {raw.shape}, got {out.shape}")
+        valid &= ~out
+    values = np.where(valid, raw, 0.0).astype(np.float64)
+    shape = values.shape if raw.ndim == 4 else (len(values), 1, *values.shape[1:])
+    values, valid = values.reshape(shape), valid.reshape(shape)
+    for index in np.ndindex(shape[:2]):
+        good = values[index][valid[index]]
+        name = f"windows[{index[0]}]" if raw.ndim == 3 else f"windows[{index[0]}, {index[1]}]"
+        if good.size < 0.5 * valid[index].size:
+            raise ValueError(f"{name} must have pixels that are neither masked, saturated nor NaN, got {good.size}")
+        if np.ptp(good) == 0.0:
+            raise ValueError(f"{name} must show a star, got the value {good[0]:g} everywhere")
+    return values, valid
+
+
+def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int, int]) -> Array:
+    count, height, width = windows
+    found = validation.real_array("places", places)
+    if found.shape != (count, 2):
+        raise ValueError(f"places must be a row and a column for each of {count} windows, got shape {found.shape}")
+    outside = (found < -0.5) | (found > np.array(sensor) - 0.5)
+    if outside.any():
+        k = int(np.flatnonzero(outside.any(axis=1))[0])
+        raise ValueError(
+            f"places must be on the sensor of {sensor[0]} x {sensor[1]} pixels, got row {found[k, 0]:g}, column "
+            f"{found[k, 1]:g}"
+        )
+    apart = np.abs(found[:, None] - found[None]) < [height, width]
+    both = np.triu(apart.all(axis=-1), 1)
+    if both.any():
+        i, j = np.argwhere(both)[0]
+        raise ValueError(
+            f"windows must not overlap, or light would count twice, got {i} and {j} at ({found[i, 0]:g}, "
+            f"{found[i, 1]:g}) and ({found[j, 0]:g}, {found[j, 1]:g}); use apart=1 in find_spots"
+        )
+    return found
+
+
+def _map(
+    chip: Sensor, pupil: Pupil, degree: int, edge: Callable[[Array, Array], Array], terms: tuple[Term, ...]
+) -> FieldMap:
+    """Return the map of wavefronts whose edge terms are functions of relative positions."""
+    x, y = chip.grid(_GRID[degree <= 3])
+    u, v = chip.relative(*np.meshgrid(x, y))
+    wavefront = Wavefront.trusted(terms, edge(u, v))
+    aperture = pupil.unaberrated()
+    return FieldMap.on_grid(x, y, wavefront, aperture=aperture)
+
+
+def _answer(
+    search: Search,
+    state: dict[str, Any],
+    interrupted: bool,
+    pupil: Pupil,
+    start: FieldMap | None,
+    chip: Sensor,
+    places: Array,
+    images: Array,
+    camera: tuple[Noise, NDArray[np.bool_]],
+) -> FieldFit:
+    """Return the answer of a search."""
+    stars, one = search.stars, search.stars.one
+    if "found" in state:
+        found, lost = state["found"], state["lost"]
+    else:
+        assert search.latest is not None
+        assert search.latest.best is not None
+        x, scores = search.latest.best
+        found = Found(search.latest, x, scores, settled=False)
+        lost = np.setdiff1d(np.arange(stars.count), search.latest.chosen)
+    polynomials, degree = found.polynomials(), search.degree
+    # What is fixed beside them: of the pupil one wavefront, of a map those of its positions.
+    fixed_of = None if start is None else _fixed_of(start, chip, one)
+
+    def edge_of(coefficients: Array) -> Callable[[Array, Array], Array]:
+        def edge(u: Array, v: Array) -> Array:
+            fixed = one.fixed if fixed_of is None else fixed_of(u, v)
+            return np.asarray(fixed + monomials(u, v, degree) @ coefficients.T @ one.directions)
+
+        return edge
+
+    covariance = found.model.covariance(found.scores)
+    k, m = polynomials.shape
+    twin = None
+    message_sign = ""
+    if one.sign_ambiguous:
+        inverse = np.linalg.pinv(one.directions)
+        flip = (one.directions * one.even) @ inverse
+        other = polynomials - 2.0 * flip.T @ polynomials
+        other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ inverse)
+        if _swapped(search, found, polynomials, other, start):
+            polynomials, other = other, polynomials
+            signs = np.eye(k) - 2.0 * flip.T
+            turned = np.kron(signs, np.eye(m))
+            covariance[: k * m, : k * m] = turned @ covariance[: k * m, : k * m] @ turned.T
+            found.x[0, : k * m] = polynomials.ravel()
+        twin = _map(chip, pupil, degree, edge_of(other), one.terms)
+        nearer = "the one nearer to start is given" if start is not None else "add a second defocus, or give start"
+        message_sign = f"; {_SIGN}: {nearer}, the other is twin"
+    made = _map(chip, pupil, degree, edge_of(polynomials), one.terms)
+    squares = found.squares()
+    errors = np.sqrt(np.diag(covariance))[k * m :]
+    width = np.sqrt(np.maximum(squares, 0.0))
+    deviation = np.where(width > 0.0, errors / (2.0 * np.maximum(width, 1e-9)), np.sqrt(errors))
+    every = np.arange(stars.count)
+    own = np.ones((stars.count, 4, stars.exposures))
+    own[found.model.chosen] = found.of_stars()
+    if len(lost):
+        own[lost] = search.placed(lost, polynomials, squares)
+    whole = WholeField(stars, every, search.basis(every), held=True)
+    row = whole.row(polynomials, squares, own[:, :2], own[:, 2:])
+    psf, slopes = whole.images(row)
+    each = stars.scores(every, [psf, *slopes], own[:, 2:], 4.0 * stars.exposures)
+    light = own[:, 2:, :, None]
+    model = light[:, 0] * psf.reshape(stars.count, stars.exposures, -1) + light[:, 1]
+    centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [images.shape[2] // 2, images.shape[3] // 2]
+    used = np.zeros(stars.count, dtype=bool)
+    used[found.model.chosen] = True
+    chi2 = float(found.scores.chi2[0])
+    limit = 1.0 + _SURE * float(found.scores.spread[0]) + _SLACK
+    held_out = float(state.get("held_out", math.nan))
+    settled = found.settled and chi2 < limit
+    work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} stars, degree {degree}"
+    if math.isfinite(held_out):
+        work += f", held-out chi2 {held_out:.4g}"
+    if len(lost):
+        work += f"; {len(lost)} star{'s' * (len(lost) > 1)} rejected (doubles, defects)"
+    if interrupted:
+        message = f"interrupted: {work}"
+    elif chi2 >= limit:
+        message = (
+            f"misfit: {work}; pupil, pixel, noise or defocus are wrong, the degree is too low, or terms are missing"
+        )
+    elif not found.settled:
+        message = f"the steps did not settle: {work}"
+    else:
+        message = f"converged: {work}"
+    noise, valid = camera
+    pad = tuple(one.terms)
+
+    def table(of: FieldMap, x: Array, y: Array) -> Array:
+        """Return waves rms of all terms at positions, less those of the pupil."""
+        edge = of.pupil(x, y).wavefront.edge_terms()
+        own_edge = pupil.wavefront.edge_terms()
+        columns = [
+            (np.broadcast_to(edge.get(t, 0.0), x.shape) - float(own_edge.get(t, 0.0))) / zernike.rms_factor(*t)
+            for t in kept
+        ]
+        return np.stack(columns, axis=-1) / (2.0 * math.pi)
+
+    estimated = {term for term, column in zip(pad, np.abs(one.directions).max(axis=0), strict=True) if column > 0.0}
+    kept = tuple(term for term in pad if term in estimated or start is not None)
+    return FieldFit(
+        field=made,
+        twin=twin,
+        names=one.unknowns.terms,
+        coefficients=polynomials,
+        covariance=covariance[: k * m, : k * m],
+        blur=width,
+        blur_deviation=deviation if stars.blurred else np.zeros_like(width),
+        chi2=chi2,
+        held_out=held_out,
+        converged=settled and not interrupted,
+        message=message + message_sign,
+        degree=degree,
+        stars=FittedStars(places, centers, own[:, 2].copy(), own[:, 3].copy(), each.chi2, used),
+        images=np.where(valid, noise.electrons(images), np.nan),
+        model=model.reshape(images.shape),
+        _sensor=chip,
+        _table=(kept, table),
+    )
+
+
+def _fixed_of(start: FieldMap, chip: Sensor, one: Any) -> Callable[[Array, Array], Array]:
+    """Return the part of the wavefronts of a map that is not estimated, as a function of relative positions."""
+    inverse = np.linalg.pinv(one.directions)
+
+    def fixed(u: Array, v: Array) -> Array:
+        x = ((u + 1.0) * chip.shape[1] / 2.0 - 0.5 - chip.axis[1]) * chip.pixel
+        y = ((v + 1.0) * chip.shape[0] / 2.0 - 0.5 - chip.axis[0]) * chip.pixel
+        edge = start.pupil(x, y).wavefront.edge_terms()
+        whole = np.stack([np.broadcast_to(edge.get(term, 0.0), u.shape) for term in one.terms], axis=-1)
+        return np.asarray(whole - whole @ inverse @ one.directions)
+
+    return fixed
+
+
+def _swapped(search: Search, found: Found, one: Array, other: Array, start: FieldMap | None) -> bool:
+    """Return whether the other of two fields is the one to give."""
+    basis, stars = found.model.basis, search.stars
+    if start is not None or stars.start.any():
+        near = stars.start[found.model.chosen]
+        far = [
+            float(np.einsum("ni,ij,nj->", d, search.metric, d)) for d in (basis @ p.T - near for p in (one, other))
+        ]
+        if not math.isclose(far[0], far[1], rel_tol=1e-6):
+            return far[1] < far[0]
+    even = next(j for j, row in enumerate(stars.one.directions) if row[stars.one.even].any())
+    return bool((basis @ other[even]).mean() > (basis @ one[even]).mean())

@@ -1,0 +1,308 @@
+"""The search for a field map: fits of single stars, signs, polynomials, rejection of stars that do not fit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation.field_signs import candidates, monomials, robust
+from lommel.estimation.field_stars import FieldStars, SingleStars, WholeField
+from lommel.estimation.star_images import Scores, climb
+from lommel.methods.derivative_names import SHIFTS
+
+_SINGLES = 60  # stars that are fitted by themselves
+_STARTS = 5  # of each
+_STEPS = 14  # of each start
+_SCATTER = 0.7, 0.25  # radians rms of starts: defocus and astigmatism, other terms
+_BLUR = 0.5  # pixels, at first
+_GOOD = 1.08  # median chi2 of stars from which on a candidate is taken
+_OUTLIER = 5.0  # standard deviations of chi2 beyond the median
+_ROUNDS = 4  # of rejection
+_MOST_LOST = 0.4  # of the stars, that may be rejected
+
+Report = Callable[[float, float], object]
+
+
+@dataclass
+class Found:
+    """A fit of a field: the model of the stars that are used, its parameters and their quality."""
+
+    model: WholeField
+    x: Array
+    scores: Scores
+    settled: bool
+
+    def of_stars(self) -> Array:
+        """Return the parameters of each star: places and light (r, 4, e)."""
+        _, _, tilts, light = self.model.parts(self.x)
+        return np.concatenate([tilts, light], axis=1)
+
+    def polynomials(self) -> Array:
+        """Return the coefficients (k, m)."""
+        k, m = self.model.waves, self.model.basis.shape[1]
+        return np.asarray(self.x[0, : k * m].reshape(k, m))
+
+    def squares(self) -> Array:
+        """Return the squared widths of the blur (e,)."""
+        return np.asarray(self.x[0, self.model.waves * self.model.basis.shape[1] : self.model.shared])
+
+
+class Search:
+    """The stages of a search, for stars at `places` (n, 2) in half fields."""
+
+    def __init__(
+        self, stars: FieldStars, places: Array, degree: int, draw: np.random.Generator, report: Report
+    ) -> None:
+        self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
+        self.square = _BLUR**2 if stars.blurred else stars.fixed**2
+        self.widest = (0.25 * min(stars.shape)) ** 2
+        self.taken = 0
+        self.latest: WholeField | None = None
+        directions = stars.one.directions
+        self.metric = (directions * stars.one.mean_squares) @ directions.T
+
+    def basis(self, chosen: NDArray[np.intp], degree: int | None = None) -> Array:
+        """Return the polynomials at stars."""
+        u, v = self.places[chosen].T
+        return monomials(u, v, self.degree if degree is None else degree)
+
+    def brightest(self) -> NDArray[np.intp]:
+        """Return the stars to fit by themselves: the brightest, and not more than the search needs."""
+        counted, _, _, valid = self.stars.star
+        level = np.median(counted, axis=-1, keepdims=True)
+        bright = (valid * (counted - level)).sum(axis=(1, 2))
+        return np.sort(np.argsort(-bright, kind="stable")[:_SINGLES])
+
+    def singles(self, chosen: NDArray[np.intp]) -> tuple[Array, Array]:
+        """Return the best parameters (n, p) of stars fitted by themselves, and their chi2."""
+        stars = self.stars
+        best, chi2 = np.zeros((len(chosen), stars.size)), np.full(len(chosen), np.inf)
+        open_ = np.arange(len(chosen))
+        ambiguous = stars.one.sign_ambiguous
+        for turn in range(_STARTS):
+            rows = chosen[open_]
+            x = self._random(rows, scatter=turn > 0 or ambiguous)
+            model = SingleStars(stars, rows, self.widest)
+
+            def report(step: int, value: float, turn: int = turn) -> None:
+                self.report(0.4 * (turn + step / _STEPS) / _STARTS, value)
+
+            with suppress(Declined, ToleranceError):
+                x, scores, _, taken = climb(model, x, _STEPS, report, fast=True)
+                self.taken += taken
+                better = scores.chi2 < chi2[open_]
+                best[open_[better]], chi2[open_[better]] = x[better], scores.chi2[better]
+                fits = scores.chi2 < np.maximum(model.limit(scores, 3.0), 1.02)
+                open_ = open_[~fits]
+            if open_.size == 0:
+                break
+        return best, chi2
+
+    def _random(self, rows: NDArray[np.intp], *, scatter: bool) -> Array:
+        stars = self.stars
+        names = stars.one.unknowns.terms
+        size = np.full(len(names), _SCATTER[1])
+        size[: min(3, len(names))] = _SCATTER[0]
+        waves = stars.start[rows].copy()
+        if scatter:
+            waves += self.draw.normal(size=waves.shape) * size
+        squares = np.full((len(rows), stars.exposures), self.square)
+        light = np.ones((len(rows), 2, stars.exposures))
+        return stars.joined(waves, squares, self._centred(rows, waves), light)
+
+    def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
+        """Return tilts with which stars of these wavefronts have their light where it is."""
+        one = self.stars.one
+        tilts = self._centroids[rows].copy()
+        edge = self.stars.base[rows] + (waves @ one.directions)[:, None]
+        for j, place in enumerate(one.unknowns.places):
+            m = SHIFTS[place][1]
+            # Light is where the mean slope of the phase is: each term R_n^1 moves it as far as a tilt.
+            tilts[:, j] -= edge[:, :, [c for c, term in enumerate(one.terms) if term[1] == m]].sum(axis=-1)
+        return tilts
+
+    @property
+    def _centroids(self) -> Array:
+        if "_kept" not in vars(self):
+            self._kept = self.stars.centroids()
+        return self._kept
+
+    def from_start(self) -> Found | None:
+        """Return the fit of the brightest stars from the given wavefronts, None where these are not near enough."""
+        chosen = self.brightest()
+        polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
+        found = self.refined(chosen, polynomials, np.full(self.stars.exposures, self.square), 10, (0.0, 0.6))
+        if found is None or np.median(found.model.each(found.x, fast=True).chi2) > _GOOD:
+            return None
+        return found
+
+    def from_singles(self) -> Found:
+        """Return the fit of the brightest stars, from fits of each."""
+        stars = self.stars
+        chosen = self.brightest()
+        x, chi2 = self.singles(chosen)
+        if not np.isfinite(chi2).any():
+            raise ToleranceError("no star could be fitted: the images of all starts are beyond what can be computed")
+        usable = np.isfinite(chi2)
+        chosen, x, chi2 = chosen[usable], x[usable], chi2[usable]
+        quality = 1.0 / np.maximum(chi2 / max(float(np.median(chi2)), 1e-9), 1.0) ** 2
+        waves, squares, _, _ = stars.split(x)
+        good = chi2 <= np.median(chi2) * 1.5
+        square = np.median(squares[good], axis=0)
+        degree = self._least_degree(len(chosen))
+        bases = [self.basis(chosen, d) for d in sorted({min(2, degree), degree})]
+        one_focus = np.ptp(stars.one.base * stars.one.even, axis=0).max() == 0.0
+        if one_focus and (stars.one.even * stars.one.directions).any():
+            even = (self._whole(chosen, waves) * stars.one.even) * np.sqrt(stars.one.mean_squares)
+            tried = candidates(
+                self.places[chosen],
+                waves,
+                even,
+                lambda w: self.negated(chosen, w),
+                bases,
+                quality,
+                self.metric,
+                self.draw,
+            )
+        else:
+            tried = iter([(robust(bases[-1], waves, quality, self.metric)[0], waves)])
+        best: Found | None = None
+        lowest = np.inf
+        for k, (polynomials, _) in enumerate(tried):
+            found = self.refined(chosen, polynomials, square, 8, (0.4 + 0.05 * min(k, 5), 0.05))
+            if found is None:
+                continue
+            median = float(np.median(found.model.each(found.x, fast=True).chi2))
+            if median < lowest:
+                best, lowest = found, median
+            if median < _GOOD:
+                break
+        if best is None:
+            raise ToleranceError(
+                "no field could be fitted: the wavefronts of all starts are beyond what can be computed"
+            )
+        return best
+
+    def _least_degree(self, count: int) -> int:
+        """Return the degree that so many stars can tell."""
+        degree = self.degree
+        while degree and (degree + 1) * (degree + 2) // 2 > count // 2:
+            degree -= 1
+        return degree
+
+    def _whole(self, chosen: NDArray[np.intp], waves: Array) -> Array:
+        """Return the edge terms of stars, with those that are fixed and the first known defocus."""
+        return np.asarray(self.stars.base[chosen, 0] + waves @ self.stars.one.directions)
+
+    def negated(self, chosen: NDArray[np.intp], waves: Array) -> Array:
+        """Return wavefronts with the even part of the phase negated."""
+        one = self.stars.one
+        return np.asarray(waves - 2.0 * (one.even * self._whole(chosen, waves)) @ np.linalg.pinv(one.directions))
+
+    def refined(
+        self,
+        chosen: NDArray[np.intp],
+        polynomials: Array,
+        squares: Array,
+        most: int,
+        share: tuple[float, float],
+        own: Array | None = None,
+        *,
+        fast: bool = True,
+    ) -> Found | None:
+        """Return the fit of stars from polynomials (k, m), None where these are too strong to be computed."""
+        m = (self.degree + 1) * (self.degree + 2) // 2
+        start = np.zeros((len(polynomials), m))
+        start[:, : polynomials.shape[1]] = polynomials[:, :m]
+        model = WholeField(self.stars, chosen, self.basis(chosen))
+        try:
+            if own is None:
+                own = self.placed(chosen, start, squares)
+            x = model.row(start, squares, own[:, :2], own[:, 2:])
+            self.latest = model
+
+            def report(step: int, value: float) -> None:
+                self.report(share[0] + share[1] * step / (most + 1), value)
+
+            x, scores, settled, taken = climb(model, x, most, report, fast=fast)
+        except (Declined, ToleranceError):
+            return None
+        self.taken += taken
+        return Found(model, x, scores, bool(settled[0]))
+
+    def placed(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Array:
+        """Return places and light (r, 4, e) of stars whose wavefronts are known."""
+        model = WholeField(self.stars, chosen, self.basis(chosen), held=True)
+        waves = model.basis @ polynomials.T
+        tilts = self._centred(chosen, waves)
+        x = model.row(polynomials, squares, tilts, np.ones_like(tilts))
+        tilts += self.stars.shifts(chosen, model.images(x, fast=True)[0]) * self.stars.one.tilt_of_pixel
+        x = model.row(polynomials, squares, tilts, np.ones_like(tilts))
+        x, _, _, taken = climb(model, x, 6, lambda *_: None, fast=True)
+        self.taken += taken
+        return np.concatenate(model.parts(x)[2:], axis=1)
+
+    def cleaned(self, found: Found, share: tuple[float, float]) -> tuple[Found, NDArray[np.intp]]:
+        """Return the fit without stars that do not fit, and those."""
+        chosen = found.model.chosen
+        first, lost = len(chosen), chosen[:0]
+        for _ in range(_ROUNDS):
+            each = found.model.each(found.x, fast=True)
+            bad = outliers(each)
+            left = len(chosen) - int(bad.sum())
+            if not bad.any() or left < (1.0 - _MOST_LOST) * first or left <= found.model.basis.shape[1]:
+                break
+            own, lost = found.of_stars()[~bad], np.concatenate([lost, chosen[bad]])
+            chosen = chosen[~bad]
+            again = self.refined(chosen, found.polynomials(), found.squares(), 10, share, own)
+            if again is None:
+                break
+            found = again
+        return found, lost
+
+    def whole(self, found: Found) -> tuple[Found, NDArray[np.intp]]:
+        """Return the fit of all stars from that of some, without stars that do not fit, and those."""
+        every = np.arange(self.stars.count)
+        basis, polynomials, squares = self.basis(every), found.polynomials(), found.squares()
+        own = self.placed(every, polynomials, squares)
+        held = WholeField(self.stars, every, basis, held=True)
+        bad = outliers(held.each(held.row(polynomials, squares, own[:, :2], own[:, 2:]), fast=True))
+        if bad.mean() > _MOST_LOST or (~bad).sum() <= basis.shape[1]:
+            bad[:] = False
+        wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
+        found, more = self.cleaned(wide or found, (0.85, 0.05))
+        own, chosen = found.of_stars(), found.model.chosen
+        last = self.refined(chosen, found.polynomials(), found.squares(), 20, (0.9, 0.05), own, fast=False)
+        return last or found, np.sort(np.concatenate([every[bad], more]))
+
+    def held_out(self, found: Found) -> float:
+        """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say."""
+        chosen = found.model.chosen
+        order = np.argsort(self.places[chosen] @ [1.0, 0.318], kind="stable")
+        out = np.zeros(len(chosen), dtype=bool)
+        out[order[2::5]] = True
+        if (~out).sum() <= found.model.basis.shape[1] or not out.any():
+            return float("nan")
+        own = found.of_stars()
+        rest = self.refined(chosen[~out], found.polynomials(), found.squares(), 6, (0.95, 0.03), own[~out])
+        if rest is None:
+            return float("nan")
+        basis = self.basis(chosen[out])
+        model = WholeField(self.stars, chosen[out], basis, held=True)
+        x = model.row(rest.polynomials(), rest.squares(), own[out][:, :2], own[out][:, 2:])
+        _, scores, _, _ = climb(model, x, 6, lambda *_: None, fast=True)
+        return float(scores.chi2[0])
+
+
+def outliers(each: Scores) -> NDArray[np.bool_]:
+    """Return which stars have a chi2 that is too large beside those of the others."""
+    middle = float(np.median(each.chi2))
+    # Beside their own noise, stars of a model that is not quite right differ as they do.
+    spread = np.maximum(each.spread, 1.4826 * float(np.median(np.abs(each.chi2 - middle))))
+    return np.asarray(each.chi2 > middle + _OUTLIER * spread)

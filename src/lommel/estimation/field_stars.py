@@ -1,0 +1,470 @@
+"""Images of many stars over a field as functions of their wavefronts, places, light, and of a Gaussian blur."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.core.engine import star_likelihood
+from lommel.estimation.star_images import MOST, Scores, StarImages, Unknowns, carrying, covariance, damped
+from lommel.estimation.star_readout import STEP, StarReadout
+from lommel.methods.derivative_names import SHIFTS, Name
+from lommel.methods.question import asked_about, output_type
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import Plan
+
+_AT_ONCE = 3e7  # values of samples and their derivatives that are computed together
+_PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images in a search
+_ROOM = 0.75  # pixels by which blur may widen before samples are chosen anew
+OWN = 4  # parameters of an image: row, column, flux, background
+
+
+class FieldStars:
+    """Images of n stars in e exposures, electrons (n, e, height, width), and their likelihood.
+
+    Parameters of a star are the k coefficients of its wavefront (radians rms), the squared widths of the blur of each
+    exposure (pixels^2), and of each image its tilts by row and column, flux and background.
+    """
+
+    def __init__(
+        self,
+        electrons: Array,
+        variance: Array,
+        valid: NDArray[np.bool_],
+        pupil: Pupil,
+        defocus: Array,
+        unknowns: Unknowns,
+        pixel: float,
+        *,
+        blurred: bool,
+        integrate: bool,
+        tol: float,
+        threads: int,
+        known: float = 0.0,
+    ) -> None:
+        self.count, self.exposures, *shape = electrons.shape
+        self.shape = (shape[0], shape[1])
+        self.pixels = shape[0] * shape[1]
+        self.pupil, self.threads, self.blurred, self.integrate = pupil, threads, blurred, integrate
+        self.fixed = known  # pixels of blur where that is known
+        plan = Plan(self.shape, pixel, tol=tol, integrate=integrate, threads=threads or None)
+        first = pupil if pupil.shape == () else pupil[0]
+        self._first = first
+        #: The images of one star, whose terms are those of all.
+        self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
+        self.size = len(unknowns.terms) + (1 + OWN) * self.exposures
+        flat = (self.count, self.exposures, self.pixels)
+        counted = np.where(valid, electrons, 0.0)
+        parts = counted, variance, np.maximum(variance, 0.05), valid
+        self.star = np.stack([np.reshape(part, flat).astype(np.float64) for part in parts])
+        peak = max(float(self.star[0].max()), 1.0)
+        self.loosest = min(max(tol, _PART * math.sqrt(self.star[2].min()) / peak), max(tol, _LOOSEST))
+        self.tol = tol
+        edge = pupil.wavefront.edge_terms()
+        terms = [np.broadcast_to(edge.get(term, 0.0), (self.count,)) for term in self.one.terms]
+        whole = np.stack(terms, axis=-1)
+        inverse = np.linalg.pinv(self.one.directions)
+        #: Coefficients of the given wavefront, and the rest of it, which is fixed.
+        self.start = whole @ inverse
+        fixed: Array = whole - self.start @ self.one.directions
+        self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
+        self.base[:, :, 0] += defocus[None]
+        self._slopes: tuple[Name, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
+        self._scale = float(first.scale)
+        self._pixel = pixel / self._scale
+        self._reader: StarReadout | None = None
+        tested = self.star[3].sum(axis=(1, 2)) - self.size
+        self.tested = int(tested.mean())
+
+    def images(
+        self, stars: NDArray[np.intp], waves: Array, squares: Array, tilts: Array, *, fast: bool
+    ) -> list[Array]:
+        """Return images of rows (r,) of stars, their slopes by edge terms and tilts, and by the squares if blurred.
+
+        `waves` is (r, k), `squares` (r, e), `tilts` (r, 2, e); each image list is (r * e, height, width).
+        """
+        reader = self._readout(float(squares.max(initial=0.0)))
+        lattice = self.shape if reader is None else reader.shape
+        each = self.exposures * math.prod(lattice) * (len(self._slopes) + 2)
+        block = max(1, int(_AT_ONCE / each))
+        parts = [
+            self._block(reader, stars[s], waves[s], squares[s], tilts[s], fast=fast)
+            for s in (slice(first, first + block) for first in range(0, len(stars), block))
+        ]
+        return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
+
+    def _readout(self, square: float) -> StarReadout | None:
+        """Return what reads pixels from samples for blur of this squared width; None where samples are the pixels."""
+        if not (self.blurred or self.integrate or self.fixed):
+            return None
+        width = math.sqrt(square)
+        if self._reader is None or not self._reader.widest - 2.0 * _ROOM <= width <= self._reader.widest:
+            widest = width + _ROOM if self.blurred else width
+            self._reader = StarReadout(self.shape, self._pixel, widest, integrate=self.integrate)
+        return self._reader
+
+    def _block(
+        self,
+        reader: StarReadout | None,
+        stars: NDArray[np.intp],
+        waves: Array,
+        squares: Array,
+        tilts: Array,
+        *,
+        fast: bool,
+    ) -> list[Array]:
+        edge = self.base[stars] + (waves @ self.one.directions)[:, None]
+        for j, column in enumerate(self.one.tilts):
+            edge[:, :, column] += tilts[:, j]
+        wavefront = Wavefront.trusted(self.one.terms, edge.reshape(-1, edge.shape[-1]))
+        pupil = cast("Pupil", carrying(self._first, wavefront))
+        tol = self.loosest if fast else self.tol
+        shape, pitch = (self.shape, self._pixel) if reader is None else (reader.shape, STEP)
+        plan = Plan(shape, pitch * self._scale, tol=tol, integrate=False, threads=self.threads or None)
+        light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
+        asked = asked_about(pupil, light, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
+        _, made, slopes = asked.images(pupil, self._slopes)
+        samples = [made.values, *(slope.values for slope in slopes)]
+        if reader is None:
+            return [np.asarray(image).reshape(-1, *self.shape) for image in samples]
+        one = bool((squares == squares[:1]).all())
+        (down, across), (down_slope, across_slope) = reader.matrices((squares[:1] if one else squares).ravel())
+
+        def matched(part: Array) -> Array:
+            return np.tile(part, (len(stars), 1, 1)) if one and self.exposures > 1 else part
+
+        down, across, down_slope, across_slope = map(matched, (down, across, down_slope, across_slope))
+        flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
+        halves = [down @ image for image in flat]
+        turned = across.swapaxes(-1, -2)
+        found = [half @ turned for half in halves]
+        if self.blurred:
+            by_width = halves[0] @ across_slope.swapaxes(-1, -2)
+            by_width += (down_slope @ flat[0]) @ turned
+            found.append(by_width)
+        return found
+
+    def likelihood(
+        self, stars: NDArray[np.intp], images: Sequence[Array], light: Array
+    ) -> tuple[Array, Array, Array]:
+        """Return deviance, expectation and variance of chi2 (3, r), slopes and information (r, p, p + 1).
+
+        Of all parameters of single stars; `light` is (r, 2, e).
+        """
+        r, e, k = len(stars), self.exposures, len(self.one.directions)
+        own = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, r * e))
+        whole = r == self.count and bool((stars == np.arange(r)).all())
+        star = (self.star if whole else self.star[:, stars]).reshape(4, r * e, self.pixels)
+        numbers, products = star_likelihood(images, own, star, self.threads)
+        d = products.shape[-1]
+        edge = len(self.one.unknowns.edge)
+        # From derivatives of PSFs by edge terms, tilts, blur; the PSF, 1 and the residual last.
+        chain = np.zeros((r, e, self.size + 1, d))
+        flux = light[:, 0]
+        chain[:, :, :k, :edge] = self.one.unknowns.directions * flux[:, :, None, None]
+        for i in range(e):
+            at = k + e + np.arange(OWN) * e + i
+            if self.blurred:
+                chain[:, i, k + i, edge + 2] = flux[:, i]
+            chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = flux[:, i]
+            chain[:, i, at[2], d - 3] = chain[:, i, at[3], d - 2] = 1.0
+        chain[:, :, -1, -1] = 1.0
+        found = (chain @ products.reshape(r, e, d, d) @ chain.swapaxes(-1, -2)).sum(axis=1)
+        return numbers.reshape(3, r, e).sum(axis=-1), found[:, :-1], found[:, -1, -1]
+
+    def scores(self, stars: NDArray[np.intp], images: Sequence[Array], light: Array, unknown: float) -> Scores:
+        """Return the quality of single stars, each with so many parameters of its own."""
+        (deviance, total, spread), found, square = self.likelihood(stars, images, light)
+        pixels = self.star[3][stars].sum(axis=(1, 2))
+        expected = np.maximum(total * np.maximum(1.0 - unknown / pixels, 0.1), 1.0)
+        chi2 = square / expected
+        return Scores(deviance, found[:, :, -1], found[:, :, :-1], chi2, np.sqrt(spread) / expected)
+
+    def light(self, stars: NDArray[np.intp], values: Array) -> Array:
+        """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs."""
+        psf = values.reshape(len(stars), self.exposures, -1).astype(np.float64)
+        counted, _, read, valid = self.star[:, stars]
+        weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
+        total, data = weight.sum(axis=-1), weight * counted
+        mean, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
+        square = (weight * psf * psf).sum(axis=-1) - total * mean * mean
+        flux = np.maximum(((data * psf).sum(axis=-1) - total * mean * level) / np.maximum(square, 1e-300), 1.0)
+        return np.stack([flux, level - flux * mean], axis=1)
+
+    def centroids(self) -> Array:
+        """Return tilts (n, 2, e) that put each star at the centroid of its light."""
+        image = self.star[0].reshape(-1, *self.shape)
+        good = self.star[3].reshape(-1, *self.shape) > 0.0
+        read = self.star[2].reshape(-1, self.pixels).mean(axis=1)
+        rim = np.ones(self.shape, dtype=bool)
+        rim[1:-1, 1:-1] = False
+        level = np.median(image[:, rim], axis=1)
+        noise = np.sqrt(np.maximum(level, 0.0) + read)
+        above = image - level[:, None, None]
+        light = np.where(good & (above > 3.0 * noise[:, None, None]), above, 0.0)
+        total = np.maximum(light.sum(axis=(1, 2)), 1e-12)
+        rows, columns = (np.arange(side) - side // 2 for side in self.shape)
+        row, column = light.sum(axis=2) @ rows / total, light.sum(axis=1) @ columns / total
+        tilts = np.stack([row, column], axis=1) * self.one.tilt_of_pixel
+        return tilts.reshape(self.count, self.exposures, 2).swapaxes(1, 2)
+
+    def shifts(self, stars: NDArray[np.intp], values: Array) -> Array:
+        """Return shifts (r, 2, e) in whole pixels after which PSFs of rows of stars correlate best with images."""
+        counted, _, _, valid = self.star[:, stars].reshape(4, -1, *self.shape)
+        level = np.median(counted, axis=(1, 2), keepdims=True)
+        size = (2 * self.shape[0], 2 * self.shape[1])
+        ours = np.fft.rfft2(np.where(valid > 0.0, counted - level, 0.0), size)
+        matched = np.fft.irfft2(ours * np.conj(np.fft.rfft2(values, size)), size)
+        row, column = np.unravel_index(matched.reshape(len(matched), -1).argmax(axis=1), size)
+        signed = [(at + n // 2) % n - n // 2 for at, n in zip((row, column), size, strict=True)]
+        found = np.stack(signed, axis=1)
+        return np.asarray(found.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
+
+    def split(self, x: Array) -> tuple[Array, Array, Array, Array]:
+        """Return waves (r, k), squares (r, e), tilts (r, 2, e) and light (r, 2, e) of parameters of stars (r, p)."""
+        k, e = len(self.one.directions), self.exposures
+        own = x[:, k + e :].reshape(len(x), OWN, e)
+        return x[:, :k], x[:, k : k + e], own[:, :2], own[:, 2:]
+
+    def joined(self, waves: Array, squares: Array, tilts: Array, light: Array) -> Array:
+        """Return the parameters of stars (r, p)."""
+        r = len(waves)
+        return np.concatenate([waves, squares, tilts.reshape(r, -1), light.reshape(r, -1)], axis=1)
+
+    def limited(self, tilts: Array, light: Array, before: Array) -> None:
+        """Limit tilts to the window, and flux to steps from that before, in place."""
+        for j, largest in enumerate(self.one.largest_tilts):
+            np.clip(tilts[:, j], -largest, largest, out=tilts[:, j])
+        np.maximum(light[:, 0], 0.1 * before[:, 0], out=light[:, 0])
+
+
+class SingleStars:
+    """Stars that each have a wavefront of their own: rows of a search are stars and their starts."""
+
+    alternatives = False
+
+    def __init__(self, stars: FieldStars, rows: NDArray[np.intp], widest: float) -> None:
+        self.of, self.rows, self.widest = stars, rows, widest
+        self.size, self.tested = stars.size, stars.tested
+        self._held = np.zeros(stars.size, dtype=bool)
+        if not stars.blurred:
+            k = len(stars.one.directions)
+            self._held[k : k + stars.exposures] = True
+
+    def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
+        """Return images of all rows, and their slopes."""
+        found = self._images(x, self.rows, fast=fast)
+        return found[0], found[1:]
+
+    def _images(self, x: Array, stars: NDArray[np.intp], *, fast: bool) -> list[Array]:
+        waves, squares, tilts, _ = self.of.split(x)
+        return self.of.images(stars, waves, squares, tilts, fast=fast)
+
+    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
+        """Return the quality of the fit of rows."""
+        stars = self.rows if rows is None else self.rows[rows]
+        return self._scores(x, stars, self._images(x, stars, fast=fast))
+
+    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
+        """Return the same of all rows from images and slopes."""
+        return self._scores(x, self.rows, [values, *slopes])
+
+    def _scores(self, x: Array, stars: NDArray[np.intp], images: list[Array]) -> Scores:
+        found = self.of.scores(stars, images, self.of.split(x)[3], float((~self._held).sum()))
+        found.slope[:, self._held] = 0.0
+        found.information[:, self._held] = 0.0
+        found.information[:, :, self._held] = 0.0
+        return found
+
+    def with_light(self, x: Array, values: Any) -> Array:
+        """Return the parameters with flux and background of least squares."""
+        waves, squares, tilts, _ = self.of.split(x)
+        return self.of.joined(waves, squares, tilts, self.of.light(self.rows, values))
+
+    def within(self, x: Array, before: Array) -> Array:
+        """Limit parameters in place."""
+        _, squares, tilts, light = self.of.split(x)
+        old = self.of.split(before)
+        np.clip(squares, 0.25 * old[1], np.minimum(4.0 * old[1] + 0.1, self.widest), out=squares)
+        self.of.limited(tilts, light, old[3])
+        return x
+
+    def rms(self, steps: Array) -> Array:
+        """Return the rms phase of steps of each row."""
+        edge = self.of.split(steps)[0] @ self.of.one.directions
+        return np.asarray(np.sqrt((edge * edge) @ self.of.one.mean_squares))
+
+    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
+        """Return damped steps and what they promise."""
+        return damped(scores, damping)
+
+    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
+        """Return the largest chi2 of each row."""
+        return 1.0 + deviations * scores.spread
+
+
+@dataclass(frozen=True, eq=False)
+class Blocks:
+    """Information of a field: of shared parameters, and of those of each star.
+
+    `shared` (s, s), `own` (n, o, o), `mixed` (n, c, o) of the c waves and squares of a star with its own, `basis`
+    (n, m) of the monomials at each.
+    """
+
+    shared: Array
+    own: Array
+    mixed: Array
+    basis: Array
+    waves: int
+
+    def outward(self, local: Array) -> Array:
+        """Return the sum over stars of matrices (n, c, c) of waves and squares, as of shared parameters (s, s)."""
+        k, m = self.waves, self.basis.shape[1]
+        e = local.shape[1] - k
+        found = np.empty((k * m + e, k * m + e))
+        pairs = (self.basis[:, :, None] * self.basis[:, None, :]).reshape(len(local), -1)
+        square = (pairs.T @ local[:, :k, :k].reshape(len(local), -1)).reshape(m, m, k, k)
+        found[: k * m, : k * m] = square.transpose(2, 0, 3, 1).reshape(k * m, k * m)
+        cross = np.einsum("nm,nke->kme", self.basis, local[:, :k, k:]).reshape(k * m, e)
+        found[: k * m, k * m :], found[k * m :, : k * m] = cross, cross.T
+        found[k * m :, k * m :] = local[:, k:, k:].sum(axis=0)
+        return found
+
+    def gathered(self, local: Array) -> Array:
+        """Return the sum over stars of vectors (n, c) of waves and squares, as of shared parameters (s,)."""
+        k = self.waves
+        return np.concatenate([(local[:, :k].T @ self.basis).ravel(), local[:, k:].sum(axis=0)])
+
+    def spread(self, shared: Array) -> Array:
+        """Return shared parameters (s,) as waves and squares of each star (n, c)."""
+        k, m = self.waves, self.basis.shape[1]
+        waves = self.basis @ shared[: k * m].reshape(k, m).T
+        rest = np.broadcast_to(shared[k * m :], (len(waves), len(shared) - k * m))
+        return np.concatenate([waves, rest], axis=1)
+
+    def damped(self, damping: float) -> tuple[Array, Array]:
+        """Return the shared matrix with the parameters of stars eliminated, and the inverses of those."""
+        own, shared = self.own.copy(), self.shared.copy()
+        for matrix in (own, shared):
+            diagonal = np.einsum("...ii->...i", matrix)
+            diagonal += np.where(diagonal > 0.0, damping * diagonal, 1.0)
+        inverse = np.linalg.inv(own)
+        return shared - self.outward(self.mixed @ inverse @ self.mixed.swapaxes(-1, -2)), np.asarray(inverse)
+
+
+class WholeField:
+    """Stars of a field whose wavefronts are polynomials of their positions: one row of a search.
+
+    `basis` (n, m) has the values of the polynomials at each star. Where `held`, polynomials and blur are fixed.
+    """
+
+    alternatives = False
+
+    def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], basis: Array, *, held: bool = False) -> None:
+        self.of, self.chosen, self.basis, self.held = stars, chosen, basis, held
+        self.waves = len(stars.one.directions)
+        self.shared = self.waves * basis.shape[1] + stars.exposures
+        self.size = self.shared + len(chosen) * OWN * stars.exposures
+        unknown = self.size - (self.shared if held else 0) - (0 if stars.blurred or held else stars.exposures)
+        self.pixels = int(stars.star[3][chosen].sum())
+        self.tested = max(self.pixels - unknown, 1)
+        self._each = unknown / len(chosen)
+        self.best: tuple[Array, Scores] | None = None  # so far, for whoever is interrupted
+
+    def parts(self, x: Array) -> tuple[Array, Array, Array, Array]:
+        """Return the parameters of each star: waves, squares, tilts, light."""
+        k, m, e = self.waves, self.basis.shape[1], self.of.exposures
+        waves = self.basis @ x[0, : k * m].reshape(k, m).T
+        squares = np.broadcast_to(x[0, k * m : self.shared], (len(waves), e))
+        own = x[0, self.shared :].reshape(-1, OWN, e)
+        return waves, squares, own[:, :2], own[:, 2:]
+
+    def row(self, polynomials: Array, squares: Array, tilts: Array, light: Array) -> Array:
+        """Return parameters (1, p) of polynomials (k, m), squares (e,) and those of stars."""
+        own = np.concatenate([tilts, light], axis=1)
+        return np.concatenate([polynomials.ravel(), squares, own.ravel()])[None]
+
+    def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
+        """Return images of all stars, and their slopes."""
+        waves, squares, tilts, _ = self.parts(x)
+        found = self.of.images(self.chosen, waves, squares, tilts, fast=fast)
+        return found[0], found[1:]
+
+    def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
+        """Return the quality of the fit."""
+        return self.scores_of(x, *self.images(x, fast=fast))
+
+    def each(self, x: Array, *, fast: bool = False) -> Scores:
+        """Return the quality of each star."""
+        values, slopes = self.images(x, fast=fast)
+        return self.of.scores(self.chosen, [values, *slopes], self.parts(x)[3], self._each)
+
+    def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
+        """Return the same from images and slopes."""
+        (deviance, total, spread), found, square = self.of.likelihood(
+            self.chosen, [values, *slopes], self.parts(x)[3]
+        )
+        c = self.waves + self.of.exposures
+        info, slope = found[:, :, :-1], found[:, :, -1]
+        blocks = Blocks(np.empty((0, 0)), info[:, c:, c:], info[:, :c, c:], self.basis, self.waves)
+        blocks = Blocks(blocks.outward(info[:, :c, :c]), blocks.own, blocks.mixed, self.basis, self.waves)
+        whole = np.concatenate([blocks.gathered(slope[:, :c]), slope[:, c:].ravel()])
+        expected = max(total.sum() * (self.tested / self.pixels), 1.0)
+        boxed = np.empty(1, dtype=object)
+        boxed[0] = blocks
+        chi2, deviation = square.sum() / expected, math.sqrt(spread.sum()) / expected
+        made = Scores(np.array([deviance.sum()]), whole[None], boxed, np.array([chi2]), np.array([deviation]))
+        if self.best is None or made.deviance[0] < self.best[1].deviance[0]:
+            self.best = x.copy(), made
+        return made
+
+    def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
+        """Return a damped step (1, p), the parameters of stars eliminated, and what it promises."""
+        blocks: Blocks = scores.information[0]
+        slope = scores.slope[0]
+        own = slope[self.shared :].reshape(len(self.chosen), -1)
+        matrix, inverse = blocks.damped(float(damping[0]))
+        first = (inverse @ own[:, :, None])[:, :, 0]
+        if self.held:
+            shared = np.zeros(self.shared)
+        else:
+            right = slope[: self.shared] - blocks.gathered((blocks.mixed @ first[:, :, None])[:, :, 0])
+            scale = 1.0 / np.sqrt(np.diag(matrix))
+            shared = scale * np.linalg.solve(matrix * np.outer(scale, scale), scale * right)
+        back = (blocks.mixed.swapaxes(-1, -2) @ blocks.spread(shared)[:, :, None])[:, :, 0]
+        step = np.concatenate([shared, (first - (inverse @ back[:, :, None])[:, :, 0]).ravel()])
+        return step[None], np.array([step @ slope])
+
+    def with_light(self, x: Array, values: Any) -> Array:
+        """Return the parameters with flux and background of least squares."""
+        found = x.copy()
+        self.parts(found)[3][:] = self.of.light(self.chosen, values)
+        return found
+
+    def within(self, x: Array, before: Array) -> Array:
+        """Limit parameters in place."""
+        at = slice(self.waves * self.basis.shape[1], self.shared)
+        np.clip(x[:, at], 0.25 * before[:, at], 4.0 * before[:, at] + 0.1, out=x[:, at])
+        _, _, tilts, light = self.parts(x)
+        self.of.limited(tilts, light, self.parts(before)[3])
+        return x
+
+    def rms(self, steps: Array) -> Array:
+        """Return the largest rms phase of a step of a star."""
+        edge = self.parts(steps)[0] @ self.of.one.directions
+        return np.array([math.sqrt(float(((edge * edge) @ self.of.one.mean_squares).max(initial=0.0)))])
+
+    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
+        """Return the largest chi2 within so many standard deviations of its expectation."""
+        return 1.0 + deviations * scores.spread
+
+    def covariance(self, scores: Scores) -> Array:
+        """Return the covariance (s, s) of shared parameters, places and light of stars being nuisance parameters."""
+        return covariance(scores.information[0].damped(0.0)[0])

@@ -1,0 +1,66 @@
+r"""Pixel values of stars from samples of their images, with pixel area and Gaussian blur, and the slope by its width.
+
+The intensity holds no frequency above 1 / (lambda*N): from samples h < 1/2 apart (units of lambda*N), images are
+
+.. math:: I_i = p \sum_j k(x_i - h j)\, s_j, \qquad
+          k(x) = \int T(f)\, \mathrm{sinc}(p f)\, e^{-2 \pi^2 \sigma^2 f^2} \cos(2 \pi f x)\, df
+
+along rows and columns, ``s_j`` being fractions of light per sample; T is 1 up to f = 1 and falls to 0 at ``1/h - 1``,
+where copies of the spectrum begin. Pixels may be of any size, and blur of any width: nothing is blurred on pixels.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy import special
+
+from lommel.base.arrays import Array
+from lommel.special.legendre import gauss_legendre
+
+STEP = 0.45  # lambda*N from sample to sample
+_MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
+_WIDTHS = 4.5  # standard deviations of blur beyond them
+_EDGE = 1.0 / STEP - 1.0
+_FALL = 2.2  # of the error function, in half the width of the fall of T
+
+
+class StarReadout:
+    """From samples on a lattice around the axis to the pixels of a window, for blur up to `widest` pixels.
+
+    `pixel` is in lambda*N; pixels that do not `integrate` are points.
+    """
+
+    def __init__(self, shape: tuple[int, int], pixel: float, widest: float, *, integrate: bool) -> None:
+        self.pixel, self.widest = pixel, widest
+        margin = _MARGIN + pixel * (0.5 * integrate + _WIDTHS * widest)
+        halves = [math.ceil(((side // 2) * pixel + margin) / STEP) for side in shape]
+        self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
+        length = STEP * max(halves)
+        nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * _EDGE * (2.0 * length)) + 30)
+        self._f: Array = _EDGE * nodes
+        middle = 0.5 * (1.0 + _EDGE)
+        taper = 0.5 * special.erfc(_FALL * (self._f - middle) / (_EDGE - middle))
+        area = np.sinc(pixel * self._f) if integrate else 1.0
+        self._weights = 2.0 * pixel * _EDGE * weights * taper * area
+        self._sides = [
+            (self._waves(pixel, side - side // 2 - 1, side // 2), self._waves(STEP, half, half))
+            for side, half in zip(shape, halves, strict=True)
+        ]
+
+    def _waves(self, pitch: float, last: int, before: int) -> tuple[Array, Array]:
+        angle = np.multiply.outer(pitch * np.arange(-before, last + 1.0), 2.0 * math.pi * self._f)
+        return np.cos(angle), np.sin(angle)
+
+    def matrices(self, squares: Array) -> tuple[list[Array], list[Array]]:
+        """Return matrices of rows and columns (r, pixels, samples) for squared widths (r,), pixels^2, and slopes."""
+        rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
+        faded = self._weights * np.exp(np.multiply.outer(squares, rate))
+        made: tuple[list[Array], list[Array]] = ([], [])
+        for weights, place in zip((faded, faded * rate), made, strict=True):
+            for (cos, sin), (along, across) in self._sides:
+                one = (cos * weights[:, None]) @ along.T
+                one += (sin * weights[:, None]) @ across.T
+                place.append(one.astype(np.float32))
+        return made

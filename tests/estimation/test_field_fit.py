@@ -1,0 +1,250 @@
+"""Field maps from stars simulated apart from the package: signs, blur, rejection, errors, tables, verdicts."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import lommel as lm
+import simulated_fields as simulated
+from lommel.estimation.field_signs import monomials, robust
+from lommel.estimation.star_readout import STEP, StarReadout
+from lommel.lensfiles.tables import read_csv
+
+NOISE = lm.Noise(read=2.0)
+SENSOR = (4000, 4000)
+EVEN = np.array([True, True, True, False, False])  # of Noll 4 to 8
+TERMS, SIDE = 5, 21
+
+
+@cache
+def telescope():
+    return simulated.Telescope(TERMS, side=96)
+
+
+@cache
+def case(seed=3, count=36, defocus=(0.0,), doubles=0):
+    draw = np.random.default_rng(seed)
+    waves = simulated.field(draw, TERMS, degree=2)
+    return simulated.stars(
+        draw, count, waves, telescope(), side=SIDE, defocus=defocus, doubles=doubles, snr=(60, 200)
+    )
+
+
+def fitted(images, places, pupil=None, **options):
+    options = {
+        "sensor": SENSOR,
+        "pixel": 0.5,
+        "noise": NOISE,
+        "degree": 2,
+        "terms": TERMS,
+        "integrate": True,
+    } | options
+    return lm.fit_field(images, places, pupil or lm.Pupil(), **options)
+
+
+@cache
+def one_focus():
+    places, images, _ = case()
+    return fitted(images[:, 0], places)
+
+
+def position(places, pixel=0.5):
+    """Return x and y of rows and columns."""
+    return (places[:, 1] - 1999.5) * pixel, (places[:, 0] - 1999.5) * pixel
+
+
+def over_bound(fit, places, true, sign=1.0, even=TERMS):
+    """Return the rms error of terms at the stars over their standard errors."""
+    values, errors = fit.at(*position(places))
+    return float(np.sqrt((((values - np.where(EVEN[:even], sign, 1.0) * true) / errors) ** 2).mean()))
+
+
+def test_one_focus_gives_the_field_up_to_the_twin():
+    places, _, true = case()
+    fit = one_focus()
+    assert fit.converged, fit.message
+    assert "one focus leaves the common sign of the even terms of the whole field open" in fit.message
+    sign = 1.0 if over_bound(fit, places, true) < 5.0 else -1.0
+    assert 0.5 < over_bound(fit, places, true, sign) < 1.6
+    assert abs(fit.chi2 - 1.0) < 0.03
+    assert abs(fit.held_out - 1.0) < 0.06
+    assert abs(fit.blur[0] - 0.6) < 5.0 * fit.blur_deviation[0]
+    # Without a start the first even term is positive in the mean, and the twin has it negative.
+    x, y = position(places)
+    mine, other = (np.stack(list(each.pupil(x, y).wavefront.edge_terms().values())) for each in (fit.field, fit.twin))
+    assert fit.at(x, y)[0][:, 0].mean() > 0.0
+    assert not np.allclose(mine, other, atol=0.1)
+
+
+def test_the_twin_has_the_same_images_and_the_map_is_what_at_says():
+    fit = one_focus()
+    x, y = np.array([-600.0, 300.0]), np.array([200.0, -800.0])
+    first, second = (each.psf(x, y, 21, 0.5).values for each in (fit.field, fit.twin))
+    np.testing.assert_allclose(first, second, atol=1e-5 * first.max())
+    edge = fit.field.pupil(x, y).wavefront.edge_terms()
+    np.testing.assert_allclose(edge[2, 0] / np.sqrt(3.0), fit.at(x, y)[0][:, 0], atol=1e-9)
+
+
+def test_a_start_decides_the_sign():
+    places, images, true = case()
+    inside = np.abs(places - 1999.5).max(axis=1) < 1500.0
+    x, y = position(places)
+    corners = np.array([[-1000.0, 1000.0, -1000.0, 1000.0], [-1000.0, -1000.0, 1000.0, 1000.0]])
+    mean = lm.Wavefront.zernike({4: np.append(true[:, 0], [true[:, 0].mean()] * 4)}, order="noll")
+    design = lm.FieldMap.scattered(np.append(x, corners[0]), np.append(y, corners[1]), mean)
+    for sign, start in ((1.0, design), (-1.0, negative(design, x, y, corners))):
+        fit = fitted(images[inside, 0], places[inside], start=start)
+        assert fit.converged, fit.message
+        assert over_bound(fit, places[inside], true[inside], sign) < 1.6
+
+
+def negative(design, x, y, corners):
+    """Return a map of the negative of its defocus."""
+    across, down = np.append(x, corners[0]), np.append(y, corners[1])
+    return lm.FieldMap.scattered(across, down, design.pupil(across, down).wavefront * -1.0)
+
+
+def test_two_foci_tell_the_sign():
+    places, images, true = case(seed=4, count=25, defocus=(-2.5, 2.5))
+    fit = fitted(images, places, defocus=[-2.5, 2.5])
+    assert fit.converged, fit.message
+    assert fit.twin is None
+    assert 0.5 < over_bound(fit, places, true) < 1.6
+    assert fit.blur.shape == (2,)
+    np.testing.assert_allclose(fit.blur, 0.6, atol=0.02)
+
+
+def test_doubles_and_defects_are_rejected():
+    places, images, true = case(seed=5, doubles=4)
+    spoiled = images[:, 0].copy()
+    spoiled[10, 8, 8:12] += 2000.0
+    fit = fitted(spoiled, places)
+    assert fit.converged, fit.message
+    assert np.flatnonzero(~fit.stars.used).tolist() == [0, 1, 2, 3, 10]
+    assert (fit.stars.chi2[~fit.stars.used] > fit.stars.chi2[fit.stars.used].max()).all()
+    assert "5 stars rejected" in fit.message
+    assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
+
+
+def test_a_wrong_aperture_is_a_misfit():
+    places, images, _ = case()
+    fit = fitted(images[:14, 0], places[:14], lm.Pupil(obscuration=0.6), degree=1)
+    assert not fit.converged
+    assert fit.message.startswith("misfit: ")
+
+
+def test_apertures_with_vanes():
+    vanes = [(0.5, 0.1), (0.5 + 2.1, 0.1), (0.5 + 4.2, 0.1)]
+    pupil = lm.Pupil(obscuration=0.3, spider=lm.Spider(angles=[angle for angle, _ in vanes], width=0.1))
+    draw = np.random.default_rng(7)
+    scope = simulated.Telescope(3, side=128, obscuration=0.3, vanes=vanes)
+
+    def waves(u, v):
+        return np.stack([0.6 + 0.5 * u, 0.4 * v, -0.3 + 0.2 * u - 0.3 * v], axis=-1)
+
+    places, images, true = simulated.stars(draw, 10, waves, scope, side=SIDE, defocus=(-2.5, 2.5), snr=(60, 120))
+    fit = fitted(images, places, pupil, defocus=[-2.5, 2.5], terms=3, degree=1)
+    assert fit.converged, fit.message
+    assert 0.4 < over_bound(fit, places, true, even=3) < 1.8
+    assert fitted(images, places, lm.Pupil(obscuration=0.3), defocus=[-2.5, 2.5], terms=3, degree=1).chi2 > fit.chi2
+
+
+def test_the_table_is_read_by_lens_files_as_it_was_written(tmp_path):
+    places, images, _ = case()
+    wavelength, number = 550e-9, 8.0
+    pixel = 0.5 * wavelength * number
+    pupil = lm.Pupil(wavelength=wavelength, f_number=number)
+    fit = fitted(images[:, 0], places, pupil, pixel=pixel)
+    assert fit.converged, fit.message
+    fit.save(tmp_path / "field.csv")
+    made = read_csv(tmp_path / "field.csv", "noll").field_map(pupil, unit="waves", normalization="rms", direction="x")
+    x, y = position(places, pixel)
+    for term, values in fit.field.pupil(x, y).wavefront.edge_terms().items():
+        np.testing.assert_allclose(made.pupil(x, y).wavefront.edge_terms().get(term, 0.0), values, atol=1e-7)
+    text = (tmp_path / "field.csv").read_text(encoding="utf-8")
+    assert text.startswith("# converged: ")
+    with pytest.raises(ValueError, match=r"path must end in \.csv"):
+        fit.save(tmp_path / "field.txt")
+    with pytest.raises(ValueError, match="a table has positions in metres"):
+        one_focus().save(tmp_path / "field.csv")
+
+
+def test_the_picture_has_a_panel_for_each_term_and_the_stars():
+    figure = one_focus().plot()
+    titles = [axes.get_title() for part in figure.subfigs for axes in part.axes]
+    assert sum("±" in title for title in titles) == TERMS
+    assert "stars, chi2" in titles
+
+
+def test_an_interrupt_keeps_the_best_so_far():
+    places, images, _ = case(seed=4, count=25, defocus=(-2.5, 2.5))
+
+    def stop(share, _):
+        if share > 0.65:
+            raise KeyboardInterrupt
+
+    fit = fitted(images, places, defocus=[-2.5, 2.5], progress=stop)
+    assert fit.message.startswith("interrupted: ")
+    assert not fit.converged
+    assert abs(fit.chi2 - 1.0) < 0.2
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"windows": np.zeros((0, 9, 9)), "places": np.zeros((0, 2))}, "windows must have the shape"),
+        ({"windows": np.full((5, 9, 9), 65535, np.uint16)}, "neither masked, saturated nor NaN"),
+        ({"windows": np.zeros((5, 9, 9))}, "must show a star"),
+        ({"places": np.full((5, 2), 5000.0)}, "places must be on the sensor of 4000 x 4000"),
+        ({"places": np.arange(10.0).reshape(5, 2)}, "windows must not overlap"),
+        ({"places": np.zeros((3, 2))}, "places must be a row and a column for each of 5"),
+        ({"defocus": [1.0, 2.0]}, "defocus must be a number, or one for each of 1"),
+        ({"degree": 9}, "degree must be from 0 to 6"),
+        ({"blur": -1.0}, "blur must be"),
+        ({"pupil": lm.Pupil(lm.Wavefront([1.0, 2.0]))}, "pupil must be a single one"),
+        ({"sensor": 4000}, "sensor must be its rows and columns"),
+        ({"count": 3}, "windows must be of at least 4 stars"),
+    ],
+)
+def test_bad_input_is_told(change, message):
+    count = change.pop("count", 5)
+    draw = np.random.default_rng(1)
+    options = {
+        "windows": draw.poisson(100.0, (count, 9, 9)).astype(float),
+        "places": np.arange(2.0 * count).reshape(count, 2) * 100.0,
+        "pupil": lm.Pupil(),
+        "sensor": SENSOR,
+        "pixel": 0.5,
+        "noise": NOISE,
+    } | change
+    with pytest.raises((TypeError, ValueError), match=message):
+        lm.fit_field(options.pop("windows"), options.pop("places"), options.pop("pupil"), **options)
+
+
+@pytest.mark.parametrize(("pixel", "sigma", "integrate"), [(0.5, 0.6, True), (2.2, 0.4, True), (0.5, 0.6, False)])
+def test_pixels_read_from_samples_are_those_of_blurred_psfs(pixel, sigma, integrate):
+    pupil = lm.Pupil(lm.Wavefront.zernike({4: 0.5, 7: 0.4, 9: 0.3}, order="noll"))
+    exact = lm.psf(pupil, 15, pixel, integrate=integrate, blur=lm.Jitter(sigma * pixel)).values
+    reader = StarReadout((15, 15), pixel, sigma, integrate=integrate)
+    samples = lm.psf(pupil, reader.shape, STEP, integrate=False).values
+    (down, across), (down_slope, across_slope) = reader.matrices(np.array([sigma**2]))
+    np.testing.assert_allclose(down[0] @ samples @ across[0].T, exact, atol=1e-5 * exact.max())
+    step = 0.02
+    one, other = (reader.matrices(np.array([sigma**2 + s * step]))[0] for s in (1, -1))
+    change = (one[0][0] @ samples @ one[1][0].T - other[0][0] @ samples @ other[1][0].T) / (2.0 * step)
+    slope = down_slope[0] @ samples @ across[0].T + down[0] @ samples @ across_slope[0].T
+    np.testing.assert_allclose(slope, change, atol=5e-3 * np.abs(change).max())
+
+
+def test_robust_polynomials_ignore_a_few_wild_stars():
+    draw = np.random.default_rng(2)
+    u, v = draw.uniform(-1, 1, (2, 60))
+    basis, true = monomials(u, v, 2), draw.normal(size=(3, 6))
+    waves = basis @ true.T
+    waves[:8] += draw.normal(size=(8, 3)) * 3.0
+    found, distance = robust(basis, waves, np.ones(60), np.eye(3))
+    np.testing.assert_allclose(found, true, atol=1e-2)
+    assert (distance[8:] < distance[:8].min()).all()

@@ -63,7 +63,8 @@ def pullback(psf: PSFLike, g: ArrayLike, of: Sequence[Name] | None = None) -> di
     if isinstance(psf.pupil, ObjectivePupil):
         layers, scales, far = psf.pupil, np.asarray(psf.scale).ravel(), psf.normalize == "emitted"
         made = layered_gradient(psf.method, layers, psf.grid, names, weights, scales, energy=energy, far=far)
-        return {name: made[name].reshape(layers.shape) for name in names}
+        shape = layers.shape
+        return {name: made[name].reshape(shape) for name in names}
     pupil, grid = lens_pupil(psf.pupil), psf.grid
     sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
     free = _unnamed(psf.method)

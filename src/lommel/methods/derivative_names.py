@@ -61,7 +61,16 @@ def checked(
         raise TypeError(
             f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
         )
-    return tuple(_name(argument, name, _TEXTS if texts is None else texts) for name in names)
+    texts = _TEXTS if texts is None else texts
+    # Gradients have hundreds of names; of numbers 1 and True are equal, and only one is an index.
+    if all(type(name) is str for name in names):
+        return _texts_checked(argument, tuple(names), tuple(texts))
+    return tuple(_name(argument, name, texts) for name in names)
+
+
+@lru_cache(maxsize=64)
+def _texts_checked(argument: str, names: tuple[object, ...], texts: tuple[str, ...]) -> tuple[Name, ...]:
+    return tuple(_name(argument, name, texts) for name in names)
 
 
 def _name(argument: str, name: object, texts: Sequence[str]) -> Name:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from types import MappingProxyType
 
 import numpy as np
 
@@ -37,7 +39,7 @@ def layered_gradient(
     where there are no such derivatives.
     """
     found: dict[Name, Array] = {}
-    by_term = any(name not in SHIFTS and _term(name) for name in names)
+    by_term = any(name not in SHIFTS for name in _terms(tuple(names)))
     if isinstance(method, slopes.LAYERED) and (by_term or not isinstance(method, Stratified)):
         found = _by_chords(method, pupil, grid, names, weights, scale, energy=energy, far=far)
     if others := [name for name in names if name not in found]:
@@ -61,7 +63,7 @@ def _by_chords(
     far: bool,
 ) -> dict[Name, Array]:
     """Return those that the transpose of ChordalDebye has; none where it declines and circles have them all."""
-    terms: dict[Name, Term] = {name: term for name in names if (term := _term(name))}
+    terms = _terms(tuple(names))
     kinds: dict[Name, By] = {
         name: slopes.by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES
     }
@@ -79,12 +81,15 @@ def _by_chords(
     found: dict[Name, Array] = {}
     for (name, one), raw in zip(kinds.items(), sums[1:], strict=False):
         found[name] = scale * (one.factor * steep[one.which] * raw + one.own * sums[0])
-    for name, term in terms.items():
-        by_term = scale * sums[1 + len(kinds) + places[term]]
-        found[name] = grid.step(pupil) * by_term if name in SHIFTS else by_term
+    by_term = scale * sums[1 + len(kinds) :]
+    found |= {name: by_term[places[term]] for name, term in terms.items()}
+    for name in SHIFTS.keys() & terms.keys():
+        found[name] = grid.step(pupil) * found[name]
     return found
 
 
-def _term(name: Name) -> Term | None:
-    """Return the term that a name is of, a tilt for a shift."""
-    return name if isinstance(name, tuple) else SHIFTS.get(name) or term_of(name)
+@lru_cache(maxsize=64)
+def _terms(names: tuple[Name, ...]) -> Mapping[Name, Term]:
+    """Return the terms that some names are of, tilts for shifts."""
+    each = {name: name if isinstance(name, tuple) else SHIFTS.get(name) or term_of(name) for name in names}
+    return MappingProxyType({name: term for name, term in each.items() if term})

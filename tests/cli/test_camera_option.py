@@ -9,8 +9,10 @@ import shutil
 import numpy as np
 import pytest
 import tifffile
+from click.testing import CliRunner
 
 import lommel as lm
+from lommel.cli import deconvolve_command
 from lommel.cli.instruments import instrument_of, microscope_of, noise_of
 from lommel.lensfiles.example_files import example_files
 
@@ -118,3 +120,18 @@ def test_precision_takes_the_read_noise_of_the_camera(call_lommel, tmp_path):
 
     assert deviation("--camera", "google-pixel-4") == deviation("--read", "5") != deviation()
     assert deviation("--camera", "google-pixel-4", "--read", "3") == deviation() == deviation("--read", "3")
+
+
+def test_deconvolve_takes_the_noise_of_a_camera_that_is_named(monkeypatch, tmp_path):
+    seen = []
+
+    def restore(*_: object, noise: object, pixel: object, **more: object) -> None:
+        seen.append((noise, pixel))
+        raise ValueError("enough")
+
+    monkeypatch.setattr(deconvolve_command, "restore", restore)
+    call = ["stack.tif", str(example_files()["nikon-60x-1.4-oil"]), "-o", str(tmp_path / "out.ome.tif")]
+    for more in (["--camera", "andor-zyla-4.2", "--offset", "100"], []):
+        assert "enough" in CliRunner().invoke(deconvolve_command.deconvolve, [*call, *more]).output
+    # The voxels are those of the stack; a camera that is only an example in the file of the objective is not taken.
+    assert seen == [(lm.Noise(white=0.45, read=0.9, offset=100.0), None), (None, None)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
@@ -12,7 +12,7 @@ from rich.text import Text
 
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
-from lommel.cli.instruments import LENS, SQUARE_PIXEL, microscope_of
+from lommel.cli.instruments import LENS, SQUARE_PIXEL, camera_option, microscope_of, noise_of
 from lommel.cli.options import JSON, LENGTHS, MICROMETRES, NANOMETRES, Option, command, documented, under
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, written
 from lommel.cli.progress import progress
@@ -24,6 +24,9 @@ from lommel.microscopy import RestoredStack, restore
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
 from lommel.microscopy.restoration import INTERRUPTED
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.camera import Camera
 
 _STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
 
@@ -67,6 +70,7 @@ def _map(text: str | None, name: str) -> Any:
     ),
     *under(
         "Camera",
+        camera_option("Camera with the noise of the stack: name of an example, or a file; the options below come first."),
         Option("--gain", "white", metavar="NUMBER|FILE",
                help="Electrons per count; by default estimated from the stack. A file (.tif, .npy) is a map, also of "
                "--read and --offset."),
@@ -96,6 +100,7 @@ def deconvolve(
     outputs: tuple[Path, ...],
     wavelength: tuple[float, ...] | None,
     pixel: float | None,
+    camera: Camera | None,
     white: str | None,
     read: str | None,
     offset: str | None,
@@ -128,11 +133,13 @@ def deconvolve(
     if microscope is None:
         raise ValueError(f"lommel deconvolve needs a microscope, a file with a section [objective]; {lens} has none")
     maps = {"white": _map(white, "gain"), "read": _map(read, "read"), "offset": _map(offset, "offset")}
-    camera = None
-    if any(each is not None for each in maps.values()):
+    noise = None
+    if camera is not None:
+        noise = noise_of(maps, camera)
+    elif any(each is not None for each in maps.values()):
         if maps["read"] is None:
             raise ValueError("--read must be given with --gain or --offset: the read noise in electrons, 0 for none")
-        camera = Noise(**{name: each for name, each in maps.items() if each is not None})
+        noise = Noise(**{name: each for name, each in maps.items() if each is not None})
     whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
     begun = time.perf_counter()
     with progress("reading") as step:
@@ -141,7 +148,7 @@ def deconvolve(
             microscope,
             wavelength=None if wavelength is None else list(wavelength),
             pixel=pixel,
-            noise=camera,
+            noise=noise,
             refine=refine,
             method=None if steps is None else RichardsonLucy(steps=steps, target=0.0),
             time=time_point,

@@ -27,15 +27,19 @@ def _camera(text: str) -> Camera:
     return load_camera(text)
 
 
+def camera_option(words: str) -> Option:
+    """Return the option for a camera, with its help."""
+    return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=words)
+
+
 LENS = click.Argument(["lens"], type=FILE)
 OBJECT_DISTANCE = Option(
     "--object-distance", type=LENGTH, help="Object distance, such as 1.5m or inf; overrides the file."
 )
-CAMERA = Option(
-    "--camera", metavar="NAME|FILE", type=Parsed("camera", _camera),
-    help="Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
-    "`lommel examples --find camera` lists, or a file; overrides the file.",
-)  # fmt: skip
+CAMERA = camera_option(
+    "Camera with the pixel pitch, and the noise where a command needs it: the name of an example, which "
+    "`lommel examples --find camera` lists, or a file; overrides the file."
+)
 PIXEL = Option(
     "--pixel",
     type=SIDES,

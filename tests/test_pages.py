@@ -110,6 +110,12 @@ def folder(tmp_path, monkeypatch) -> Path:
     distance = np.where(x < 32, 1.9, 2.1)
     tifffile.imwrite("depth.tif", distance.astype(np.float32))
     Image.fromarray((1e3 * distance).astype(np.uint16)).save("depth.png")
+    for name in ("photos", "depths"):
+        (tmp_path / name).mkdir()
+    photo.save("photos/a.png")
+    tifffile.imwrite("depths/a.tif", distance.astype(np.float32))
+    ranges = next(code for code, _ in blocks(ROOT / "docs" / "datasets.md", "toml"))
+    (tmp_path / "lenses.toml").write_text(ranges, encoding="utf-8")
     v, u = np.mgrid[-1:1:33j, -1:1:33j]
     np.save("opd.npy", 1e-7 * (u * u + v * v))
     np.save("measured.npy", u * u + v * v < 0.9)

@@ -103,7 +103,7 @@ BAD = [
         "stop down, allow larger windows (--largest 3 or more), or ask for less of it (--energy)",
     ),
     (f"{BLUR} lens.toml -o nowhere/out.png", "nowhere/out.png: No such file or directory"),
-    (f"{BLUR} lens.toml -o taken.png", "'taken.png' is a directory"),
+    (f"{BLUR} lens.toml -o taken.png", "taken.png: is a directory"),
     (f"{PULL} --focus 2m -o f-%03d.png", "--frames needs --focus-to, the end of a focus pull"),
     (
         f"{PULL} --focus 2m --focus-to 3m -o f.jpg",

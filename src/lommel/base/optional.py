@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 # Extras that no target of the Makefile installs.
-_NOT_LOCKED = ("torch", "cupy")
-_TO_INSTALL = {"PIL": "pillow", "dask": '"dask[array]"'}
+_NOT_LOCKED = ("torch", "cupy", "exr")
+_TO_INSTALL = {"OpenEXR": "openexr", "PIL": "pillow", "dask": '"dask[array]"'}
 
 
 def library(name: str, user: str, extra: str) -> Any:

@@ -32,6 +32,10 @@ FILE = click.Path(dir_okay=False, path_type=Path)
 """Path of a file, which need not exist."""
 
 
+PATH = click.Path(path_type=Path)
+"""Path of a file or a folder, which need not exist."""
+
+
 class Parsed(click.ParamType[Value]):
     """Values that a function makes of a text; its ValueErrors are the messages."""
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
+from lommel.cli import dataset
 from lommel.cli.instruments import CAMERA, noise_of
 from lommel.cli.options import (
     FILE,
@@ -25,6 +26,7 @@ from lommel.cli.options import (
     LENGTHS,
     MICROMETRES,
     MILLIMETRES,
+    PATH,
     Option,
     command,
     documented,
@@ -116,8 +118,10 @@ _COMMON = [
 
 
 @command(
-    *_ARGUMENTS,
-    Option("-o", "--output", required=True, type=FILE, metavar="FILE",
+    click.Argument(["photo"], type=PATH),
+    click.Argument(["depth"], type=PATH),
+    click.Argument(["lens"], type=FILE, required=False),
+    Option("-o", "--output", required=True, type=PATH, metavar="FILE",
            help=f"Blurred photo: {suffixes('photo')}. With --focus-to: numbered photos, such as out-%03d.png, or "
            f"one animation or stack: {suffixes('frames')}."),
     _FOCUS,
@@ -128,10 +132,17 @@ _COMMON = [
         Option("--frames", type=click.IntRange(2, 9999), help=f"Number of frames; by default {_FRAMES}."),
         Option("--fps", type=float, help=f"Frames per second of an animation; by default {_FPS:g}."),
     ),
+    *under("Data set", *dataset.OPTIONS),
     *_COMMON,
 )  # fmt: skip
 def blur(
-    output: Path, focus: float | None, last: float | None, frames: int | None, fps: float | None, **given: Any
+    output: Path,
+    focus: float | None,
+    last: float | None,
+    frames: int | None,
+    fps: float | None,
+    batch: bool,
+    **given: Any,
 ) -> Report:
     """Blur a photo by its depth map, or pull the focus through it.
 
@@ -150,7 +161,13 @@ def blur(
       lommel blur photo.png depth.png phone.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to 4m --frames 48 -o pull-%03d.png
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to inf --fps 24 -o pull.webp
+      lommel blur --batch photos/ depths/ lenses.toml --seed 1 --workers 2 -o set/
     """
+    if batch:
+        return dataset.render(output, given | {"focus": focus, "last": last, "frames": frames, "fps": fps})
+    for name, default in dataset.DEFAULTS.items():
+        if given.pop(name) != default:
+            raise ValueError(f"--{name} is for data sets, with --batch")
     if last is not None:
         return _pull_focus(given, output, (focus, last), frames or _FRAMES, _FPS if fps is None else fps)
     if frames is not None or fps is not None:

@@ -1,6 +1,7 @@
 """Images as a lens records them: depth of field, occlusion, blur over the field, deblurring, depth from defocus."""
 
 from lommel.imaging.blur import BlurSlopes, DepthBlur
+from lommel.imaging.datasets import LensRanges, Rendered, render_dataset
 from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
 from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.field_blur import FieldBlur
@@ -20,11 +21,13 @@ __all__ = [
     "Exif",
     "FieldBlur",
     "FocusPlan",
+    "LensRanges",
     "LinearBlur",
     "Occlusion",
     "PhotoError",
     "Photograph",
     "Picture",
+    "Rendered",
     "Restoration",
     "RichardsonLucy",
     "TotalVariation",
@@ -32,6 +35,7 @@ __all__ = [
     "depth_of_field",
     "read_depth",
     "read_photo",
+    "render_dataset",
     "restore",
     "restore_with",
     "traced_blur",

@@ -413,7 +413,7 @@ def write_png(values: Values, _quality: int, profile: bytes | None) -> bytes:
     takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
     for level in (6, 0):
         if bits == 16:
-            made = _png_of_16_bits(values, profile, level)
+            made = png_of_16_bits(values, profile, level)
         else:
             made = _by_pillow("png", values, profile, compress_level=level)
         if reading.affords(takes, len(made)):
@@ -439,7 +439,7 @@ def _by_pillow(form: str, values: Values, profile: bytes | None, **options: int)
     return atomic.contents(Image.fromarray(values).save, form, icc_profile=profile, **options)
 
 
-def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int) -> bytes:
+def png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int) -> bytes:
     """Return a 16-bit PNG, which Pillow writes for grey only, with each row as the difference from the one above."""
     height, width = values.shape[:2]
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)

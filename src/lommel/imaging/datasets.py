@@ -1,0 +1,582 @@
+"""Data sets of blurred photographs with ground truth: random lenses, sensor noise, worker processes, resumption."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import os
+import signal
+import tarfile
+import threading
+from collections.abc import Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from dataclasses import asdict, dataclass, field, replace
+from functools import partial
+from os import PathLike
+from pathlib import Path
+from typing import Any, Unpack
+
+import numpy as np
+
+from lommel.base import atomic, validation
+from lommel.base.arrays import Array, Values
+from lommel.base.encoding import ENCODINGS, from_light
+from lommel.base.optional import library
+from lommel.base.options import shares
+from lommel.estimation.noise import Noise
+from lommel.imaging.blur import DepthBlur
+from lommel.imaging.occlusion import Occlusion
+from lommel.imaging.photograph import fill_missing
+from lommel.imaging.settings import Keywords, Settings
+from lommel.io.photos import PhotoError, png_of_16_bits, read_depth, read_photo, write_tiff
+from lommel.optics.lens import Lens
+from lommel.optics.wavefront.wavefront import Wavefront
+
+FORMATS = ("png", "tif", "exr")
+"""Formats of the images: 16-bit PNG in the encoding of the photo, or linear light in float32."""
+
+_RECORD = "dataset.json"
+_PARTS = "parts"
+
+Range = float | tuple[float, float]
+PathOf = str | PathLike[str]
+
+
+@dataclass(frozen=True, kw_only=True)
+class LensRanges:
+    """Lenses drawn at random: each parameter is a number, or a pair of its least and greatest value.
+
+    Parameters
+    ----------
+    focal_length : float or (float, float)
+        Metres; drawn uniformly.
+    f_number : float or (float, float)
+        Drawn uniformly in stops (its logarithm).
+    focus_distance : float or (float, float)
+        Object distance in focus, metres, may be infinite; drawn uniformly in dioptres (its inverse).
+    pixel : float or (float, float)
+        Pixel pitch, metres; drawn uniformly.
+    spherical : float or (float, float), default 0
+        Primary spherical aberration C_s, radians at the pupil edge (the coefficient of rho^4); drawn uniformly.
+    wavelength : float, default 540e-9
+        Wavelength at which C_s is stated, metres, and that of grey photos.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a value is not a number in its range, or a pair does not rise.
+
+    Examples
+    --------
+    >>> lenses = lm.imaging.LensRanges(
+    ...     focal_length=(24e-3, 85e-3), f_number=(1.4, 8.0), focus_distance=(0.5, np.inf), pixel=4e-6
+    ... )
+    >>> lens, pixel = lenses.draw(np.random.default_rng(0))
+    >>> 24e-3 <= lens.focal_length <= 85e-3, pixel
+    (True, 4e-06)
+    """
+
+    focal_length: Range
+    f_number: Range
+    focus_distance: Range
+    pixel: Range
+    spherical: Range = 0.0
+    wavelength: float = 540e-9
+
+    def __post_init__(self) -> None:
+        for name in ("focal_length", "f_number", "focus_distance", "pixel", "spherical"):
+            vars(self)[name] = _range(name, getattr(self, name))
+        vars(self)["wavelength"] = validation.wavelength(self.wavelength)
+        longest, nearest = _ends(self.focal_length)[1], _ends(self.focus_distance)[0]
+        if not nearest > longest:
+            raise ValueError(f"focus_distance must exceed the focal length, {longest:g} m, got {nearest:g}")
+
+    def draw(self, random: np.random.Generator) -> tuple[Lens, float]:
+        """Return a lens and a pixel pitch in metres drawn by `random`, which always gives five numbers."""
+        length, stops, dioptres, pitch, spherical = random.random(5)
+        nearest, farthest = _ends(self.focus_distance)
+        inverse = _between((1.0 / nearest, 1.0 / farthest), dioptres)
+        lens = Lens(
+            focal_length=_between(self.focal_length, length),
+            f_number=math.exp(_between(tuple(math.log(n) for n in _ends(self.f_number)), stops)),
+            focus_distance=1.0 / inverse if inverse > 0.0 else math.inf,
+            wavelength=self.wavelength,
+            aberrations=Wavefront(spherical=_between(self.spherical, spherical)),
+        )
+        return lens, _between(self.pixel, pitch)
+
+
+def _range(name: str, value: Any) -> Range:
+    ends = value if isinstance(value, tuple | list) else (value,)
+    if len(ends) not in (1, 2):
+        raise TypeError(f"{name} must be a number or a pair, got {validation.shown(value)}")
+    if name == "focus_distance" and ends[-1] == math.inf:
+        ends = (*(validation.real(name, each, above=0.0) for each in ends[:-1]), math.inf)
+    elif name == "spherical":
+        ends = tuple(validation.real(name, each) for each in ends)
+    else:
+        ends = tuple(validation.real(name, each, above=0.0) for each in ends)
+    if ends[0] > ends[-1]:
+        raise ValueError(f"{name} must rise, got {validation.shown(value)}")
+    return ends[0] if len(ends) == 1 else (ends[0], ends[1])
+
+
+def _ends(value: Range) -> tuple[float, float]:
+    return value if isinstance(value, tuple) else (value, value)
+
+
+def _between(value: Any, share: float) -> float:
+    first, last = _ends(value)
+    return float(first + (last - first) * share)
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """One picture of a data set, which :func:`render_dataset` has just written.
+
+    Attributes
+    ----------
+    number : int
+        Counted from 0: photo ``number // copies``.
+    done, total : int
+        Pictures of the data set that there are now, and that there will be.
+    files : tuple of path
+        The files written; with `shard` the one that will hold them.
+    facts : dict
+        What ``NUMBER.json`` holds: names of the photo and the depth map, the lens (metres, radians), noise, errors.
+    """
+
+    number: int
+    done: int
+    total: int
+    files: tuple[Path, ...]
+    facts: dict[str, Any] = field(repr=False)
+
+
+def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[PathOf]) -> list[tuple[Path, Path]]:
+    """Return photos with their depth maps: sequences in their order, files of two folders by their names.
+
+    Names are compared without the suffix. Raises ValueError if a file has no partner or two have the same name.
+    """
+    listed = []
+    for name, given in (("photos", photos), ("depths", depths)):
+        if isinstance(given, str | PathLike):
+            folder = validation.path(name, given)
+            if not folder.is_dir():
+                raise ValueError(f"{name} must be a folder or a list of files, got {validation.shown(str(folder))}")
+            found: dict[str, Path] = {}
+            for file in sorted(folder.iterdir()):
+                if file.name.startswith(".") or not file.is_file():
+                    continue
+                if file.stem in found:
+                    raise ValueError(f"{validation.line(file)} and {found[file.stem].name} have the same name")
+                found[file.stem] = file
+            if not found:
+                raise ValueError(f"{name} must have files, got the empty folder {validation.shown(str(folder))}")
+            listed.append(found)
+        else:
+            listed.append({str(k): validation.path(name, file) for k, file in enumerate(given)})
+    first, second = listed
+    for one, other, what in ((first, second, "depth map"), (second, first, "photo")):
+        if missing := [file for key, file in one.items() if key not in other]:
+            more = f", nor have {len(missing) - 1} other files" if len(missing) > 1 else ""
+            raise ValueError(f"{validation.line(missing[0])} has no {what} of the same name{more}")
+    return [(first[key], second[key]) for key in first]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Job:
+    """What all pictures of a data set have in common."""
+
+    lenses: LensRanges
+    seed: int
+    copies: int
+    noise: Noise | None
+    form: str
+    encoding: str | None
+    psfs: int
+    depth_scale: float | None
+    zero_is_unknown: bool
+    settings: Settings
+
+    def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> dict[str, Any]:
+        """Return the arguments that the pictures depend on, as JSON holds them."""
+        plain = {name: value for name, value in vars(self).items() if name not in ("lenses", "noise", "settings")}
+        settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
+        settings["dtype"] = np.dtype(self.settings.dtype).name
+        given = plain | {
+            "lenses": asdict(self.lenses),
+            "noise": None if self.noise is None else self.noise.to_dict(),
+            "settings": settings,
+            "shard": shard,
+            "pairs": [[photo.name, depth.name] for photo, depth in pairs],
+        }
+        plainly: dict[str, Any] = json.loads(json.dumps(given))
+        return plainly
+
+
+@shares(Keywords, Settings)
+def render_dataset(
+    photos: PathOf | Sequence[PathOf],
+    depths: PathOf | Sequence[PathOf],
+    out: PathOf,
+    lenses: LensRanges,
+    *,
+    seed: int,
+    copies: int = 1,
+    noise: Noise | None = None,
+    form: str = "png",
+    shard: int | None = None,
+    encoding: str | None = None,
+    psfs: int = 32,
+    depth_scale: float | None = None,
+    zero_is_unknown: bool = False,
+    workers: int = 1,
+    **options: Unpack[Keywords],
+) -> Iterator[Rendered]:
+    """Render photos with depth maps by random lenses into a folder, with ground truth, and yield each when written.
+
+    Pictures that are there already are not rendered again: after an interruption the same call goes on. Each picture
+    depends on `seed` and its number alone, not on `workers` (but for rounding in its last bit). Its files are moved
+    into place together.
+
+    Of picture 12 the folder holds ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
+    ``000012.depth.npy`` (metres, float32), ``000012.json`` (lens, noise, names of the files), and for the PSF of each
+    pixel ``000012.index.png`` (16 bit) with ``000012.psfs.npz``: arrays `defocus` (n,), C_d in radians, and `psfs`
+    (n, channels, side, side), float32, each of unit sum; the pixel (y, x) of the scene is spread by about
+    ``psfs[index[y, x]]``, that of the nearest C_d. WebDataset groups such names into samples.
+
+    Parameters
+    ----------
+    photos, depths : path or sequence of path
+        Folders whose files have the same names but for their suffixes, or files in the same order: photos as of
+        :func:`lommel.imaging.read_photo` and depth maps as of :func:`lommel.imaging.read_depth`, of equal sizes.
+    out : path
+        Folder, made if there is none.
+    lenses : LensRanges
+        From which the lens and the pixel pitch of each picture are drawn.
+    seed : int
+        Of the lenses and of the noise.
+    copies : int, default 1
+        Number of pictures of each photo, by other lenses.
+    noise : Noise, optional
+        Photon and read noise of the blurred image, `white` being the electrons at white.
+    form : {"png", "tif", "exr"}, default "png"
+        Format of the images: 16-bit PNG in the encoding of the photo, or linear light in float32 (EXR needs the
+        package OpenEXR).
+    shard : int, optional
+        Number of pictures in each tar file ``shard-000000.tar``, as WebDataset reads them; by default a file each.
+    encoding : {"srgb", "linear"}, optional
+        Encoding of the photos; by default integers are sRGB and floats are linear.
+    psfs : int, default 32
+        Number of PSFs of a picture, 2 to 4096, at equal steps of C_d over its scene, or 0 for none.
+    depth_scale : float, optional
+        Metres per level of depth maps of integers, which need it.
+    zero_is_unknown : bool, default False
+        Whether the depth 0 means unknown; see `missing`.
+    workers : int, default 1
+        Number of processes, each with its share of the processors; 1 renders in this process. More are spawned: a
+        script must then call this below ``if __name__ == "__main__":``.
+    {options}
+
+    Yields
+    ------
+    Rendered
+        In the order in which they are finished.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, files have no partner, or `out` holds pictures of other arguments; then, named
+        with the photo, if one of its files cannot be used or its blur exceeds `largest`. What is done is kept.
+    OSError
+        If a file cannot be read or written.
+
+    Notes
+    -----
+    Ctrl-C, or closing the iterator, keeps all that is done and lets each worker finish its picture.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> room = pathlib.Path(tempfile.mkdtemp())
+    >>> _ = lm.imaging.write_photo(room / "a.png", np.random.default_rng(0).random((24, 32, 3)))
+    >>> lm.imaging.write_depth(room / "a.npy", np.full((24, 32), 1.5))
+    >>> lenses = lm.imaging.LensRanges(focal_length=50e-3, f_number=(2.0, 8.0), focus_distance=1.2, pixel=20e-6)
+    >>> made = lm.imaging.render_dataset([room / "a.png"], [room / "a.npy"], room / "set", lenses, seed=1, copies=2)
+    >>> [picture.number for picture in made]
+    [0, 1]
+    """
+    validation.instance("lenses", lenses, LensRanges)
+    validation.optional("noise", noise, Noise)
+    if noise is not None and noise.white is None:
+        raise ValueError("noise must have a white: electrons at the value 1.0, such as 5000")
+    if psfs != 0:
+        validation.integer("psfs", psfs, least=2, most=4096)
+    if encoding is not None:
+        validation.choice("encoding", encoding, ENCODINGS)
+    settings = Settings.of(render_dataset, options, Keywords)
+    if psfs and settings.energy == 1.0:
+        raise ValueError("psfs must be 0 with energy=1, where a point reaches the whole image, or energy below 1")
+    if shard is not None:
+        validation.integer("shard", shard, least=1, most=1_000_000)
+    if form == "exr":
+        library("OpenEXR", "EXR files need", "exr")
+    job = _Job(
+        lenses=lenses,
+        seed=validation.integer("seed", seed, least=0, most=2**63 - 1),
+        copies=validation.integer("copies", copies, least=1, most=1_000_000),
+        noise=noise,
+        form=validation.choice("form", form, FORMATS),
+        encoding=encoding,
+        psfs=psfs,
+        depth_scale=None
+        if depth_scale is None
+        else validation.real("depth_scale", depth_scale, above=0.0, unit="metres per level"),
+        zero_is_unknown=validation.truth("zero_is_unknown", zero_is_unknown),
+        settings=settings,
+    )
+    pairs = pair_files(photos, depths)
+    count = validation.integer("workers", workers, least=1, most=1024)
+    folder = validation.path("out", out)
+    _begin(folder, job.record(pairs, shard))
+    return _rendered(folder, job, pairs, shard, count)
+
+
+def _begin(folder: Path, record: dict[str, Any]) -> None:
+    """Make the folder of a data set, with a file of its arguments; ValueError if it is of others."""
+    file = folder / _RECORD
+    if file.exists():
+        try:
+            known = json.loads(file.read_text(encoding="utf-8"))
+        except ValueError:
+            known = {}
+        if known != record:
+            names = [name for name in record if not isinstance(known, dict) or known.get(name) != record[name]]
+            raise ValueError(
+                f"{validation.line(folder)} holds pictures of other arguments ({', '.join(names)}); "
+                "give another folder"
+            )
+        return
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or a data set to go on with")
+    folder.mkdir(parents=True, exist_ok=True)
+    atomic.write(file, json.dumps(record, indent=1).encode())
+
+
+def _rendered(
+    folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int
+) -> Iterator[Rendered]:
+    """Yield pictures as they are written."""
+    total = len(pairs) * job.copies
+    where = folder if shard is None else folder / _PARTS
+    where.mkdir(exist_ok=True)
+
+    def there(number: int) -> bool:
+        if shard is None:
+            return (folder / f"{number:06d}.json").exists()
+        return _shard(folder, number // shard).exists() or (where / f"{number:06d}.tar").exists()
+
+    left = [number for number in range(total) if not there(number)]
+    done = total - len(left)
+    if shard is not None:
+        for index in range(-(-total // shard)):
+            _pack(folder, index, shard, total)
+    make = partial(_write, job, where, shard is not None)
+
+    def told(number: int, files: list[str], facts: dict[str, Any]) -> Rendered:
+        nonlocal done
+        done += 1
+        named = tuple(folder / name for name in files)
+        if shard is not None:
+            named = (_shard(folder, number // shard),)
+            _pack(folder, number // shard, shard, total)
+        return Rendered(number, done, total, named, facts)
+
+    if workers == 1:
+        for number in left:
+            yield told(number, *make(number, *pairs[number // job.copies]))
+        return
+    threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
+    make = partial(_write, replace(job, settings=replace(job.settings, threads=threads)), where, shard is not None)
+    yield from (told(*each) for each in _by_processes(make, left, pairs, job.copies, workers))
+
+
+def _by_processes(
+    make: Any, left: list[int], pairs: list[tuple[Path, Path]], copies: int, workers: int
+) -> Iterator[tuple[int, list[str], dict[str, Any]]]:
+    """Yield the numbers of pictures, and what a function returns of each, made by other processes."""
+    from multiprocessing import get_context
+
+    # Spawned: a fork copies locks that other threads hold.
+    pool = ProcessPoolExecutor(min(workers, max(len(left), 1)), get_context("spawn"), initializer=_serve)
+    numbers, running = iter(left), dict[Future[Any], int]()
+    try:
+        while True:
+            while len(running) < 2 * workers and (number := next(numbers, None)) is not None:
+                running[pool.submit(make, number, *pairs[number // copies])] = number
+            if not running:
+                return
+            for finished in wait(running, return_when=FIRST_COMPLETED).done:
+                number = running.pop(finished)
+                yield (number, *finished.result())
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _serve() -> None:
+    """Leave Ctrl-C to the parent, and end with it."""
+    from multiprocessing import connection, parent_process
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = parent_process()
+    if parent is not None:
+
+        def follow() -> None:
+            connection.wait([parent.sentinel])
+            os._exit(1)
+
+        threading.Thread(target=follow, daemon=True).start()
+
+
+def _shard(folder: Path, index: int) -> Path:
+    return folder / f"shard-{index:06d}.tar"
+
+
+def _pack(folder: Path, index: int, shard: int, total: int) -> None:
+    """Put the pictures of a shard into one tar file, if all are there and it is not."""
+    target = _shard(folder, index)
+    numbers = range(index * shard, min(total, (index + 1) * shard))
+    parts = [folder / _PARTS / f"{number:06d}.tar" for number in numbers]
+    if not target.exists():
+        if not all(part.exists() for part in parts):
+            return
+
+        def fill(path: Path) -> None:
+            with tarfile.open(path, "w") as made:
+                for part in parts:
+                    with tarfile.open(part) as read:
+                        for member in read:
+                            made.addfile(member, read.extractfile(member))
+
+        atomic.write_by(target, fill)
+    for part in parts:
+        part.unlink(missing_ok=True)
+
+
+def _write(
+    job: _Job, folder: Path, packed: bool, number: int, photo: Path, depth: Path
+) -> tuple[list[str], dict[str, Any]]:
+    """Render a picture and write its files; return their names and the facts."""
+    try:
+        files, facts = _render(job, number, photo, depth)
+    except ValueError as error:
+        if isinstance(error, PhotoError) or str(depth) in str(error):
+            raise
+        raise ValueError(f"{validation.line(photo)}: {error}") from None
+    key = f"{number:06d}"
+    if packed:
+        atomic.write(folder / f"{key}.tar", _tar({f"{key}.{name}": data for name, data in files.items()}))
+    else:
+        # The last one says that all are there.
+        with atomic.together() as put:
+            for name, data in files.items():
+                put(folder / f"{key}.{name}", data)
+    return [f"{key}.{name}" for name in files], facts
+
+
+def _tar(files: dict[str, bytes]) -> bytes:
+    made = io.BytesIO()
+    with tarfile.open(fileobj=made, mode="w") as tar:
+        for name, data in files.items():
+            entry = tarfile.TarInfo(name)
+            entry.size = len(data)
+            tar.addfile(entry, io.BytesIO(data))
+    return made.getvalue()
+
+
+def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str, bytes], dict[str, Any]]:
+    """Return the files of a picture, the facts last."""
+    random = np.random.default_rng([job.seed, number])
+    lens, pixel = job.lenses.draw(random)
+    picture = read_photo(photo, job.encoding)
+    light = picture.light(job.settings.dtype)
+    metres = read_depth(depth, scale=job.depth_scale, zero_is_unknown=job.zero_is_unknown)
+    height, width = light.shape[:2]
+    if metres.shape != (height, width):
+        raise ValueError(
+            f"{validation.line(depth)} must have the size of the photo, {width} x {height}, "
+            f"got {metres.shape[1]} x {metres.shape[0]}"
+        )
+    metres = np.asarray(fill_missing(metres, job.settings.missing), dtype=np.float64)
+    channels = job.settings.channels(light.shape, lens.wavelength)
+    blur = DepthBlur(metres, lens, pixel, channels=channels, **job.settings.of_blur)
+    seen = (Occlusion(blur) if job.settings.occlusion else blur).forward(light)
+    if job.noise is not None:
+        white = np.asarray(job.noise.white)
+        seen = job.noise.record(np.maximum(seen, 0.0).astype(np.float64) * white, random).astype(seen.dtype)
+    files = {
+        f"image.{job.form}": _encoded(job.form, seen, picture.encoding),
+        f"sharp.{job.form}": _encoded(job.form, light, picture.encoding),
+        "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
+    }
+    if job.psfs:
+        defocus, index, table = _psfs(blur, job.psfs)
+        files["index.png"] = png_of_16_bits(index, None, 1)
+        files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=table)
+    facts = {
+        "photo": photo.name,
+        "depth": depth.name,
+        "seed": [job.seed, number],
+        "focal_length": lens.focal_length,
+        "f_number": lens.f_number,
+        "focus_distance": lens.focus_distance if math.isfinite(lens.focus_distance) else "infinity",
+        "sensor_distance": lens.sensor_distance,
+        "spherical": float(np.asarray(lens.aberrations.spherical)),
+        "pixel": pixel,
+        "encoding": picture.encoding if job.form == "png" else "linear",
+        "noise": None if job.noise is None else job.noise.to_dict(),
+        "window": 2 * max(bank.half for bank in blur.banks) + 1,
+        "lost": float(f"{blur.lost:.4g}"),
+        "error": float(f"{blur.error:.2g}"),
+    }
+    files["json"] = json.dumps(facts, indent=1).encode()
+    return files, facts
+
+
+def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
+    """Return defocus at equal steps, the nearest of it for each pixel, and the PSFs there."""
+    low, high = float(blur.defocus.min()), float(blur.defocus.max())
+    defocus = np.linspace(low, high, count)
+    step = (high - low) / (count - 1)
+    index = np.rint((blur.defocus - low) / step if step > 0.0 else np.zeros(blur.shape)).astype(np.uint16)
+    half = max(bank.half for bank in blur.banks)
+    table = np.zeros((count, blur.channels, 2 * half + 1, 2 * half + 1), dtype=np.float32)
+    for channel, bank in enumerate(blur.banks):
+        inside = slice(half - bank.half, half + bank.half + 1)
+        for number, radians in enumerate(defocus):
+            table[number, channel, inside, inside] = bank.window(float(radians))
+    return defocus, index, table
+
+
+def _encoded(form: str, light: Values, encoding: str) -> bytes:
+    """Return light as a file."""
+    if form == "png":
+        # More pressing takes longer than the blur.
+        return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)
+    values = light.astype(np.float32, copy=False)
+    return write_tiff(values, 100, None) if form == "tif" else _exr(values)
+
+
+def _exr(values: Values) -> bytes:
+    """Return an OpenEXR file, lossless."""
+    import tempfile
+
+    exr = library("OpenEXR", "EXR files need", "exr")
+    header = {"compression": exr.ZIP_COMPRESSION, "type": exr.scanlineimage}
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "image.exr"
+        with exr.File(header, {"RGB" if values.ndim == 3 else "Y": np.ascontiguousarray(values)}) as file:
+            file.write(str(path))
+        return path.read_bytes()

@@ -1,0 +1,192 @@
+"""Data sets: the same by any number of workers and after interruptions, with the ground truth of their making."""
+
+from __future__ import annotations
+
+import io
+import json
+import subprocess
+import sys
+import tarfile
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+from lommel.imaging import DepthBlur, LensRanges, Occlusion, render_dataset
+from lommel.imaging.datasets import pair_files
+from lommel.io import registry
+
+LENSES = LensRanges(focal_length=(30e-3, 50e-3), f_number=(2.0, 8.0), focus_distance=(1.0, np.inf), pixel=30e-6)
+SHAPE = (20, 26)
+
+
+@pytest.fixture
+def files(tmp_path):
+    rng = np.random.default_rng(0)
+    for name in ("photos", "depths"):
+        (tmp_path / name).mkdir()
+    for stem in ("a", "b"):
+        lm.imaging.write_photo(tmp_path / "photos" / f"{stem}.png", rng.random((*SHAPE, 3)))
+        depth = np.where(np.arange(SHAPE[1]) < 10, 1.0, 1.8) * np.ones(SHAPE)
+        lm.imaging.write_depth(tmp_path / "depths" / f"{stem}.tif", depth)
+    return tmp_path
+
+
+def rendered(files, out="set", **given):
+    given = {"seed": 3, "copies": 2, "psfs": 5} | given
+    return list(render_dataset(files / "photos", files / "depths", files / out, LENSES, **given))
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def _png(data):
+    return registry.identify("photo", data).read(data)[0]
+
+
+def assert_alike(one, other):
+    """The same files; images may differ by rounding."""
+    assert one.keys() == other.keys()
+    for name, data in one.items():
+        if name.endswith(".image.png"):
+            first, second = (_png(each).astype(np.int64) for each in (data, other[name]))
+            assert np.abs(first - second).max() <= 1
+        elif not name.endswith(".npz"):
+            assert data == other[name], name
+
+
+def test_pictures_are_those_of_the_operator_with_the_lens_that_was_drawn(files):
+    made = rendered(files, form="tif", energy=0.95, noise=lm.Noise(white=5000, read=3.0))
+    clean = rendered(files, "clean", form="tif", energy=0.95)
+    assert [(each.number, each.done, each.total) for each in made] == [(k, k + 1, 4) for k in range(4)]
+    lenses = set()
+    for each, other in zip(made, clean, strict=True):
+        facts = json.loads((files / "set" / f"{each.number:06d}.json").read_text())
+        distance = float(facts["focus_distance"]) if facts["focus_distance"] != "infinity" else np.inf
+        lens = lm.Lens(
+            focal_length=facts["focal_length"],
+            f_number=facts["f_number"],
+            focus_distance=distance,
+            wavelength=540e-9,
+        )
+        lenses.add(lens.focal_length)
+        depth = np.load(files / "set" / f"{each.number:06d}.depth.npy").astype(np.float64)
+        sharp = lm.imaging.read_photo(other.files[1]).values
+        blur = DepthBlur(depth, lens, facts["pixel"], channels=lm.imaging.RED_GREEN_BLUE, energy=0.95)
+        seen = Occlusion(blur).forward(sharp)
+        found = lm.imaging.read_photo(other.files[0]).values
+        assert np.abs(found - seen).max() < 1e-5
+        noisy = lm.imaging.read_photo(each.files[0]).values
+        deviation = np.sqrt(np.maximum(found, 0) * 5000 + 9.0) / 5000
+        assert 0.8 < np.std((noisy - found) / deviation) < 1.2
+        # The PSF of a pixel by its index.
+        index = np.asarray(Image.open(files / "set" / f"{each.number:06d}.index.png"))
+        with np.load(files / "set" / f"{each.number:06d}.psfs.npz") as table:
+            steps, psfs = table["defocus"], table["psfs"]
+        assert np.abs(steps[index] - lens.defocus(depth)).max() <= (steps[1] - steps[0]) / 2 + 1e-5
+        assert np.abs(psfs.sum(axis=(2, 3)) - 1.0).max() < 1e-5
+        bank, half = blur.banks[1], psfs.shape[-1] // 2
+        inside = slice(half - bank.half, half + bank.half + 1)
+        assert np.abs(psfs[0, 1, inside, inside] - bank.window(steps[0])).max() < 1e-6
+    assert len(lenses) == 4
+
+
+def test_workers_and_interruptions_change_nothing(files):
+    rendered(files)
+    wanted = contents(files / "set")
+    some = render_dataset(files / "photos", files / "depths", files / "again", LENSES, seed=3, copies=2, psfs=5)
+    next(some)
+    some.close()
+    (files / "again" / "000001.image.png").write_bytes(b"of a process that was killed")
+    assert [each.number for each in rendered(files, "again", workers=2)] != [0]
+    assert_alike(contents(files / "again"), wanted)
+    assert rendered(files, "again") == []
+
+
+def test_shards_hold_the_same_files(files):
+    rendered(files)
+    wanted = contents(files / "set")
+    some = render_dataset(
+        files / "photos", files / "depths", files / "tars", LENSES, seed=3, copies=2, psfs=5, shard=3
+    )
+    next(some), next(some)
+    some.close()
+    assert not list((files / "tars").glob("*.tar"))
+    assert [each.number for each in rendered(files, "tars", shard=3)] == [2, 3]
+    assert not list((files / "tars" / "parts").iterdir())
+    found = {}
+    for name in ("shard-000000.tar", "shard-000001.tar"):
+        with tarfile.open(files / "tars" / name) as tar:
+            found |= {member.name: tar.extractfile(member).read() for member in tar}
+    assert_alike(found, {name: data for name, data in wanted.items() if name != "dataset.json"})
+    assert np.load(io.BytesIO(found["000000.depth.npy"])).shape == SHAPE
+
+
+def test_draws_are_uniform_in_what_they_say():
+    rng = np.random.default_rng(0)
+    drawn = [LENSES.draw(rng)[0] for _ in range(400)]
+    for values in (
+        [(lens.focal_length - 30e-3) / 20e-3 for lens in drawn],
+        [np.log(lens.f_number / 2.0) / np.log(4.0) for lens in drawn],
+        [1.0 / lens.focus_distance for lens in drawn],
+    ):
+        assert 0.0 <= min(values) < 0.02
+        assert 0.98 < max(values) <= 1.0
+        assert abs(np.mean(values) - 0.5) < 0.05
+
+
+def test_what_does_not_fit_is_refused(files, tmp_path):
+    with pytest.raises(ValueError, match=r"holds pictures of other arguments \(seed\); give another folder"):
+        rendered(files), rendered(files, seed=4)
+    with pytest.raises(ValueError, match=r"must be a new or empty folder"):
+        rendered(files, "photos")
+    with pytest.raises(ValueError, match="noise must have a white"):
+        rendered(files, "x", noise=lm.Noise(read=1.0))
+    with pytest.raises(ValueError, match="psfs must be 0 with energy=1"):
+        rendered(files, "x", energy=1.0)
+    with pytest.raises(ValueError, match="f_number must rise"):
+        LensRanges(focal_length=50e-3, f_number=(4, 2), focus_distance=1.0, pixel=4e-6)
+    with pytest.raises(ValueError, match="focus_distance must exceed the focal length"):
+        LensRanges(focal_length=50e-3, f_number=4, focus_distance=0.04, pixel=4e-6)
+    (files / "photos" / "c.png").write_bytes((files / "photos" / "a.png").read_bytes())
+    with pytest.raises(ValueError, match=r"c\.png has no depth map of the same name$"):
+        rendered(files, "x")
+    Image.fromarray(np.full(SHAPE, 200, np.uint8)).save(files / "depths" / "c.png")
+    assert len(pair_files(files / "photos", files / "depths")) == 3
+    with pytest.raises(ValueError, match=r"c\.png is an integer image; give the scale"):
+        rendered(files, "y")
+    assert len(list((files / "y").glob("*.json"))) == 5  # those before it are kept
+    np.save(files / "depths" / "c.npy", np.ones((4, 5)))
+    (files / "depths" / "c.png").unlink()
+    with pytest.raises(ValueError, match="must have the size of the photo, 26 x 20, got 5 x 4"):
+        rendered(files, "z")
+
+
+def test_a_killed_command_goes_on(files):
+    (files / "lenses.toml").write_text(
+        '[lens]\nfocal_length = ["30 mm", "50 mm"]\nf_number = [2.0, 8.0]\nfocus_distance = ["1 m", "inf"]\n'
+        '[sensor]\npixel = "30 um"\n'
+    )
+    command = ["blur", "--batch", "photos", "depths", "lenses.toml", "-o", "set", "--seed", "3", "--copies", "2"]
+    run = [sys.executable, "-m", "lommel", *command, "--psfs", "5", "--json"]
+    first = subprocess.run(run, cwd=files, capture_output=True, text=True, check=True)
+    assert json.loads(first.stdout)["rendered"] == 4
+    rendered(files, "same")
+    assert_alike(contents(files / "set"), contents(files / "same"))
+    for name in ("000002.json", "000003.json"):
+        (files / "set" / name).unlink()
+    again = subprocess.run(run, cwd=files, capture_output=True, text=True, check=True)
+    assert json.loads(again.stdout)["rendered"] == 2
+    assert_alike(contents(files / "set"), contents(files / "same"))
+
+
+def test_exr_files_hold_linear_light(files):
+    exr = pytest.importorskip("OpenEXR")
+    made = rendered(files, form="exr", copies=1)[0]
+    other = rendered(files, "tif", form="tif", copies=1)[0]
+    for one, two in zip(made.files[:2], other.files[:2], strict=True):
+        with exr.File(str(one)) as file:
+            values = file.channels()["RGB"].pixels
+        assert np.array_equal(values, lm.imaging.read_photo(two).values)

@@ -82,6 +82,7 @@ COPIES = {
     "newtonian-off-axis.toml": "newtonian.toml",
     "camera-field.toml": "camera.toml",
     "zeiss-63x-1.4-oil.toml": "objective.toml",
+    "fitted.toml": "objective.toml",
     "zeiss-63x-astigmatic.toml": "examples/objectives/zeiss-63x-astigmatic.toml",
 }
 
@@ -130,10 +131,16 @@ def folder(tmp_path, monkeypatch) -> Path:
     simulated_stacks.write(Path("stack.ome.tif"))
     seen = lm.load_microscope("objective.toml")
     astigmatic = lm.Wavefront.zernike({6: 0.5}, order="noll")
-    planes = {"depth": 1e-7, "z": [-2e-7, 0.0, 2e-7], "wavelength": seen.wavelength, "aberrations": astigmatic}
+    planes = {
+        "depth": 1e-7,
+        "z": [-4e-7, -2e-7, 0.0, 2e-7, 4e-7],
+        "wavelength": seen.wavelength,
+        "aberrations": astigmatic,
+    }
     bead = 2e4 * lm.psf(seen.objective.pupil(**planes), 15, seen.pixel).values + 5.0
     beads = lm.Noise(read=1.6, offset=100.0).record(bead, seed=1)
-    tifffile.imwrite("bead.tif", np.round(beads).astype(np.uint16), photometric="minisblack")
+    for name in ("bead", "field-1", "field-2"):
+        tifffile.imwrite(f"{name}.tif", np.round(beads).astype(np.uint16), photometric="minisblack")
     lens = lm.load_instrument("lens.toml")
     light = lens.pupil()
     aberrated = light.wavefront + lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.5})

@@ -127,6 +127,24 @@ def test_aberrations_and_places_are_found_from_nothing_within_their_standard_err
     assert one.flux == pytest.approx(np.full(9, 1e4), rel=0.2)
 
 
+def test_a_stack_of_plane_waves_is_fitted_within_its_standard_errors():
+    given, size = waves(12, 0.15), 17
+    y, x = np.mgrid[:size, :size] - size // 2
+    sub, weight = np.polynomial.legendre.leggauss(3)
+    dy, dx = np.meshgrid(0.5 * sub, 0.5 * sub, indexing="ij")
+    pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=WAVE, aberrations=wavefront(given))
+    at_x, at_y = (PIXEL * (each.ravel()[:, None] + d.ravel()).ravel() for each, d in ((x, dx), (y, dy)))
+    made = plane_waves.intensity(OIL, pupil, at_x, at_y, 24, 48).reshape(9, size, size, 9)
+    cell = (2.0 * np.pi * OIL.NA * PIXEL / (WAVE * OIL.magnification)) ** 2 / (4.0 * np.pi)
+    light = cell * made @ np.outer(weight, weight).ravel() / 4.0 / pupil.power[:, None, None]
+    images = NOISE.record(1e5 * light + 20.0, seed=1)
+    found = lm.fit_beads(images, OIL, **GIVEN | {"diameter": 0.0}, depth=50e-9, terms=TERMS, priors={})
+    assert found.reliable, found.message
+    off = [(found.coefficients[t] - c) / found.deviation[t] for t, c in zip(TERMS, given, strict=True)]
+    assert np.abs(off).max() < 4.0
+    assert found.beads[0].flux == pytest.approx(np.full(9, 1e5), rel=0.05)
+
+
 def test_standard_errors_hold_for_dim_beads():
     off = []
     for seed in range(3):

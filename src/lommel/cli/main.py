@@ -33,6 +33,7 @@ COMMANDS = {
     "depth": "depth_commands",
     "precision": "depth_commands",
     "retrieve": "retrieve_command",
+    "beads": "beads_command",
     "localize": "localize_command",
     "paper": "lens_commands",
 }

@@ -611,7 +611,7 @@ class _Search:
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
         scores = np.array([model.alone(k).chi2_of(one.normal.parts) for k, one in enumerate(singles)])
         middle = float(np.median(scores[:, 0]))
-        used = [chi2 < _LEFT * middle or chi2 < 1.0 + MOST * spread for chi2, spread in scores]
+        used = [bool(chi2 < _LEFT * middle or chi2 < 1.0 + MOST * spread) for chi2, spread in scores]
         kept = [k for k in range(count) if used[k]]
         joint = _of(model, kept)
         if count == 1 and not model.priors and "depth" not in model.own:
@@ -715,7 +715,9 @@ def _fitted(
         solved = _freed(joint, found, worst) if worst is not None else None
         best = found.deviance if solved is None else min(solved.deviance, found.deviance)
         backwards = _backwards(search, joint, best)
-    converged = found.settled and not misfit and visible >= _VISIBLE and not backwards and not search.interrupted
+    converged = (
+        bool(found.settled) and not misfit and visible >= _VISIBLE and not backwards and not search.interrupted
+    )
     work = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if visible < _VISIBLE:
         message = f"no bead: {work}, but the light of all planes is within the noise"
@@ -759,7 +761,7 @@ def _fitted(
         suspects=suspects,
         chi2=chi2,
         converged=converged,
-        reliable=converged and not suspected and error < _OFF,
+        reliable=bool(converged and not suspected and error < _OFF),
         message=message,
         model_error=error,
         steps=search.steps,

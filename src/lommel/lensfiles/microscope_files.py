@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from functools import partial
 from os import PathLike
 from typing import Annotated, Literal
@@ -11,9 +13,10 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
-from lommel.base import validation
+from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.base.units import format_length, parse_length
+from lommel.estimation.beads import BeadFit
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import toml_files, zernike_section
 from lommel.lensfiles.camera import Camera
@@ -37,6 +40,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
 from lommel.show import notebook
 from lommel.show.labels import length_in_words, of_emitter
+from lommel.special import zernike
 
 PLANES_MOST = 4096
 _LEAST_SIDE, _MOST_SIDE = 33, 513
@@ -78,6 +82,9 @@ class Microscope:
         Measured phase at `wavelength`, added to that of the layers.
     camera : Camera, or None
         Camera, if the file names one.
+    deviations : mapping
+        Standard errors of what was fitted, by name: "noll 5" in waves rms, "sample" and other constants in the
+        unit of :func:`lommel.fit_beads`.
 
     Raises
     ------
@@ -101,6 +108,7 @@ class Microscope:
     integrate: bool | None = None
     aberrations: Wavefront | None = None
     camera: Camera | None = None
+    deviations: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         validation.integer("planes", self.planes, least=1, most=PLANES_MOST)
@@ -140,6 +148,55 @@ class Microscope:
             return psf(replace(self, planes=1).pupil(), middle, self.pixel, integrate=self.integrate)
 
         return notebook.device(f"Microscope: {self.name}", rows, image)
+
+    def fitted(self, found: BeadFit) -> Microscope:
+        """Return the microscope with what was fitted to stacks of beads.
+
+        Parameters
+        ----------
+        found : BeadFit
+            The answer of :func:`lommel.fit_beads`.
+
+        Returns
+        -------
+        Microscope
+            With its objective, pixel, aberrations and standard errors; depth and planes stay.
+        """
+        errors: dict[str, float] = {}
+        for name, error in found.deviation.items():
+            if isinstance(name, str):
+                errors[name] = error
+            else:
+                n, m = name
+                errors[f"noll {zernike.index_of(n, m, 'noll')}"] = error / (2.0 * math.pi)
+        return replace(
+            self,
+            objective=found.objective,
+            wavelength=found.wavelength,
+            pixel=found.pixel,
+            aberrations=found.aberrations,
+            deviations=errors,
+        )
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write a microscope file, which :func:`load_microscope` reads and all commands take.
+
+        Parameters
+        ----------
+        path : path
+            Ending in .toml.
+
+        Raises
+        ------
+        ValueError
+            If the suffix is another, or the emitter is a beam with a polarization of its own.
+        OSError
+            If the file cannot be written.
+        """
+        target = validation.path("path", path)
+        if target.suffix.lower() != ".toml":
+            raise ValueError(f"path must end in .toml, got {validation.line(target)}")
+        atomic.write(target, _text(self).encode())
 
     @property
     def z(self) -> Array:
@@ -253,6 +310,7 @@ class _File(Section):
     sample: _Sample
     emission: _Emission
     aberrations: _Aberrations = _Aberrations()
+    deviations: dict[str, Annotated[Number, Field(ge=0)]] = Field(default_factory=dict)
     stack: _Stack | None = None
     sensor: Sensor
 
@@ -262,6 +320,74 @@ class _File(Section):
             fault = "has no meaning for" if self.objective.dipping else "is missing; leave it out only of"
             raise ValueError(f"[coverslip] {fault} an objective that dips into the sample, dipping = true")
         return self
+
+
+def _text(of: Microscope) -> str:
+    """Return a microscope as the text of a file."""
+    one, lines = of.objective, []
+
+    def section(name: str, **entries: object) -> None:
+        lines.append(f"\n[{name}]" if not name.startswith("[") else f"\n{name}")
+        lines.extend(f"{key} = {_value(value)}" for key, value in entries.items() if value is not None)
+
+    if one.working_distance is None:
+        raise ValueError("the objective must have a working_distance to be written: files state it")
+    lines += [f"name = {_value(of.name)}", f"source = {_value(of.source)}"]
+    dipping = True if one.coverslip is None else None
+    section(
+        "objective",
+        NA=one.NA,
+        magnification=one.magnification,
+        working_distance=_metres(one.working_distance),
+        immersion=one.immersion,
+        dipping=dipping,
+    )
+    if one.coverslip is not None:
+        section("coverslip", index=one.coverslip.index, thickness=_metres(one.coverslip.thickness))
+    for film in one.films:
+        section("[[films]]", index=film.index, thickness=_metres(film.thickness))
+    if one.design != Design(one.immersion, one.coverslip):
+        section("design", immersion=one.design.immersion)
+        if one.design.coverslip is not None:
+            glass = one.design.coverslip
+            section("design.coverslip", index=glass.index, thickness=_metres(glass.thickness))
+    section("sample", index=one.sample, depth=_metres(of.depth))
+    plain = {"isotropic": emitter_of("isotropic"), "scalar": emitter_of("scalar")}
+    named = next((name for name, emitter in plain.items() if emitter == of.emitter), None)
+    section("emission", wavelength=_metres(of.wavelength), emitter=named)
+    if named is None:
+        if isinstance(of.emitter, Dipole):
+            section("emission.dipole", **vars(of.emitter))
+        elif isinstance(of.emitter, Beam) and isinstance(of.emitter.polarization, str):
+            section("emission.beam", polarization=of.emitter.polarization)
+        else:
+            raise ValueError(f"emitter must be one that files state, got {of.emitter!r}")
+    if of.planes > 1:
+        section("stack", planes=of.planes, step=_metres(of.step), origin=of.origin)
+    shape = None if of.shape is None else list(of.shape)
+    section("sensor", pixel=_metres(of.pixel), shape=shape, integrate=of.integrate)
+    if of.aberrations is not None:
+        waves = of.aberrations.to_zernike(order="noll", unit="waves")
+        terms = {index: float(c) for index, c in waves.items() if float(c) and index > 1}
+        terms = dict(sorted(terms.items()))
+        section("aberrations.zernike", order="noll", unit="waves", normalization="rms")
+        lines.append("terms = { " + ", ".join(f"{index} = {c:.12g}" for index, c in terms.items()) + " }")
+    if of.deviations:
+        section("deviations")
+        lines.extend(f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.deviations.items())
+    return "\n".join(lines) + "\n"
+
+
+def _metres(value: float) -> str:
+    return f"{1e6 * value:.12g} um"
+
+
+def _value(value: object) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, float):
+        return f"{value:.12g}" if math.isfinite(value) else "inf"
+    return json.dumps(value, ensure_ascii=False)
 
 
 def describes_microscope(path: str | PathLike[str]) -> bool:
@@ -282,7 +408,8 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     default, or "scalar"), or else a section ``[emission.dipole]`` with polar, azimuth and wobble, or
     ``[emission.beam]`` with polarization, for light focused into the sample; ``[aberrations.zernike]``, the
     measured wavefront, at the wavelength of the emission unless it states its own, as in
-    :func:`lommel.load_instrument`; ``[stack]`` planes, step and
+    :func:`lommel.load_instrument`; ``[deviations]``, standard errors of
+    what was fitted, by name; ``[stack]`` planes, step and
     origin ("brightest", the default, "paraxial" or "coverslip": where plane ``planes // 2`` is), without which there
     is one plane at the brightest focus; ``[sensor]`` camera, shape and integrate as of a lens, or pixel, on the
     camera.
@@ -341,6 +468,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         file.sample.depth,
         emitter=file.emission.made(),
         aberrations=None if table is None else zernike_section.wavefront(table, file.emission.wavelength),
+        deviations=file.deviations,
         **stack,
         **dict(file.sensor),
     )

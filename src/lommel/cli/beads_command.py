@@ -1,0 +1,205 @@
+"""The command ``lommel beads``: the PSF of a microscope from stacks of fluorescent beads."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+
+from lommel.base.units import format_length
+from lommel.base.validation import line
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, microscope_of, noise_of
+from lommel.cli.options import FILE, JSON, MICROMETRES, NANOMETRES, Option, command, documented, plot_option, under
+from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figure, table_of, written
+from lommel.cli.progress import progress
+from lommel.estimation.beads import fit_beads
+from lommel.estimation.phase_retrieval import label
+from lommel.io.photos import read_images
+from lommel.localize.point_sources import find_spots
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from lommel.base.arrays import Values
+    from lommel.estimation.beads import BeadFit
+    from lommel.estimation.noise import Noise
+
+_FIELD = 1.6  # times the window, from which a stack shows a field in which beads are found
+_MOST = 20  # beads
+
+
+@command(
+    click.Argument(["stacks"], type=FILE, nargs=-1, required=True),
+    LENS,
+    Option("--step", type=NANOMETRES, required=True,
+           help="Stage step between planes, such as 100nm, positive towards the sample; -100nm if planes were taken "
+           "the other way."),
+    Option("--bead", "diameter", type=MICROMETRES, default="0.1um", help="Diameter of the beads, such as 0.1um."),
+    Option("--depth", type=MICROMETRES,
+           help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass."),
+    Option("--terms", type=click.IntRange(1, 200), default=17, help="Number of Zernike terms from Noll 5 on."),
+    Option("--fixed/--free", default=False,
+           help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
+           "uncertainties."),
+    documented(fit_beads, "drift", is_flag=True),
+    Option("-o", "--output", type=FILE, help="Microscope file (.toml) with what was found, for all other commands."),
+    plot_option("Figure of planes, model, residuals and terms"),
+    JSON,
+    *under(
+        "Camera and noise",
+        CAMERA,
+        Option("--gain", "white", type=float, help="Electrons per count; by default that of the camera, or 1."),
+        Option("--read", type=float, help="Read noise, rms electrons; 0 for none; by default that of the camera."),
+        Option("--offset", type=float,
+               help="Counts of a pixel without electrons; by default that of the camera, or 0."),
+        Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
+        SQUARE_PIXEL,
+        Option("--window", type=click.IntRange(9, 101), default=31,
+               help="Side in pixels of the windows around beads, where a file shows a field of them."),
+    ),
+)  # fmt: skip
+def beads(
+    stacks: tuple[Path, ...],
+    lens: Path,
+    step: float,
+    diameter: float,
+    depth: float | None,
+    terms: int,
+    fixed: bool,
+    drift: bool,
+    output: Path | None,
+    figure: Path | None,
+    window: int,
+    saturation: float | None,
+    pixel: float | None,
+    **given: Any,
+) -> Report:
+    """Estimate the aberrations of a microscope from stacks of fluorescent beads.
+
+    STACKS are z stacks (TIFF with a page for each plane, NPY) of single beads cut out, or of fields in which isolated
+    beads are found. LENS is the file of the objective: its section [sample] has the index of what the beads are in,
+    [aberrations.zernike], if there is one, where the search starts.
+
+    All beads share the aberrations and the constants of the microscope. chi2 is about 1 where the model fits; a wrong
+    constant may leave it there, so all are tested, and the last line names those that the data want changed. What is
+    written with -o is a microscope file with the fitted numbers and their standard errors.
+
+    Examples
+    --------
+      lommel beads bead.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
+      lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
+    """
+    if output is not None:
+        if output.suffix.lower() != ".toml":
+            raise ValueError(f"--output must end in .toml, got {line(output)}")
+        require_folder(output)
+    microscope = microscope_of(lens, pixel=pixel, camera=given.pop("camera"))
+    if microscope is None:
+        raise ValueError(f"lommel beads needs a microscope, a file with a section [objective]; {lens} has none")
+    noise = noise_of(given, microscope.camera)
+    with progress("reading") as started:
+        windows: list[Values] = []
+        names: list[str] = []
+        for path in stacks:
+            for k, each in enumerate(_beads(path, window, noise, saturation)):
+                windows.append(each)
+                names.append(f"{path.name} [{k}]")
+        planes = len(windows[0])
+        if any(len(each) != planes for each in windows):
+            raise ValueError("stacks must have the same number of planes, all --step apart")
+        started("fitting")
+        found = fit_beads(
+            windows[:_MOST],
+            microscope.objective,
+            z=(np.arange(planes) - planes // 2) * step,
+            wavelength=microscope.wavelength,
+            pixel=microscope.pixel,
+            noise=noise,
+            diameter=diameter,
+            depth=depth,
+            emitter=microscope.emitter,
+            terms=terms,
+            aberrations=microscope.aberrations,
+            priors={} if fixed else None,
+            drift=drift,
+            saturation=saturation,
+            integrate=microscope.integrate is not False,
+            progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
+        )
+    if output is not None:
+        named = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads")
+        named.fitted(found).save(output)
+    if figure is not None:
+        save_figure(found.plot(), figure)
+    facts = {"beads": names[:_MOST]} | _facts(found)
+    return Report(facts, _parts(found, names)) + written([output, figure])
+
+
+def _beads(path: Path, window: int, noise: Noise, saturation: float | None) -> list[Values]:
+    """Return the windows of the beads of a stack, one if it shows no more than that."""
+    planes = read_images([path])
+    if max(planes.shape[1:]) <= _FIELD * window:
+        return [planes]
+    spots = find_spots(planes, noise=noise, window=window, saturation=saturation)
+    if not len(spots):
+        raise ValueError(f"{line(path)}: no isolated bead; {spots.message}")
+    return list(spots.windows)
+
+
+def _facts(found: BeadFit) -> Facts:
+    def named(values: dict[Any, float]) -> Facts:
+        return {name if isinstance(name, str) else ",".join(map(str, name)): _plain(v) for name, v in values.items()}
+
+    facts: Facts = {name: getattr(found, name) for name in ("converged", "reliable", "message", "chi2", "steps")}
+    facts |= {name: named(getattr(found, name)) for name in ("coefficients", "deviation")}
+    facts["suspects"] = [dict(each._asdict()) for each in found.suspects]
+    facts["places"] = [
+        {name: getattr(one, name) for name in ("row", "column", "z", "depth", "chi2", "used")}
+        | {"deviation": one.deviation, "flux": one.flux.tolist(), "background": one.background.tolist()}
+        for one in found.beads
+    ]
+    return facts | {"covariance": found.covariance.tolist(), "model_error": found.model_error}
+
+
+def _plain(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None
+
+
+def _parts(found: BeadFit, names: list[str]) -> list[RenderableType]:
+    """Return the tables of terms, constants, and beads, and the verdict."""
+    terms, constants = [], []
+    for name, value in found.coefficients.items():
+        error = found.deviation[name]
+        if isinstance(name, str):
+            metres = name in ("coverslip", "pixel", "diameter")
+            shown = [1e6 * value, 1e6 * error] if metres else [value, error]
+            constants.append((f"{name} (um)" if metres else name, *_with_error(*shown)))
+        else:
+            terms.append((label(name), *_with_error(1e3 * value / (2.0 * math.pi), 1e3 * error / (2.0 * math.pi))))
+    parts: list[RenderableType] = [table_of(("term", "milliwaves", "std. error"), terms), ""]
+    if constants:
+        parts += [table_of(("constant", "value", "std. error"), constants), ""]
+    rows = [
+        (
+            name,
+            f"{one.row:.2f}",
+            f"{one.column:.2f}",
+            format_length(one.z, digits=3),
+            format_length(one.depth, digits=3),
+            f"{np.mean(one.flux):.4g}",
+            f"{one.chi2:.3f}{'' if one.used else ', left out'}",
+        )
+        for name, one in zip(names, found.beads, strict=False)
+    ]
+    parts.append(table_of(("bead", "row", "column", "z", "depth", "electrons a plane", "chi2"), rows))
+    return [*parts, "", Wrapped(found.message)]
+
+
+def _with_error(value: float, error: float) -> tuple[str, str]:
+    """Return a number and its standard error, which has two digits, to the same place."""
+    places = max(0, 1 - math.floor(math.log10(error))) if 0.0 < error < math.inf else 4
+    return f"{value:.{places}f}", f"{error:.{places}f}"

@@ -1,0 +1,96 @@
+"""The command ``lommel beads``: from stacks to a microscope file that other commands take."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import tifffile
+from click.testing import CliRunner
+
+import lommel as lm
+from lommel.cli.main import main
+from objectives import OIL
+
+FILE = """name = "mine"
+[objective]
+NA = 1.4
+magnification = 63
+working_distance = "0.19 mm"
+immersion = 1.518
+[coverslip]
+index = 1.5255
+thickness = "170 um"
+[sample]
+index = 1.33
+depth = "2 um"
+[emission]
+wavelength = "600 nm"
+[sensor]
+pixel = "6.5 um"
+"""
+Z = (np.arange(9) - 4) * 200e-9
+
+
+def run(*words):
+    return CliRunner().invoke(main, ["beads", *map(str, words)])
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "objective.toml").write_text(FILE, encoding="utf-8")
+    wave = lm.Wavefront.zernike({5: 0.4, 8: -0.3}, order="noll")
+    pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=600e-9, aberrations=wave)
+    bead = lm.psf(pupil, 19, 6.5e-6, method=lm.methods.Bead(0.1e-6, 1e-4), integrate=True).values.astype(float)
+    camera = lm.Noise(read=1.6, offset=100)
+    field = np.full((9, 64, 90), 10.0)
+    for row, column in ((15, 20), (45, 60)):
+        field[:, row - 9 : row + 10, column - 9 : column + 10] += 1e4 * bead
+    for name, light in (("bead", 1e4 * bead + 10.0), ("field", field)):
+        images = camera.record(light, seed=1).round().astype(np.uint16)
+        tifffile.imwrite(f"{name}.tif", images, photometric="minisblack")
+    return tmp_path
+
+
+ASKED = ("objective.toml", "--step", "200nm", "--read", "1.6", "--offset", "100", "--terms", "7")
+
+
+def test_a_fitted_microscope_is_written_and_read(folder):
+    found = run("bead.tif", *ASKED, "-o", "fitted.toml", "--plot", "fit.png", "--json")
+    assert found.exit_code == 0, found.output
+    facts = json.loads(found.stdout)
+    assert facts["converged"], facts["message"]
+    assert facts["coefficients"]["2,-2"] == pytest.approx(0.4, abs=5.0 * facts["deviation"]["2,-2"])
+    assert (folder / "fit.png").stat().st_size > 1000
+    made = lm.load_microscope("fitted.toml")
+    assert made.objective.sample == pytest.approx(facts["coefficients"]["sample"], rel=1e-9)
+    assert made.pixel == pytest.approx(facts["coefficients"]["pixel"], rel=1e-9)
+    terms = made.aberrations.to_zernike(order="noll", unit="radians")
+    assert terms[8] == pytest.approx(facts["coefficients"]["3,1"], rel=1e-9)
+    assert made.deviations["noll 8"] == pytest.approx(facts["deviation"]["3,1"] / (2.0 * np.pi), rel=1e-9)
+    assert CliRunner().invoke(main, ["info", "fitted.toml"]).exit_code == 0
+
+
+def test_beads_of_a_field_are_found_and_fitted_together(folder):
+    found = run("field.tif", *ASKED, "--window", "19", "--fixed")
+    assert found.exit_code == 0, found.output
+    assert "field.tif [1]" in found.output
+    assert "converged" in found.output
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("bead.tif", *ASKED, "-o", "x.csv"), "--output must end in .toml"),
+        (("bead.tif", "objective.toml", "--step", "200nm"), "--read is missing"),
+        (("dark.tif", *ASKED), "no isolated bead"),
+    ],
+)
+def test_what_cannot_be_fitted_is_told(folder, words, told):
+    dark = lm.Noise(read=1.6, offset=100).record(np.full((9, 64, 64), 10.0), seed=2)
+    tifffile.imwrite("dark.tif", dark.round().astype(np.uint16), photometric="minisblack")
+    found = run(*words)
+    assert found.exit_code == 2
+    assert told in " ".join(found.output.split())

@@ -70,7 +70,7 @@ def _map(text: str | None, name: str) -> Any:
     ),
     *under(
         "Camera",
-        camera_option("Camera with the noise of the stack: name of an example, or a file; the options below come first."),
+        camera_option("Camera with the noise of the stack: name of an example or a file; options below come first."),
         Option("--gain", "white", metavar="NUMBER|FILE",
                help="Electrons per count; by default estimated from the stack. A file (.tif, .npy) is a map, also of "
                "--read and --offset."),

@@ -10,6 +10,7 @@ from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field
 from lommel.imaging.restoration import Restoration, restore, restore_with
 from lommel.imaging.traced_blur import traced_blur
+from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
 from lommel.io.photos import Exif, PhotoError, Picture, read_depth, read_photo, write_depth, write_photo
 from lommel.optics.colour.spectrum import RED_GREEN_BLUE
 
@@ -39,6 +40,9 @@ __all__ = [
     "restore",
     "restore_with",
     "traced_blur",
+    "traced_demosaic",
+    "traced_mosaic",
+    "traced_noise",
     "write_depth",
     "write_photo",
 ]

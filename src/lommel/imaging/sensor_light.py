@@ -14,13 +14,14 @@ from lommel.base.arrays import Array, Values
 from lommel.core import engine
 from lommel.estimation.pixel_transfer import transfer_of_windows
 from lommel.methods.choice import of_profiles
-from lommel.methods.pixels.rule import pixel_rule, quarters, sums_of_windows
+from lommel.methods.pixels.rule import local_rule, pixel_rule, quarters, sums_of_windows
 from lommel.optics.aperture.shapes import Segments
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
 _METHOD = of_profiles(1e-7)
+_LOCAL = 600.0  # half widths in v from which sparse rules are faster than dense ones
 
 
 @dataclass(frozen=True)
@@ -57,8 +58,12 @@ class SensorLight:
         for wavelength, weight in self.spectrum:
             there = pupil.in_light(wavelength)
             step = math.pi * self.pixel / there.scale
-            rule = pixel_rule(half, step)
             share = weight * step**2 / (4.0 * math.pi * there.transmission)
+            if half * step > _LOCAL:
+                local = local_rule(half, step)
+                total += share * (local.matrix @ _METHOD.profile(there, local.v).values.T).T
+                continue
+            rule = pixel_rule(half, step)
             total += share * _METHOD.means(there, step * rule.radii, rule.matrix, self.threads)
         return np.asarray(total)
 

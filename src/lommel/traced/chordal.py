@@ -298,7 +298,7 @@ def make(
         # The inner disk has the weight of its area.
         of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
         by_means = fewest((terms, stretch, window), members, of_disks, 0.5 * error, UNIT[precision])
-    chords, nodes, mean, bounds = by_means or _by_largest(terms, c, stretch, disks, reach, error)
+    chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, reach, error)
     if max(chords, nodes) > _MOST:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
     px, py, weights = _rule(chords, nodes, disks, light)
@@ -320,7 +320,7 @@ def make(
     return Chordal(phase, left, (across, down), mean, core), tables
 
 
-def _by_largest(
+def counts_by_largest(
     terms: tuple[Term, ...],
     c: Array,
     stretch: float,

@@ -1,0 +1,172 @@
+"""Noise, mosaic and demosaicking of a sensor as differentiable functions, for JAX, PyTorch and the array API."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from lommel.base import validation
+from lommel.estimation.noise import Noise
+from lommel.traced.namespaces import Operand
+
+PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
+
+
+def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Any:
+    """Return an image as a sensor records it, with photon and read noise, differentiable in the image.
+
+    ``image + sqrt(variance) * normal`` with the variance ``max(electrons, 0) + read^2`` of :class:`lommel.Noise`, in
+    its units: the normal approximation of Poisson noise, reparametrised, so that the gradient includes the change of
+    the noise with the light. It is close for ten electrons and more; for fewer, or for exact counts without
+    gradient, see :meth:`lommel.Noise.record`.
+
+    Parameters
+    ----------
+    image : array
+        Expected image in the unit of `noise`; linear light with white at 1 where ``noise.white`` is the full well.
+    noise : Noise
+        With single numbers.
+    normal : array
+        Standard normal values of the shape of `image`, such as ``torch.randn_like(image)`` or
+        ``jax.random.normal(key, image.shape)``.
+
+    Returns
+    -------
+    array
+        Neither clipped nor rounded.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `noise` is not one, or not of single numbers, or the shapes differ.
+    """
+    validation.instance("noise", noise, Noise)
+    white = 1.0 if noise.white is None else noise.white
+    if any(getattr(value, "shape", ()) != () for value in (white, noise.read, noise.offset)):
+        raise ValueError("noise must have single numbers here, got values for each pixel")
+    if not hasattr(image, "shape") or tuple(image.shape) != tuple(getattr(normal, "shape", ())):
+        raise ValueError(
+            f"normal must have the shape of the image, {tuple(getattr(image, 'shape', ()))}, got "
+            f"{tuple(getattr(normal, 'shape', ()))}"
+        )
+    white, read = float(white), float(noise.read)
+    electrons = (image - float(noise.offset)) * white
+    # The derivative of the root stays finite in darkness without read noise.
+    light = 0.5 * (electrons + abs(electrons))
+    return image + (light + (read**2 + 1e-6)) ** 0.5 * normal * (1.0 / white)
+
+
+def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Any:
+    """Return what a sensor with a Bayer pattern records of a colour image.
+
+    Parameters
+    ----------
+    image : array, shape (..., 3, height, width)
+        Red, green and blue; even sides.
+    pattern : {"RGGB", "BGGR", "GRBG", "GBRG"}, default "RGGB"
+        Colours of the first two rows and columns.
+
+    Returns
+    -------
+    array, shape (..., height, width)
+
+    Raises
+    ------
+    ValueError
+        If the shape or the pattern is another.
+    """
+    colours = _colours(pattern)
+    shape = tuple(getattr(image, "shape", ()))
+    if len(shape) < 3 or shape[-3] != 3 or shape[-2] % 2 or shape[-1] % 2:
+        raise ValueError(f"image must have the shape (..., 3, height, width) with even sides, got {shape}")
+    total: Any = 0.0
+    for k in range(3):
+        plane = image[..., k, :, :]
+        total = total + plane * _sites(plane, colours, k)
+    return total
+
+
+def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Any:
+    """Return a colour image from that of a Bayer sensor, by bilinear interpolation; linear, hence differentiable.
+
+    Missing values are the means of the nearest two or four recorded ones of their colour; beyond the edges the
+    mosaic is mirrored about its last pixels, which keeps the pattern.
+
+    Parameters
+    ----------
+    mosaic : array, shape (..., height, width)
+        Even sides, of 4 or more.
+    pattern : {"RGGB", "BGGR", "GRBG", "GBRG"}, default "RGGB"
+        As of :func:`traced_mosaic`.
+
+    Returns
+    -------
+    array, shape (..., 3, height, width)
+
+    Raises
+    ------
+    ValueError
+        If the shape or the pattern is another.
+    """
+    colours = _colours(pattern)
+    shape = tuple(getattr(mosaic, "shape", ()))
+    if len(shape) < 2 or min(shape[-2:]) < 4 or shape[-2] % 2 or shape[-1] % 2:
+        raise ValueError(f"mosaic must have the shape (..., height, width) with even sides of 4 or more, got {shape}")
+    xp = _namespace(mosaic)
+    sites = _sites(mosaic, colours, 1)
+    # Weights 1/4, 1/2, 1/4 each way make means of the neighbours where one site in four has the colour.
+    red, blue = (4.0 * _smooth(xp, _smooth(xp, mosaic * _sites(mosaic, colours, k), -1), -2) for k in (0, 2))
+    green = sites * mosaic + (1.0 - sites) * _cross(xp, mosaic * sites)
+    return xp.stack([red, green, blue], axis=-3)
+
+
+def _colours(pattern: str) -> tuple[int, ...]:
+    validation.choice("pattern", pattern, PATTERNS)
+    return tuple("RGB".index(colour) for colour in pattern)
+
+
+def _namespace(x: Operand) -> Any:
+    """Return the namespace of an array."""
+    if hasattr(x, "__array_namespace__"):
+        return x.__array_namespace__()
+    from lommel.traced.namespaces import Namespace
+
+    return Namespace.of(type(x).__module__.partition(".")[0]).xp
+
+
+def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
+    """Return 1 where the pattern has a colour, else 0, of the sides of `like`."""
+    xp, (height, width) = _namespace(like), like.shape[-2:]
+    where = (
+        {"device": like.device} if type(like).__module__.partition(".")[0] in ("torch", "array_api_strict") else {}
+    )
+    row, column = (
+        xp.reshape(xp.arange(side, **where) % 2, shape) for side, shape in ((height, (-1, 1)), (width, (1, -1)))
+    )
+    place = 2 * row + column
+    found: Any = place < 0
+    for k, there in enumerate(colours):
+        if there == colour:
+            found = found | (place == k)
+    return xp.astype(found, like.dtype)
+
+
+def _beside(xp: Any, x: Operand, axis: int) -> Operand:
+    """Return the sum of both neighbours along an axis; beyond the edge is the one before the last pixel."""
+    count = x.shape[axis]
+
+    def part(first: int, last: int) -> Operand:
+        here = [slice(None)] * len(x.shape)
+        here[axis] = slice(first, last)
+        return x[tuple(here)]
+
+    before = xp.concat([part(1, 2), part(0, count - 1)], axis=axis)
+    after = xp.concat([part(1, count), part(count - 2, count - 1)], axis=axis)
+    return before + after
+
+
+def _smooth(xp: Any, x: Operand, axis: int) -> Operand:
+    return 0.5 * x + 0.25 * _beside(xp, x, axis)
+
+
+def _cross(xp: Any, x: Operand) -> Operand:
+    return 0.25 * (_beside(xp, x, -1) + _beside(xp, x, -2))

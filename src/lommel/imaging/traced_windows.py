@@ -1,0 +1,176 @@
+"""PSF windows of aberrated lenses as differentiable functions of Zernike coefficients, defocus and scale."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.optics.lens import Lens
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+from lommel.traced.chordal import counts_by_largest
+from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
+
+Term = tuple[int, int]
+_MOST_SAMPLES = 32  # a side of each pixel
+_MOST_CHORDS = 512
+_SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # of the nodes that bounds ask for
+
+
+class AberratedWindows(NamedTuple):
+    """Windows by the chordal rule, without the tables; wavelengths over that of the lens are in `stretch`.
+
+    Attributes
+    ----------
+    side, samples : int
+        Pixels a side of a window, and samples a side of a pixel.
+    chords, nodes : int
+    lights : tuple of tuple of (float, float)
+        For each channel pairs of the stretch (wavelength of the lens over that of the light) and the weight.
+    """
+
+    side: int
+    samples: int
+    chords: int
+    nodes: int
+    lights: tuple[tuple[tuple[float, float], ...], ...]
+
+    def __call__(self, ns: Namespace, tables: Tables, c: Operand, coefficients: Operand, scale: Operand) -> Tensor:
+        """Return windows of sum 1, shape (n, channels, side, side).
+
+        Parameters
+        ----------
+        ns, tables
+            Of the result.
+        c : array, shape (n,)
+            C_d, radians at the wavelength of the lens.
+        coefficients : array, shape (k,)
+            Zernike coefficients, radians there at the edge.
+        scale : array, shape ()
+            Size of the PSF over that of the lens as given.
+        """
+        xp = ns.xp
+        moving = ns.matmul(xp.reshape(coefficients, (1, -1)), tables["zernike"]) + tables["fixed"]
+        phase = xp.reshape(c, (-1, 1)) * tables["focus"] + moving
+        made = []
+        for channel in self.lights:
+            total: Any = 0.0
+            for stretch, weight in channel:
+                total = total + weight * self._light(
+                    ns, tables, stretch * phase, tables["lattice"] * (stretch / scale)
+                )
+            made.append(total / xp.sum(total, axis=(-2, -1), keepdims=True))
+        return xp.stack(made, axis=1)
+
+    def _light(self, ns: Namespace, tables: Tables, phase: Tensor, lattice: Tensor) -> Tensor:
+        """Return pixel averages (n, side, side) for phases (n, chords * nodes)."""
+        xp = ns.xp
+        count, across = phase.shape[0], self.side * self.samples
+        shape = (count, self.chords, self.nodes)
+        waves = [
+            xp.permute_dims(xp.reshape(f(phase) * tables["weights"], shape), (1, 0, 2)) for f in (xp.cos, xp.sin)
+        ]
+        along = xp.reshape(tables["y"], (self.chords, self.nodes, 1)) * lattice
+        cos, sin = xp.cos(along), xp.sin(along)
+        kernel = xp.concat([xp.concat([cos, sin], axis=-1), xp.concat([-sin, cos], axis=-1)], axis=1)
+        rows = ns.matmul(xp.concat(waves, axis=-1), kernel)
+        real, imaginary = (xp.reshape(rows[..., part], (self.chords, count * across)) for part in _halves(across))
+        over = xp.reshape(lattice, (-1, 1)) * xp.reshape(tables["x"], (1, -1))
+        cos, sin = xp.cos(over), xp.sin(over)
+        kernel = xp.concat([xp.concat([cos, -sin], axis=-1), xp.concat([sin, cos], axis=-1)], axis=0)
+        field = ns.matmul(kernel, xp.concat([real, imaginary], axis=0))
+        real, imaginary = field[:across, ...], field[across:, ...]
+        light = real * real + imaginary * imaginary
+        light = xp.reshape(light, (self.side, self.samples, count, self.side, self.samples)) * tables["share"]
+        return xp.permute_dims(xp.sum(light, axis=(1, 4)), (1, 2, 0))
+
+
+def _halves(count: int) -> tuple[slice, slice]:
+    return slice(0, count), slice(count, 2 * count)
+
+
+def make(
+    lens: Lens,
+    terms: dict[Term, float],
+    reach: tuple[float, float],
+    spectra: tuple[tuple[tuple[float, float], ...], ...],
+    window: tuple[int, float],
+    tol: float,
+) -> tuple[AberratedWindows, dict[str, NDArray[Any]]]:
+    """Return windows and their tables for coefficients up to those of `terms`, and C_d in a `reach`.
+
+    `window` is the half width in pixels, and the pixel in v at the smallest scale and the wavelength of the lens.
+    ValueError if that takes too many samples.
+    """
+    half, step = window
+    lights = tuple(tuple((lens.wavelength / w, weight) for w, weight in channel) for channel in spectra)
+    most = max(stretch for channel in lights for stretch, _ in channel)
+    light, low = lens.illumination, lens.obscuration
+    fixed = dict(zip(lens.aberrations.terms, np.ravel(lens.aberrations.edge).tolist(), strict=True))
+    names = tuple(dict.fromkeys([(2, 0), *terms, *fixed]))
+    largest = [
+        abs(fixed.get(t, 0.0)) + terms.get(t, 0.0) + (max(map(abs, reach)) if t == (2, 0) else 0.0) for t in names
+    ]
+    b = np.linspace(0.05, 5.0, 200)
+    for samples in range(2, _MOST_SAMPLES + 1):
+        exponent = most * step * np.sinh(b) - 2.0 * samples * b - np.log(-np.expm1(-2.0 * b))
+        if 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0)) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
+            break
+    else:
+        raise ValueError(
+            f"pixel must be smaller for Zernike coefficients to be learned: {most * step:.3g} in v is too large"
+        )
+    far = most * step * (half + 0.5)
+    disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
+    error = tol / (2.0 * sum(largest) + 1.0)
+    chords, each, _, _ = counts_by_largest(
+        names, np.array([largest]), most, disks, (math.sqrt(2.0) * far, far), error
+    )
+    if max(chords, each) > _MOST_CHORDS:
+        raise ValueError(
+            f"aberrations and windows this large take {max(chords, each)} chords, more than {_MOST_CHORDS}; ask for "
+            "a smaller range of distances or coefficients"
+        )
+
+    def built(share: float) -> tuple[AberratedWindows, dict[str, NDArray[Any]]]:
+        counts = [math.ceil(share * count) for count in (samples, chords, each)]
+        nodes, shares = gauss_legendre(counts[0], -0.5, 0.5)
+        angle = np.arange(1, counts[1] + 1) * (math.pi / (counts[1] + 1))
+        eta, gauss = gauss_legendre(counts[2], -1.0, 1.0)
+        x = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
+        y = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
+        signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
+        weights = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss for sign in signs])
+        rho, theta = np.hypot(x[:, None], y).ravel(), np.arctan2(y, x[:, None] + 0.0 * y).ravel()
+        still = sum((value * zernike.polynomial(n, m, rho, theta) for (n, m), value in fixed.items()), 0.0 * rho)
+        tables: dict[str, NDArray[Any]] = {
+            "zernike": np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]),
+            "focus": (2.0 * rho * rho - 1.0)[None],
+            "fixed": still[None],
+            "weights": weights.ravel() * light.at(np.minimum(1.0, rho * rho)),
+            "x": x,
+            "y": y.ravel(),
+            # The sign of exp(-i v rho).
+            "lattice": -step * (np.arange(-half, half + 1.0)[:, None] + nodes).ravel(),
+            "share": shares[:, None, None, None] * shares,
+        }
+        return AberratedWindows(2 * half + 1, counts[0], len(x), counts[2], lights), tables
+
+    # The bounds are those of any phase of this size; of these, fewer nodes may be enough.
+    numpy, signs = Namespace.of(None), np.where(np.arange(len(terms)) % 2, -1.0, 1.0)
+    extremes = np.array(reach), signs * np.array(list(terms.values()))
+
+    def windows(made: tuple[AberratedWindows, Any]) -> Array:
+        return numpy.to_numpy(made[0](numpy, made[1], *extremes, np.float64(1.0)))
+
+    whole = built(1.0)
+    exact = windows(whole)
+    for share in _SHARES:
+        fewer = built(share)
+        if np.sqrt(((windows(fewer) - exact) ** 2).sum(axis=(-2, -1))).max() <= 0.1 * tol:
+            return fewer
+    return whole

@@ -120,6 +120,59 @@ def _error(images: Any, exact: Any) -> float:
     return float((np.abs(images - exact).max(axis=(1, 2)) / exact.max(axis=(1, 2))).max())
 
 
+TERMS = {(2, 2): 1.0, (2, -2): 1.0, (3, 1): 1.0, (3, -1): 1.0, (4, 0): 1.0}
+
+
+def blurs() -> list[tuple[str, float, float]]:
+    """Return rows of the blur by depth: what was done, milliseconds, and these over the row that it is named after.
+
+    512 by 512 RGB in float32, 25 mm f/4, 3.45 um, 1 to 4 m; the last row is 50 mm f/1.8, 12 um, 0.5 to 10 m, one
+    channel, made.
+    """
+    lens = lm.Lens(focal_length=25e-3, f_number=4.0, focus_distance=1.6, wavelength=550e-9)
+    draw, colours = np.random.default_rng(0), lm.imaging.RED_GREEN_BLUE
+    image = draw.random((3, 512, 512)).astype(np.float32)
+    depth = 1.0 / draw.uniform(0.26, 0.99, (512, 512))
+    rows = np.ascontiguousarray(np.moveaxis(image, 0, -1))
+
+    def compiled() -> Any:
+        return lm.imaging.DepthBlur(depth, lens, 3.45e-6, channels=colours, threads=1).forward(rows)
+
+    core = milliseconds(compiled, 3)
+    found = [("DepthBlur, made and applied", core, 1.0)]
+    if find_spec("torch"):
+        import torch
+
+        torch.set_num_threads(1)
+        light, distance = torch.tensor(image), torch.tensor(depth, dtype=torch.float32)
+        blur = lm.imaging.traced_blur(lens, [1.0, 4.0], 3.45e-6, torch, wavelengths=colours)
+        plain = milliseconds(lambda: blur(light, distance), 3)
+        found.append(("traced blur in PyTorch over DepthBlur", plain, plain / core))
+        learned = lm.imaging.traced_blur(
+            lens, [1.0, 4.0], 3.45e-6, torch, wavelengths=colours, focus_distances=(1.5, 1.7), zernike=TERMS
+        )
+        focus, terms = torch.tensor(1.6), torch.zeros(5)
+        place = [part.clone().requires_grad_() for part in (light, distance, focus, terms)]
+
+        def gradient() -> None:
+            made = learned(place[0], place[1], focus_distance=place[2], zernike=place[3])
+            torch.autograd.grad((made**2).sum(), place)
+
+        forward = milliseconds(lambda: learned(light, distance, focus_distance=focus, zernike=terms), 3)
+        found.append(("with focus and five Zernike terms over that without", forward, forward / plain))
+        both = milliseconds(gradient, 3)
+        found.append(("forward and backward over forward", both, both / forward))
+        seen = milliseconds(lambda: blur(light, distance, occlusion=True), 1)
+        found.append(("with occlusion over without", seen, seen / plain))
+    fast = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    begin = time.process_time()
+    lm.imaging.traced_blur(fast, [0.5, 10.0], 12e-6)
+    wide = 1e3 * (time.process_time() - begin)
+    return [*found, ("0.5 to 10 m made, over DepthBlur of the rows above", wide, wide / core)]
+
+
 if __name__ == "__main__":
+    for name, taken, ratio in blurs():
+        print(f"{name:52} {taken:8.1f} ms  ratio {ratio:6.2f}", flush=True)
     for name, images, gradient, error in rows():
         print(f"{name:37} {images:8.2f} ms  gradient {gradient:8.2f} ms  off by {error:.0e} of the peak")

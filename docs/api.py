@@ -150,7 +150,8 @@ SECTIONS = [
         "Depth-of-field rendering, deblurring, depth from defocus, photographs and depth maps.",
         "See [](../imaging.md), [](../restore.md) and [](../depth.md).",
         package="imaging",
-        more="imaging.settings.Settings imaging.traced_blur.TracedBlur imaging.field_blur.FieldBank"
+        more="imaging.settings.Settings imaging.traced_blur.TracedBlur adapters.deepinv.blur_physics"
+        " adapters.deepinv.psf_generator imaging.field_blur.FieldBank"
         " imaging.bank.Bank"
         " methods.pixels.rule.pixel_rule methods.pixels.rule.PixelRule methods.pixels.rule.octant"
         " methods.pixels.rule.sums_of_windows methods.pixels.rule.quarters base.encoding.to_light"

@@ -35,7 +35,7 @@ from lommel.page import module
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 # Packages that the pages speak of and the environment of the tests has not.
-ELSEWHERE = ("optiland", "pylops", "pyxu", "deepinv", "photutils", "napari", "galsim")
+ELSEWHERE = ("torch", "optiland", "pylops", "pyxu", "deepinv", "photutils", "napari", "galsim")
 
 # What takes seconds as the pages have it is run with less: a smaller blur, fewer layers, turbulence of one strength.
 LESS = {
@@ -46,6 +46,7 @@ LESS = {
         ("(3, 65, 65)", "(3, 17, 17)"),
         ("[:160, :240]", "[:100, :160]"),
     ],
+    "training": [("= 300, 8, 40, 12", "= 2, 2, 40, 2")],
     "start-depth": [("(72, 128)", "(48, 128)")],
 }
 

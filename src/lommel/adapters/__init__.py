@@ -1,10 +1,11 @@
-"""Pupils and field maps of lenses in ray tracing packages, which are imported on first use."""
+"""Other packages, imported on first use: lenses of ray tracing packages, physics and PSFs of DeepInverse."""
 
 from typing import TYPE_CHECKING
 
 from lommel.base import lazy
 
 if TYPE_CHECKING:
+    from lommel.adapters import deepinv as deepinv
     from lommel.adapters import optiland as optiland
     from lommel.adapters import rayoptics as rayoptics
 else:

@@ -448,7 +448,7 @@ class TracedBlur:
                 for each in (image, cover)
             )
             part = xp.clip(part, 0.0, 1.0)
-            seen = xp.minimum(part, 1.0 - covered)
+            seen = part if k == 0 else xp.minimum(part, 1.0 - covered)
             out, plain = out + light * (seen / (part + _TRACE)), plain + light
             covered = covered + seen
         return out / (covered + _TRACE) - plain

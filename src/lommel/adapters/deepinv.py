@@ -1,0 +1,163 @@
+"""Blurs and PSFs in DeepInverse (https://deepinv.github.io): linear physics with exact adjoints, and a PSF generator.
+
+deepinv and PyTorch are optional, and none of them is imported before a function is called.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.base.optional import library
+from lommel.imaging.linear import LinearBlur
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.psf import psf
+
+
+def blur_physics(blur: LinearBlur, **options: Any) -> Any:
+    """Return a blur as a ``deepinv.physics.LinearPhysics``.
+
+    `A` and `A_adjoint` are computed by the compiled core, on a CPU, and each is the gradient of the other, so that
+    PyTorch differentiates through both with respect to the image.
+
+    Parameters
+    ----------
+    blur : LinearBlur
+        :class:`lommel.imaging.DepthBlur`, :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.FieldBlur` or
+        another; the depth and the lens are constants.
+    **options
+        Of ``LinearPhysics``, such as `noise_model`.
+
+    Returns
+    -------
+    deepinv.physics.LinearPhysics
+        For tensors of shape (batch, channels, height, width), on any device and of any floating type.
+
+    Raises
+    ------
+    ImportError
+        If deepinv is not installed.
+    TypeError, ValueError
+        If `blur` is not a blur; from the physics, if images are not of the shape of the blur.
+    """
+    library("deepinv", "this needs", "")
+    from deepinv.physics import LinearPhysics
+
+    validation.instance("blur", blur, LinearBlur)
+    act = _linear_function()
+
+    def checked(images: Any) -> Any:
+        wanted = blur.channels, *blur.shape
+        if images.ndim != 4 or tuple(images.shape[1:]) != wanted:
+            raise ValueError(f"images must have the shape (batch, {wanted}), got {tuple(images.shape)}")
+        return images
+
+    return LinearPhysics(
+        A=lambda x, **_: act(checked(x), blur.forward, blur.adjoint),
+        A_adjoint=lambda y, **_: act(checked(y), blur.adjoint, blur.forward),
+        img_size=(blur.channels, *blur.shape),
+        **options,
+    )
+
+
+@cache
+def _linear_function() -> Callable[..., Any]:
+    """Return what applies a NumPy function to a batch, with another as its gradient."""
+    import torch
+
+    def mapped(images: Any, way: Callable[[NDArray[Any]], NDArray[Any]]) -> Any:
+        made = [np.moveaxis(way(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
+        return torch.from_numpy(np.ascontiguousarray(np.stack(made))).to(images)
+
+    class Linear(torch.autograd.Function):  # type: ignore[misc,name-defined]
+        @staticmethod
+        def forward(ctx: Any, images: Any, way: Any, back: Any) -> Any:
+            ctx.ways = way, back
+            return mapped(images, way)
+
+        @staticmethod
+        def backward(ctx: Any, gradient: Any) -> Any:
+            way, back = ctx.ways
+            return Linear.apply(gradient, back, way), None, None
+
+    return Linear.apply  # type: ignore[no-any-return]
+
+
+def psf_generator(
+    psf_size: tuple[int, int],
+    zernike_index: Sequence[int] | Sequence[tuple[int, int]] = tuple(range(4, 12)),
+    fc: float = 0.2,
+    max_zernike_amplitude: float = 0.15,
+    index_convention: str = "noll",
+    *,
+    tol: float = 1e-4,
+    **options: Any,
+) -> Any:
+    """Return a generator of random PSFs with the signature of ``deepinv.physics.generator.DiffractionBlurGenerator``.
+
+    The PSFs err by at most `tol` of their peak, instead of 1 to 6 percent, and take about a thousandth of the time.
+
+    Parameters
+    ----------
+    psf_size : (int, int)
+        Height and width, pixels.
+    zernike_index : sequence, default 4 to 11
+        Indices of Zernike terms by `index_convention`, or pairs (n, m).
+    fc : float, default 0.2
+        Cutoff frequency: numerical aperture times the pixel over the wavelength, up to 0.25.
+    max_zernike_amplitude : float, default 0.15
+        Width of the uniform distribution of coefficients around 0, waves rms.
+    index_convention : {"noll", "ansi"}, default "noll"
+        Of indices that are not pairs.
+    tol : float, default 1e-4
+        Tolerance, relative to the peak.
+    **options
+        `device`, `dtype` and `rng` of ``deepinv.physics.generator.PSFGenerator``.
+
+    Returns
+    -------
+    deepinv.physics.generator.PSFGenerator
+        Its ``step(batch_size, seed=None, coeff=None)`` returns a dict: `filter`, of shape (batch, 1, height, width)
+        and sum 1, and `coeff`, of shape (batch, terms).
+
+    Raises
+    ------
+    ImportError
+        If deepinv is not installed.
+    TypeError, ValueError
+        If an argument is out of range.
+    """
+    library("deepinv", "this needs", "")
+    import torch
+    from deepinv.physics.generator import PSFGenerator
+
+    shape = validation.image_shape(psf_size)
+    pixel = 2.0 * validation.real("fc", fc, above=0.0, most=0.25)
+    width = validation.real("max_zernike_amplitude", max_zernike_amplitude, least=0.0)
+    pairs = all(isinstance(index, tuple) for index in zernike_index)
+    order = "nm" if pairs else validation.choice("index_convention", index_convention, ("noll", "ansi"))
+    indices = tuple(zernike_index)
+
+    class Generator(PSFGenerator):  # type: ignore[misc]
+        """PSFs of random wavefronts."""
+
+        def step(self, batch_size: int = 1, seed: int | None = None, coeff: Any = None, **_: Any) -> dict[str, Any]:
+            self.rng_manual_seed(seed)
+            if coeff is None:
+                coeff = torch.rand((batch_size, len(indices)), generator=self.rng, **self.factory_kwargs)
+                coeff = (coeff - 0.5) * width
+            values = coeff.detach().cpu().numpy().astype(np.float64)
+            # The phase is -2 pi times the sum there.
+            terms: Any = dict(zip(indices, -2.0 * math.pi * values.T, strict=True))
+            images = psf(Pupil(Wavefront.zernike(terms, order=order)), shape, pixel, tol=tol).values
+            filters = torch.as_tensor(np.array(images), **self.factory_kwargs)[:, None]
+            return {"filter": filters / filters.sum(dim=(-2, -1), keepdim=True), "coeff": coeff}
+
+    return Generator(psf_size=shape, **options)

@@ -76,7 +76,7 @@ def _linear_function() -> Callable[..., Any]:
         made = [np.moveaxis(way(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
         return torch.from_numpy(np.ascontiguousarray(np.stack(made))).to(images)
 
-    class Linear(torch.autograd.Function):  # type: ignore[misc,name-defined]
+    class Linear(torch.autograd.Function):  # type: ignore[misc]
         @staticmethod
         def forward(ctx: Any, images: Any, way: Any, back: Any) -> Any:
             ctx.ways = way, back

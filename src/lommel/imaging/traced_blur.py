@@ -134,7 +134,20 @@ class TracedBlur:
     error = property(lambda self: self._static.error)
 
     def defocus(self, distance: Operand, *, focus_distance: Operand = None, f_number: Operand = None) -> Any:
-        """Return C_d in radians of objects at a `distance`, metres; differentiable."""
+        """Return C_d in radians of objects at a `distance` (metres), differentiable.
+
+        Parameters
+        ----------
+        distance : array
+            Metres from the lens, may be infinite.
+        focus_distance, f_number : array, shape (), optional
+            Of the lens, metres and a number; by default as given.
+
+        Returns
+        -------
+        array
+            Of the shape of `distance`.
+        """
         vergence, waves, _ = self._static.optics.at(focus_distance, f_number)
         return waves * (vergence + 1.0 / distance)
 

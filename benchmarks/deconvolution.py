@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
+from lommel.microscopy.depth_model import usual_window
 
 Array = NDArray[np.float64]
 
@@ -85,6 +86,7 @@ def deep(planes: int, side: int, steps: int) -> dict[str, float]:
     table = np.linspace(0.0, 2.5 * middle, 200)
     focus = np.maximum.accumulate(np.asarray(OIL.focus(table, wavelength=WAVE).brightest))
     offset = float(np.interp(middle, table, focus))
+    window = usual_window(OIL, WAVE, PIXEL, step, (planes, side, side))
     truth, image = np.zeros((planes, side, side)), np.full((planes, side, side), 20.0)
     for _ in range(12):
         plane, row, column = (int(n) for n in rng.integers([3, 6, 6], [planes - 3, side - 6, side - 6]))
@@ -93,7 +95,8 @@ def deep(planes: int, side: int, steps: int) -> dict[str, float]:
         around = psf(at, planes, 2 * side + 1, step, plane).values.astype(np.float64)
         rows, columns = (slice(side - k, 2 * side - k) for k in (row, column))
         image += photons / planes * around[:, rows, columns]
-        truth[plane, row, column] += photons
+        # Light beyond the windows of the PSFs is no part of what any of them restores.
+        truth[plane, row, column] += photons / planes * float(psf(at, *window, step).values.sum(dtype=np.float64))
     camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
     stack = camera.record(image, seed=2)
     given: dict[str, Any] = {"pixel": PIXEL, "step": step, "wavelength": WAVE, "depth": middle, "noise": camera}
@@ -101,7 +104,7 @@ def deep(planes: int, side: int, steps: int) -> dict[str, float]:
     found = {}
     for name, slabs in (("PSFs by depth", None), ("one PSF", 1)):
         found[name] = 0.46 * np.asarray(lm.microscopy.restore(stack, OIL, slabs=slabs, **given).values)
-    kernel = psf(middle, planes // 2 * 2 + 1, 65, step).values
+    kernel = psf(middle, *window, step).values
     light = np.maximum(camera.electrons(stack), 0.0)
     found["scikit-image"] = light.max() * richardson_lucy(
         light / light.max(), kernel / kernel.sum(), num_iter=steps, clip=False

@@ -34,6 +34,7 @@ COMMANDS = {
     "precision": "depth_commands",
     "retrieve": "retrieve_command",
     "beads": "beads_command",
+    "fit-field": "fit_field_command",
     "localize": "localize_command",
     "paper": "lens_commands",
 }
@@ -60,7 +61,7 @@ class _Commands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         # To import what the commands need takes longer than most of them run.
-        found: click.Command = getattr(import_module(f"lommel.cli.{COMMANDS[cmd_name]}"), cmd_name)
+        found: click.Command = getattr(import_module(f"lommel.cli.{COMMANDS[cmd_name]}"), cmd_name.replace("-", "_"))
         return found
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -74,7 +75,7 @@ class _Commands(click.Group):
             if isinstance(function, ast.FunctionDef)
         }
         with formatter.section("Commands"):
-            formatter.write_dl([(name, found[name]) for name in COMMANDS])
+            formatter.write_dl([(name, found[name.replace("-", "_")]) for name in COMMANDS])
 
 
 def _source(module: str) -> str:

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 _UNITS = ("radians", "waves", "nm", "um")
 
 
-class _SeveralNumbers(Command):
+class SeveralNumbers(Command):
     """A command whose option ``--defocus`` takes all numbers that follow it."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -106,7 +106,7 @@ def _is_number(word: str) -> bool:
         documented(fit, "starts", type=int, help="Maximum number of random restarts."),
         Option("--seed", type=click.IntRange(0), default=0, help="Seed of the random restarts."),
     ),
-    kind=_SeveralNumbers,
+    kind=SeveralNumbers,
 )  # fmt: skip
 def retrieve(
     images: tuple[Path, ...],
@@ -172,7 +172,7 @@ def retrieve(
             microscope = microscope_of(lens, **given_planes, stack=len(stars))
         if microscope is None and defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
-        known = np.multiply(_numbers(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0)
+        known = np.multiply(numbers_of(defocus or "0"), math.pi if defocus_unit == "waves" else 1.0)
         started("fitting")
         found = fit(
             stars,
@@ -245,7 +245,8 @@ def _files(paths: tuple[Path, ...]) -> list[Path]:
     return found
 
 
-def _numbers(text: str) -> float | list[float]:
+def numbers_of(text: str) -> float | list[float]:
+    """Return the number of an option, or its numbers."""
     words = text.replace(",", " ").split()
     if not words or not all(map(_is_number, words)):
         raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")

@@ -146,6 +146,12 @@ class FieldFit:
         variance = np.einsum("...i,kij,...j->...k", basis, blocks, basis)
         return basis @ self.coefficients.T, np.sqrt(np.maximum(variance, 0.0))
 
+    @property
+    def extent(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """The first and last x, and the first and last y of the sensor, to the outer edges of its pixels."""
+        x, y = self._sensor.grid(2)
+        return (float(x[0]), float(x[1])), (float(y[0]), float(y[1]))
+
     def save(self, path: str | PathLike[str], *, twin: bool = False) -> None:
         """Write the map as a CSV table for ``[field] file =`` of a lens file, with ``unit = "waves"``.
 

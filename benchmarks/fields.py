@@ -1,0 +1,149 @@
+"""Field maps from stars: how often they are found, how exactly, beside polynomials of pixels, and how fast.
+
+Stars come from a Cartesian matrix Fourier transform that shares nothing with the package (tests/shared). Each row has
+random fields: curvature, tilt of the sensor, astigmatism, coma, spherical aberration and more, 11 terms of degree 3;
+33 x 33 pixels of lambda*N/2, blur of 0.6 pixels, signal-to-noise ratios of 30 to 300. `python benchmarks/fields.py
+--fields 50` runs all of it; the default is a quick look. Seconds are of processors.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy import ndimage
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "shared"))
+
+import lommel as lm
+import simulated_fields as simulated
+
+NOISE = lm.Noise(read=2.0)
+EVEN = np.isin(np.arange(4, 15), [4, 5, 6, 11, 12, 13, 14])
+SENSOR = (4000, 4000)
+
+
+class Row(NamedTuple):
+    """A row of the table: number of stars, known defoci, doubles among the stars, pixel and blur."""
+
+    name: str
+    stars: int
+    defocus: tuple[float, ...] = (0.0,)
+    doubles: int = 0
+    pixel: float = 0.5
+    sigma: float = 0.6
+    scale: float = 1.0
+
+
+ROWS = [
+    Row("one focus, 100 stars", 100),
+    Row("one focus, 50 stars", 50),
+    Row("one focus, 300 stars", 300),
+    Row("two foci, 100 stars", 100, (-3.0, 3.0)),
+    Row("8 doubles of 100 stars", 100, doubles=8),
+    Row("pixels of 2.2 lambda*N", 100, pixel=2.2, sigma=0.3),
+    Row("twice the aberrations", 100, scale=2.0),
+]
+
+
+def position(places: Any, pixel: float) -> tuple[Any, Any]:
+    """Return x and y of rows and columns."""
+    return (places[:, 1] - 1999.5) * pixel, (places[:, 0] - 1999.5) * pixel
+
+
+def one(row: Row, seed: int, telescope: simulated.Telescope) -> dict[str, float]:
+    """Return what a fit of a random field is like."""
+    draw = np.random.default_rng(seed)
+    waves = simulated.field(draw, scale=row.scale)
+    options = {"pixel": row.pixel, "sigma": row.sigma, "defocus": row.defocus, "doubles": row.doubles}
+    places, images, true = simulated.stars(draw, row.stars, waves, telescope, **options)
+    began = time.process_time()
+    fit = lm.fit_field(
+        images, places, lm.Pupil(), sensor=SENSOR, pixel=row.pixel, noise=NOISE, defocus=row.defocus, integrate=True
+    )
+    seconds = time.process_time() - began
+    values, errors = fit.at(*position(places, row.pixel))
+    ratios = []
+    for sign in (1.0, -1.0) if len(row.defocus) == 1 else (1.0,):
+        z = (values - np.where(EVEN, sign, 1.0) * true) / errors
+        ratios.append(float(np.sqrt((z**2).mean())))
+    within = [float((np.abs(z) < k).mean()) for k in (1, 2, 3)]
+    rejected = ~fit.stars.used
+    return {
+        "found": float(min(ratios) < 2.0), "converged": float(fit.converged), "ratio": min(ratios),
+        "chi2": fit.chi2, "held_out": fit.held_out, "blur": fit.blur[0], "blur_error": fit.blur_deviation[0],
+        "caught": float(rejected[: row.doubles].sum()), "lost": float(rejected[row.doubles :].sum()),
+        "seconds": seconds, **({f"within {k}": w for k, w in zip((1, 2, 3), within, strict=True)}),
+    }  # fmt: skip
+
+
+def pixels(seed: int, stars: int, telescope: simulated.Telescope) -> tuple[float, float]:
+    """Return relative rms errors of PSFs from a fit, and of the best polynomials of pixels."""
+    draw = np.random.default_rng(seed)
+    waves = simulated.field(draw)
+    side = 33
+    places, images, _ = simulated.stars(draw, stars, waves, telescope)
+    fit = lm.fit_field(images, places, lm.Pupil(), sensor=SENSOR, pixel=0.5, noise=NOISE, integrate=True)
+    u, v = draw.uniform(-0.95, 0.95, (2, 20))
+    fresh = waves(u, v)
+    exact = np.stack([telescope.image(one, (0.0, 0.0), 0.5, side, 0.6) for one in fresh])
+    x, y = u * 1000.0, v * 1000.0
+    made = lm.psf(fit.field.pupil(x, y), side, 0.5, integrate=True, blur=lm.Jitter(0.5 * float(fit.blur[0]))).values
+    ours = float(np.sqrt(((made - exact) ** 2).sum() / (exact**2).sum()))
+    # The same stars moved from the fitted places to the middle, over their flux, which pixels alone know worse.
+    level, flux = fit.stars.background[:, 0], fit.stars.flux[:, 0]
+    centre = fit.stars.centers[:, 0] - side // 2
+    parts = zip(images[:, 0], level, flux, centre, strict=True)
+    moved = np.stack([ndimage.shift((image - b) / f, -c, order=5) for image, b, f, c in parts])
+    px, py = position(places, 0.5)
+    theirs = np.inf
+    for degree in range(4):
+
+        def basis(a: Any, b: Any, degree: int = degree) -> Any:
+            return np.stack([a**i * b**j for i in range(degree + 1) for j in range(degree + 1 - i)], axis=-1)
+
+        weight = flux[:, None] / flux.max()
+        here, there = basis(px / 1000.0, py / 1000.0), basis(u, v)
+        for ridge in (0.0, 1e-3, 1e-2, 1e-1):
+            normal = here.T @ (weight * here) + ridge * np.eye(here.shape[1])
+            found = np.linalg.solve(normal, here.T @ (weight * moved.reshape(len(moved), -1)))
+            guess = (there @ found).reshape(exact.shape)
+            theirs = min(theirs, float(np.sqrt(((guess - exact) ** 2).sum() / (exact**2).sum())))
+    return ours, theirs
+
+
+def main() -> None:
+    """Print the tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--fields", type=int, default=2, help="random fields of each row")
+    parser.add_argument("--rows", type=int, nargs="*", default=[0, 1, 3], help="rows, from 0; all without a number")
+    chosen = parser.parse_args()
+    telescope = simulated.Telescope()
+    print("| stars | found | converged | error over bound | chi2 | held out | doubles caught, others lost | cpu s |")
+    print("|---|---|---|---|---|---|---|---|")
+    for k in chosen.rows or range(len(ROWS)):
+        row = ROWS[k]
+        made = [one(row, seed, telescope) for seed in range(chosen.fields)]
+        each = {name: np.array([m[name] for m in made]) for name in made[0]}
+        ratio = each["ratio"][each["found"] > 0]
+        print(
+            f"| {row.name} | {each['found'].sum():.0f} of {len(made)} | {each['converged'].sum():.0f} | "
+            f"{ratio.mean():.2f} ({ratio.min():.2f} to {ratio.max():.2f}) | {each['chi2'].mean():.3f} | "
+            f"{np.nanmean(each['held_out']):.3f} | {each['caught'].mean():.1f}, {each['lost'].mean():.1f} | "
+            f"{np.median(each['seconds']):.1f} ({each['seconds'].max():.1f}) |",
+            flush=True,
+        )
+    for count in (50, 100)[: 1 + (chosen.fields > 2)]:
+        ours, theirs = np.array([pixels(seed, count, telescope) for seed in range(min(chosen.fields, 4))]).T
+        print(
+            f"{count} stars: relative rms error of PSFs {ours.mean():.4f}, of polynomials of pixels "
+            f"{theirs.mean():.3f}, ratio {np.min(theirs / ours):.1f} at least"
+        )
+
+
+if __name__ == "__main__":
+    main()

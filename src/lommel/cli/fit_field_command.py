@@ -1,0 +1,181 @@
+"""The command ``lommel fit-field``: the wavefront over the field from stars."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import click
+import numpy as np
+
+from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
+from lommel.cli.options import FILE, JSON, Option, command, documented, plot_option, under
+from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
+from lommel.cli.progress import progress
+from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
+from lommel.estimation.field_fit import fit_field as fit
+from lommel.estimation.noise import Noise
+from lommel.estimation.phase_retrieval import label
+from lommel.io.photos import read_images
+from lommel.localize.point_sources import find_spots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from lommel.estimation.field_fit import FieldFit
+    from lommel.localize.point_sources import PointSources
+
+
+@command(
+    click.Argument(["images"], type=FILE, nargs=-1, required=True),
+    LENS,
+    Option("--degree", type=click.IntRange(0, 6), default=3, help="Degree of the polynomials of the position."),
+    Option("--terms", type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on."),
+    Option("--defocus", metavar="NUMBERS",
+           help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
+           "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
+    Option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
+           help="Standard deviation of blur by seeing or jitter, where it is known; by default it is estimated."),
+    Option("-o", "--output", type=FILE, help="Table for `[field] file =` of the lens file: .csv."),
+    Option("--twin", type=FILE, help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
+    plot_option("Figure of the terms over the sensor, stars, models and residuals"),
+    Option("--spots", type=FILE, help="Figure of the image with the windows used and the stars refused."),
+    JSON,
+    *under(
+        "Stars",
+        Option("--window", type=click.IntRange(9, 401), default=33, help="Side of the window around a star, pixels."),
+        documented(find_spots, "threshold", type=float),
+        documented(find_spots, "width", type=float),
+        documented(find_spots, "most", type=int),
+    ),
+    *under(
+        "Camera and noise",
+        Option("--white", type=float,
+               help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
+               "By default 1, images in electrons."),
+        documented(Noise, "read", type=float, required=True),
+        Option("--offset", type=float, default=0.0, help="Black level, in the unit of the images."),
+        Option("--saturation", type=float, help="Value in the file at which pixels saturate, such as 60000."),
+        SQUARE_PIXEL,
+        OBJECT_DISTANCE,
+    ),
+    kind=SeveralNumbers,
+)  # fmt: skip
+def fit_field(
+    images: tuple[Path, ...],
+    lens: Path,
+    degree: int,
+    terms: int,
+    defocus: str | None,
+    known_blur: float | None,
+    output: Path | None,
+    twin: Path | None,
+    figure: Path | None,
+    spots: Path | None,
+    object_distance: float | None,
+    pixel: float | None,
+    window: int,
+    threshold: float,
+    width: float,
+    most: int | None,
+    saturation: float | None,
+    **given: Any,
+) -> Report:
+    """Estimate the wavefront over the field of a camera or telescope from stars.
+
+    IMAGES are exposures of one field of stars or pinholes (FITS, TIFF, NPY or 16-bit PNG, linear in light, the whole
+    sensor); LENS is a lens file with aperture, wavelength, f-number and pixel pitch. Isolated stars are found, and
+    fitted jointly: Zernike terms as polynomials of the position, the blur by seeing, and of each star the place, flux
+    and background. Several exposures need the --defocus of each. One focus leaves the common sign of all even terms
+    open (defocus, astigmatism, spherical): the map with positive defocus in the mean is written, the other by --twin.
+
+    The table serves as file of the section [field], with unit = "waves". A misfit is said in the last line, and by
+    "converged" of --json; the exit code is 0 all the same.
+
+    Examples
+    --------
+      lommel fit-field stars.fits phone.toml --read 2 --degree 3 -o field.csv --plot field.png
+      lommel fit-field inside.fits outside.fits phone.toml --defocus -3 3 --read 2 -o field.csv
+    """
+    for name, path in (("--output", output), ("--twin", twin)):
+        if path is not None and path.suffix.lower() != ".csv":
+            raise ValueError(f"{name} must end in .csv, got {path.name}")
+    instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
+    noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
+    with progress("reading") as started:
+        exposures = read_images(list(images))
+        if defocus is None and len(exposures) > 1:
+            raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
+        started("finding stars")
+        found = find_spots(
+            exposures, noise=noise, window=window, threshold=threshold, width=width, saturation=saturation, most=most
+        )
+        if spots is not None:
+            save_figure(cast("Figure", found.plot().figure), spots)
+        if len(found) < 4:
+            raise ValueError(f"images must show at least 4 isolated stars; {found.message}")
+        started("fitting")
+        made = fit(
+            found.windows,
+            found.places,
+            instrument.pupil(),
+            sensor=found.shape,
+            pixel=instrument.side,
+            noise=noise,
+            degree=degree,
+            terms=terms,
+            defocus=numbers_of(defocus or "0"),
+            blur=True if known_blur is None else known_blur,
+            saturation=saturation,
+            integrate=instrument.integrate,
+            progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
+        )
+    if output is not None:
+        made.save(output)
+    if twin is not None:
+        made.save(twin, twin=True)
+    if figure is not None:
+        save_figure(made.plot(), figure)
+    return Report(_facts(made, found), _parts(made, found)) + written([output, twin, figure, spots])
+
+
+def _parts(made: FieldFit, found: PointSources) -> list[Any]:
+    """Return the table of terms in the middle and at corners, and the verdicts."""
+    spots = _spots(made)
+    rows = []
+    for j, name in enumerate(made.names):
+        cells = [f"{values[j]:+.4f} +- {errors[j]:.4f}" for values, errors in spots.values()]
+        rows.append([label(name), *cells])
+    blur = ", ".join(f"{w:.3f} +- {d:.3f}" for w, d in zip(made.blur, made.blur_deviation, strict=True))
+    table = table_of(("term, waves rms", *spots), rows)
+    return [table, "", f"blur: {blur} pixels", found.message, "", Wrapped(made.message)]
+
+
+def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
+    """Return terms and standard errors, waves rms, in the middle, at the right edge and in a corner."""
+    x, y = made.extent
+    places = {"middle": (0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])), "corner": (x[1], y[1])}
+    return {name: tuple(part / (2.0 * math.pi) for part in made.at(*at)) for name, at in places.items()}  # type: ignore[misc]
+
+
+def _facts(made: FieldFit, found: PointSources) -> Facts:
+    """Return the results as JSON can hold them."""
+    held_out = made.held_out if np.isfinite(made.held_out) else None
+    return {
+        "converged": made.converged,
+        "message": made.message,
+        "chi2": made.chi2,
+        "held_out": held_out,
+        "degree": made.degree,
+        "terms": [label(name) for name in made.names],
+        "waves": {
+            name: {"coefficients": values.tolist(), "deviation": errors.tolist()}
+            for name, (values, errors) in _spots(made).items()
+        },
+        "blur": made.blur.tolist(),
+        "blur_deviation": made.blur_deviation.tolist(),
+        "stars": len(made.stars.used),
+        "rejected": int((~made.stars.used).sum()),
+        "refused": [{"row": each.row, "column": each.column, "reason": each.reason} for each in found.refused],
+    }

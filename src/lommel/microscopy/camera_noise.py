@@ -30,8 +30,8 @@ def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
     Returns
     -------
     Noise
-        Of the unit of `stack`. In simulated stacks gains were within 5 %, if the images have no detail finer than
-        two pixels. It is not as good as a calibration.
+        Of the unit of `stack`. In simulated stacks gains were 0.5 to 13 % low, and 21 % in one of bright beads;
+        detail finer than two pixels counts as noise. It is not as good as a calibration.
 
     Raises
     ------

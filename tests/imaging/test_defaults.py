@@ -30,6 +30,8 @@ EXCEPTIONS: dict[tuple[str, str], str] = {
     ("steps", "TotalVariation"): "counts steps of another kind than those of Richardson and Lucy",
     ("steps", "lommel restore"): "None takes that of the method",
     ("method", "lommel restore"): "spells out what None is elsewhere",
+    ("read", "estimate_noise"): "is not left to the noise model: a stack alone does not separate it from the offset",
+    ("wavelength", "LensRanges"): "is the light of lenses drawn at random, which no file describes",
 }
 """Options that differ, where, and why that is meant."""
 

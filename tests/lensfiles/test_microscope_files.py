@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -91,17 +92,19 @@ def test_a_file_says_what_the_python_would(load):
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_every_example_loads_and_says_where_its_figures_come_from(path):
     found = lm.load_microscope(path)
-    assert len(found.name) > 20
-    assert "RRID SCR_028321" in found.source
+    assert len(found.name) > 12
+    assert re.search(r"RRID SCR_\d{6}|list of objectives", found.source)
     assert found.planes > 1
-    assert 0.15e-3 < found.objective.working_distance < 0.25e-3
+    # Its name has the magnification and the aperture.
+    assert f"{found.objective.magnification:g}x" in path.stem
+    assert path.stem == "zeiss-63x-astigmatic" or f"-{found.objective.NA:g}" in path.stem
+    assert 0.05e-3 < found.objective.working_distance < 20e-3
     assert lm.load_microscope(str(path)) == found
 
 
-def test_there_are_four_examples_one_with_astigmatism():
+def test_one_example_is_astigmatic():
     found = {path.stem: lm.load_microscope(path) for path in EXAMPLES}
-    assert len(found) == 4
-    assert {one.objective.NA for one in found.values()} == {1.3, 1.4}
+    assert len(found) >= 30
     (astigmatic,) = (one for one in found.values() if one.aberrations is not None)
     assert astigmatic.aberrations == lm.Wavefront.zernike({6: 0.15}, order="noll", unit="waves")
     assert astigmatic is found["zeiss-63x-astigmatic"]

@@ -94,3 +94,24 @@ def test_what_cannot_be_fitted_is_told(folder, words, told):
     found = run(*words)
     assert found.exit_code == 2
     assert told in " ".join(found.output.split())
+
+
+def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated(folder):
+    found = run("field.tif", *ASKED, "--window", "19", "--json")
+    assert found.exit_code == 0, found.output
+    facts = json.loads(found.stdout)
+    places = sorted((one["row"], one["column"]) for one in facts["places"])
+    np.testing.assert_allclose(places, [(15, 20), (45, 60)], atol=0.1)
+    assert facts["wavelength"] == pytest.approx(600e-9)
+
+
+def test_another_step_in_the_file_is_said_and_so_is_the_verdict_in_what_is_written(folder):
+    images = tifffile.imread("bead.tif")
+    sizes = {"axes": "ZYX", "PhysicalSizeX": 0.103, "PhysicalSizeY": 0.103, "PhysicalSizeZ": 0.1}
+    tifffile.imwrite("bead.ome.tif", images, metadata=sizes, photometric="minisblack")
+    found = run("bead.ome.tif", *ASKED, "--wavelength", "610nm", "--fixed", "-o", "fitted.toml")
+    assert found.exit_code == 0, found.output
+    said = " ".join(found.stdout.split())
+    assert "bead.ome.tif states planes 100 nm apart; --step 200 nm was taken." in said
+    assert "Emission at 610 nm." in said
+    assert "Fitted to beads: " in lm.load_microscope("fitted.toml").source

@@ -19,6 +19,7 @@ from lommel.cli.progress import progress
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.phase_retrieval import label
 from lommel.io.photos import read_images
+from lommel.io.recordings import open_recording
 from lommel.localize.point_sources import find_spots
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ _MOST = 20  # beads
            help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
            "uncertainties."),
     documented(fit_beads, "drift", is_flag=True),
+    Option("--wavelength", type=NANOMETRES, help="Emission wavelength of the beads; by default that of LENS."),
     Option("-o", "--output", type=FILE, help="Microscope file (.toml) with what was found, for all other commands."),
     plot_option("Figure of planes, model, residuals and terms"),
     JSON,
@@ -76,9 +78,10 @@ def beads(
     window: int,
     saturation: float | None,
     pixel: float | None,
+    wavelength: float | None,
     **given: Any,
 ) -> Report:
-    """Estimate the aberrations of a microscope from stacks of fluorescent beads.
+    """Estimate aberrations of a microscope from bead stacks.
 
     STACKS are z stacks (TIFF with a page for each plane, NPY) of single beads cut out, or of fields in which isolated
     beads are found. LENS is the file of the objective: its section [sample] has the index of what the beads are in,
@@ -100,13 +103,17 @@ def beads(
     microscope = microscope_of(lens, pixel=pixel, camera=given.pop("camera"))
     if microscope is None:
         raise ValueError(f"lommel beads needs a microscope, a file with a section [objective]; {lens} has none")
+    if wavelength is not None:
+        microscope = dataclasses.replace(microscope, wavelength=wavelength)
     noise = noise_of(given, microscope.camera)
     with progress("reading") as started:
         windows: list[Values] = []
         names: list[str] = []
+        corners: list[tuple[int, int]] = []
         for path in stacks:
-            for k, each in enumerate(_beads(path, window, noise, saturation)):
+            for k, (each, corner) in enumerate(_beads(path, window, noise, saturation)):
                 windows.append(each)
+                corners.append(corner)
                 names.append(f"{path.name} [{k}]")
         planes = len(windows[0])
         if any(len(each) != planes for each in windows):
@@ -131,26 +138,45 @@ def beads(
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
     if output is not None:
-        named = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads")
+        source = f"{microscope.source} Fitted to beads: {found.message}."
+        named = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
         named.fitted(found).save(output)
     if figure is not None:
         save_figure(found.plot(), figure)
-    facts = {"beads": names[:_MOST]} | _facts(found)
-    return Report(facts, _parts(found, names)) + written([output, figure])
+    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength} | _facts(found, corners)
+    notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
+    notes += [note for path in stacks if (note := _other_step(path, step))]
+    if len(windows) > _MOST:
+        notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
+    return Report(facts, _parts(found, names, corners, notes)) + written([output, figure])
 
 
-def _beads(path: Path, window: int, noise: Noise, saturation: float | None) -> list[Values]:
-    """Return the windows of the beads of a stack, one if it shows no more than that."""
+def _other_step(path: Path, step: float) -> str:
+    """Return a sentence where a file states another step between planes than `step`, or ""."""
+    try:
+        with open_recording(path) as recording:
+            stated = recording.step
+    except (OSError, ValueError):  # no stack that states anything
+        return ""
+    if stated is None or abs(abs(step) / stated - 1.0) < 0.01:
+        return ""
+    said = f"{path.name} states planes {format_length(stated, digits=4)} apart"
+    return f"{said}; --step {format_length(step, digits=4)} was taken."
+
+
+def _beads(path: Path, window: int, noise: Noise, saturation: float | None) -> list[tuple[Values, tuple[int, int]]]:
+    """Return the windows of the beads of a stack and their first pixels, one if it shows no more than that."""
     planes = read_images([path])
     if max(planes.shape[1:]) <= _FIELD * window:
-        return [planes]
+        return [(planes, (0, 0))]
     spots = find_spots(planes, noise=noise, window=window, saturation=saturation)
     if not len(spots):
         raise ValueError(f"{line(path)}: no isolated bead; {spots.message}")
-    return list(spots.windows)
+    first = spots.places - np.array(spots.windows.shape[-2:]) // 2
+    return [(one, (row, column)) for one, (row, column) in zip(spots.windows, first.tolist(), strict=True)]
 
 
-def _facts(found: BeadFit) -> Facts:
+def _facts(found: BeadFit, corners: list[tuple[int, int]]) -> Facts:
     def named(values: dict[Any, float]) -> Facts:
         return {name if isinstance(name, str) else ",".join(map(str, name)): _plain(v) for name, v in values.items()}
 
@@ -158,9 +184,10 @@ def _facts(found: BeadFit) -> Facts:
     facts |= {name: named(getattr(found, name)) for name in ("coefficients", "deviation")}
     facts["suspects"] = [dict(each._asdict()) for each in found.suspects]
     facts["places"] = [
-        {name: getattr(one, name) for name in ("row", "column", "z", "depth", "chi2", "used")}
+        {"row": one.row + corner[0], "column": one.column + corner[1]}
+        | {name: getattr(one, name) for name in ("z", "depth", "chi2", "used")}
         | {"deviation": one.deviation, "flux": one.flux.tolist(), "background": one.background.tolist()}
-        for one in found.beads
+        for one, corner in zip(found.beads, corners, strict=False)
     ]
     return facts | {"covariance": found.covariance.tolist(), "model_error": found.model_error}
 
@@ -169,7 +196,9 @@ def _plain(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def _parts(found: BeadFit, names: list[str]) -> list[RenderableType]:
+def _parts(
+    found: BeadFit, names: list[str], corners: list[tuple[int, int]], notes: list[str]
+) -> list[RenderableType]:
     """Return the tables of terms, constants, and beads, and the verdict."""
     terms, constants = [], []
     for name, value in found.coefficients.items():
@@ -180,23 +209,23 @@ def _parts(found: BeadFit, names: list[str]) -> list[RenderableType]:
             constants.append((f"{name} (um)" if metres else name, *_with_error(*shown)))
         else:
             terms.append((label(name), *_with_error(1e3 * value / (2.0 * math.pi), 1e3 * error / (2.0 * math.pi))))
-    parts: list[RenderableType] = [table_of(("term", "milliwaves", "std. error"), terms), ""]
+    parts: list[RenderableType] = [table_of(("term", "milliwaves rms", "std. error"), terms), ""]
     if constants:
         parts += [table_of(("constant", "value", "std. error"), constants), ""]
     rows = [
         (
             name,
-            f"{one.row:.2f}",
-            f"{one.column:.2f}",
+            f"{one.row + corner[0]:.2f}",
+            f"{one.column + corner[1]:.2f}",
             format_length(one.z, digits=3),
             format_length(one.depth, digits=3),
             f"{np.mean(one.flux):.4g}",
             f"{one.chi2:.3f}{'' if one.used else ', left out'}",
         )
-        for name, one in zip(names, found.beads, strict=False)
+        for name, corner, one in zip(names, corners, found.beads, strict=False)
     ]
     parts.append(table_of(("bead", "row", "column", "z", "depth", "electrons a plane", "chi2"), rows))
-    return [*parts, "", Wrapped(found.message)]
+    return [*parts, "", *(Wrapped(note) for note in notes), Wrapped(found.message)]
 
 
 def _with_error(value: float, error: float) -> tuple[str, str]:

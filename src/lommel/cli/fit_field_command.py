@@ -82,7 +82,7 @@ def fit_field(
     saturation: float | None,
     **given: Any,
 ) -> Report:
-    """Estimate the wavefront over the field of a camera or telescope from stars.
+    """Estimate wavefronts over the field from images of stars.
 
     IMAGES are exposures of one field of stars or pinholes (FITS, TIFF, NPY or 16-bit PNG, linear in light, the whole
     sensor); LENS is a lens file with aperture, wavelength, f-number and pixel pitch. Isolated stars are found, and

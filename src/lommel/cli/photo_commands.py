@@ -161,7 +161,7 @@ def blur(
       lommel blur photo.png depth.png phone.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to 4m --frames 48 -o pull-%03d.png
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to inf --fps 24 -o pull.webp
-      lommel blur --batch photos/ depths/ lenses.toml --seed 1 --workers 2 -o set/
+      lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
     """
     if batch:
         return dataset.render(output, given | {"focus": focus, "last": last, "frames": frames, "fps": fps})

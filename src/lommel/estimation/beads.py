@@ -36,6 +36,7 @@ _SUSPECT = 5.0  # standard deviations of a score test
 _VISIBLE = 10.0  # standard deviations of the light of all planes together
 _REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has to fit better
 _ALIKE = 1.0  # of the same: starts that end so near have found one minimum
+_FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves more is not the only fault
 _TURNS = 20  # steps of a search for a stack in reversed order
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
 _LEFT = 1.5  # times the median chi2, from which a bead is left out
@@ -714,7 +715,7 @@ def _fitted(
     if (misfit or suspected) and visible >= _VISIBLE and not search.interrupted:
         solved = _freed(joint, found, worst) if worst is not None else None
         best = found.deviance if solved is None else min(solved.deviance, found.deviance)
-        backwards = _backwards(search, joint, best)
+        backwards = _backwards(search, joint, best, chi2)
     converged = (
         bool(found.settled) and not misfit and visible >= _VISIBLE and not backwards and not search.interrupted
     )
@@ -730,12 +731,13 @@ def _fitted(
     elif not found.settled:
         message = f"the steps did not settle: {work}"
     else:
-        message = f"converged: {work}"
+        message = f"converged{', but constants are suspected' if suspected else ''}: {work}"
     if chi2 < 1.0 - MOST * spread and converged:
         message += "; the images are less noisy than gain, read noise and offset state"
     if suspected and not backwards and visible >= _VISIBLE:
         named = ", ".join(map(str, [one for one in suspects if abs(one.sigmas) > 0.5 * _SUSPECT][:3]))
-        message += f"; the data want {named}: check these constants"
+        light = " and the wavelength" if {"pixel", "NA"} & {one.name for one in suspects[:3]} else ""
+        message += f"; the data want {named}: check these constants{light}"
         if solved is not None and worst is not None and not backwards:
             message += f" ({_settled_at(joint, worst, solved)})"
     if not all(used):
@@ -905,8 +907,11 @@ def _freed(joint: BeadModel, found: Climbed, suspect: Suspect) -> Climbed | None
         return None
 
 
-def _backwards(search: _Search, joint: BeadModel, best: float) -> str:
-    """Return what is to be said where planes in reversed order fit far better than a deviance of `best`, or ""."""
+def _backwards(search: _Search, joint: BeadModel, best: float, chi2: float) -> str:
+    """Return what is to be said where planes in reversed order fit far better than a deviance of `best`, or "".
+
+    And fit well: where chi2 is little nearer to 1 than `chi2` was, the step or the objective is wrong.
+    """
     turned = [Stack(stack.star, stack.shape, -stack.z) for stack in joint.stacks]
     other = BeadModel(joint.images, turned, joint.priors, joint.depths, drift=DRIFT[0] in joint.own)
     places = tuple(_start(s, search.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
@@ -914,9 +919,11 @@ def _backwards(search: _Search, joint: BeadModel, best: float) -> str:
         there = climb(other, State(search.setup, search.waves, places), _TURNS, lambda *_: None)
     except (Declined, ValueError):
         return ""
-    if there.deviance > best - _REVERSED:
+    turned_chi2, spread = other.chi2_of(there.normal.parts)
+    well = turned_chi2 < 1.0 + MOST * spread or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
+    if there.deviance > best - _REVERSED or not well:
         return ""
     return (
-        f"reversed z: planes in reversed order fit far better, chi2 {other.chi2_of(there.normal.parts)[0]:.4g}; z "
+        f"reversed z: planes in reversed order fit far better, chi2 {turned_chi2:.4g}; z "
         "increases towards the sample, change the sign of the step"
     )

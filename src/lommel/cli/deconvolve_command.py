@@ -7,19 +7,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-import numpy as np
 from rich.text import Text
 
 from lommel.base.units import format_length
-from lommel.base.validation import line, shown
-from lommel.cli.instruments import LENS, SQUARE_PIXEL, camera_option, microscope_of, noise_of
+from lommel.base.validation import line
+from lommel.cli.instruments import LENS, SQUARE_PIXEL, camera_map, camera_option, microscope_of, noise_of
 from lommel.cli.options import JSON, LENGTHS, MICROMETRES, NANOMETRES, Option, command, documented, under
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.io import recordings
-from lommel.io.photos import read_images
 from lommel.microscopy import RestoredStack, restore
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
@@ -29,22 +27,6 @@ if TYPE_CHECKING:
     from lommel.lensfiles.camera import Camera
 
 _STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
-
-
-def _map(text: str | None, name: str) -> Any:
-    """Return a number, or the map of a file; None for None."""
-    if text is None:
-        return None
-    try:
-        return float(text)
-    except ValueError:
-        path = Path(text)
-    if not path.suffix:
-        raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {shown(text)}")
-    found = read_images([path])
-    if len(found) != 1:
-        raise ValueError(f"--{name} must be one image, got {len(found)} in {line(path)}")
-    return np.asarray(found[0], np.float64)
 
 
 @command(
@@ -132,7 +114,10 @@ def deconvolve(
     microscope = microscope_of(lens)
     if microscope is None:
         raise ValueError(f"lommel deconvolve needs a microscope, a file with a section [objective]; {lens} has none")
-    maps = {"white": _map(white, "gain"), "read": _map(read, "read"), "offset": _map(offset, "offset")}
+    texts = {"white": (white, "gain"), "read": (read, "read"), "offset": (offset, "offset")}
+    maps: dict[str, Any] = {
+        name: None if text is None else camera_map(text, flag) for name, (text, flag) in texts.items()
+    }
     noise = None
     if camera is not None:
         noise = noise_of(maps, camera)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
+import numpy as np
 
 from lommel.base import validation
 from lommel.base.units import format_length
@@ -15,6 +16,7 @@ from lommel.cli.output import Facts
 from lommel.estimation.noise import Noise
 
 if TYPE_CHECKING:
+    from lommel.base.arrays import Array
     from lommel.lensfiles.camera import Camera
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.microscope_files import Microscope
@@ -30,6 +32,22 @@ def _camera(text: str) -> Camera:
 def camera_option(words: str) -> Option:
     """Return the option for a camera, with its help."""
     return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=words)
+
+
+def camera_map(text: str, name: str) -> float | Array:
+    """Return the number that an option `name` states, or the map of its file."""
+    from lommel.io.photos import read_images
+
+    try:
+        return float(text)
+    except ValueError:
+        path = Path(text)
+    if not path.suffix:
+        raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
+    found = read_images([path])
+    if len(found) != 1:
+        raise ValueError(f"--{name} must be one image, got {len(found)} in {validation.line(path)}")
+    return np.asarray(found[0], np.float64)
 
 
 LENS = click.Argument(["lens"], type=FILE)

@@ -12,14 +12,13 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.units import format_length
-from lommel.base.validation import line, shown
-from lommel.cli.instruments import CAMERA, DEPTH, LENS, SQUARE_PIXEL, microscope_of, noise_of
+from lommel.base.validation import line
+from lommel.cli.instruments import CAMERA, DEPTH, LENS, SQUARE_PIXEL, camera_map, microscope_of, noise_of
 from lommel.cli.options import FILE, JSON, MICROMETRES, WINDOW, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
 from lommel.io import registry
-from lommel.io.photos import read_images
 from lommel.localize import Localizations, Movie, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.fitting import STATES
 from lommel.localize.localizations import joined
@@ -28,25 +27,10 @@ from lommel.localize.movies import BLOCK
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from lommel.base.arrays import Array
     from lommel.lensfiles.camera import Camera
     from lommel.lensfiles.microscope_files import Microscope
 
 _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
-
-
-def _map(text: str, name: str) -> float | Array:
-    """Return a number, or the map of a file."""
-    try:
-        return float(text)
-    except ValueError:
-        path = Path(text)
-    if not path.suffix:
-        raise ValueError(f"--{name} must be a number or the file of a map (.tif, .npy), got {shown(text)}")
-    found = read_images([path])
-    if len(found) != 1:
-        raise ValueError(f"--{name} must be one image, got {len(found)} in {line(path)}")
-    return np.asarray(found[0], np.float64)
 
 
 _CAMERA = under(
@@ -145,7 +129,7 @@ def localize(
     if microscope is None:
         raise ValueError(f"lommel localize needs a microscope, a file with a section [objective]; {lens} has none")
     texts = {"white": ("gain", white), "read": ("read", read), "offset": ("offset", offset)}
-    maps: Facts = {name: text and _map(text, flag) for name, (flag, text) in texts.items()}
+    maps: Facts = {name: text and camera_map(text, flag) for name, (flag, text) in texts.items()}
     noise, begun = noise_of(maps, microscope.camera), time.perf_counter()
     parts: list[Localizations] = []
     ends = 0

@@ -735,7 +735,7 @@ def main() -> None:
 
 TEXT = """# Accuracy of PSF packages
 
-```{index} ! accuracy, ! GalSim, ! poppy, ! HCIPy, ! prysm, ! dLux, ! aotools, ! photutils, ! solvephase, ! optiland
+```{index} ! GalSim, ! HCIPy, ! dLux, ! aotools, ! solvephase
 ```
 
 How wrong is a PSF? Each package is asked what its own tests and examples ask, at its default settings and, where

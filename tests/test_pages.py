@@ -86,6 +86,7 @@ COPIES = {
     "zeiss-63x-1.4-oil.toml": "objective.toml",
     "fitted.toml": "objective.toml",
     "zeiss-63x-astigmatic.toml": "examples/objectives/zeiss-63x-astigmatic.toml",
+    "nikon-60x-1.2-water.toml": "examples/objectives/nikon-60x-1.2-water.toml",
 }
 
 
@@ -141,7 +142,11 @@ def folder(tmp_path, monkeypatch) -> Path:
     }
     bead = 2e4 * lm.psf(seen.objective.pupil(**planes), 15, seen.pixel).values + 5.0
     beads = lm.Noise(read=1.6, offset=100.0).record(bead, seed=1)
-    for name in ("bead", "field-1", "field-2"):
+    tifffile.imwrite("bead.tif", np.round(beads).astype(np.uint16), photometric="minisblack")
+    planes |= {"depth": 5e-8, "z": 1e-7 * (np.arange(9.0) - 4.0)}
+    bead = 1e4 * lm.psf(seen.objective.pupil(**planes), 17, seen.pixel).values + 5.0
+    beads = lm.Noise(read=1.6, offset=100.0).record(bead, seed=2)
+    for name in ("beads", "field-1", "field-2"):
         tifffile.imwrite(f"{name}.tif", np.round(beads).astype(np.uint16), photometric="minisblack")
     lens = lm.load_instrument("lens.toml")
     light = lens.pupil()

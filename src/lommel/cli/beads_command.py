@@ -93,7 +93,7 @@ def beads(
 
     Examples
     --------
-      lommel beads bead.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
+      lommel beads beads.tif zeiss-63x-1.4-oil.toml --step 100nm --bead 0.1um --read 1.6 --offset 100 -o mine.toml
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
     if output is not None:

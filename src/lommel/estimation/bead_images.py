@@ -279,6 +279,8 @@ class BeadImages:
             low = max(low, 0.25 * at)
         elif name == "NA":  # which is below the indices
             high = min(high, at + 0.5 * (min(setup.objective.immersion, setup.objective.design.immersion) - at))
+        elif name == "immersion":
+            low = max(low, at - 0.5 * (at - setup.objective.NA))
         whole = name in ("diameter", "sample")  # which change the light along the height of the bead
         pair = [self.values(setup.having(name, value), waves, place, stack, ball=whole) for value in (high, low)]
         return np.asarray((pair[0] - pair[1]) / (high - low))

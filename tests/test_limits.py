@@ -13,7 +13,7 @@ import lommel as lm
 from lommel.base import validation
 from lommel.base.checksums import sealed
 from lommel.base.encoding import clipped_share
-from lommel.imaging.occlusion import _behind
+from lommel.core import engine
 from lommel.io import psf_files
 from lommel.measures import aperture_means
 
@@ -138,7 +138,10 @@ def test_light_counts_as_clipped_from_a_whole_level_on():
 def test_what_a_near_edge_hides_is_as_wide_as_the_radii_differ(far, hidden):
     radius = np.full((3, 30), 6.0)
     radius[:, 15:] = far
-    behind = _behind((radius < 6.0).astype(np.int64), radius)
+    layers, behind = np.empty(radius.shape, np.uint8), np.empty(radius.shape, np.int32)
+    # Defocus stands for the radius here; layers are half a pixel of it thick.
+    ends = np.array([-10.0, 10.0])
+    assert engine.depth_layers(radius, *ends, ends, 0.5, 64, 1, layers, behind) == (2, 3 * hidden)
     # The nearest far point is a pixel beyond the last near one.
     assert np.array_equal(behind[1] >= 0, (np.arange(30) >= 15 - hidden) & (np.arange(30) < 15))
 

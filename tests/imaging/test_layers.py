@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import DepthBlur, Occlusion, depth_of_field
-from lommel.imaging.occlusion import MOST_LAYERS, _behind, _layers
+from lommel.imaging.occlusion import MOST_LAYERS, Layering, _layering, _radii
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DONUT = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, obscuration=0.6)
@@ -20,6 +20,13 @@ def bar(front: float, back: float) -> np.ndarray:
     depth = np.full((HEIGHT, WIDTH), back)
     depth[:, BAR] = front
     return depth
+
+
+def layered(blur: DepthBlur) -> tuple[Layering, np.ndarray, np.ndarray]:
+    """Layers, the radius of blur at each point, and what stands for what it hides, or -1."""
+    made = _layering(blur)
+    radius = np.interp(blur.defocus, *_radii(blur, (blur.defocus.min(), blur.defocus.max())))
+    return made, radius, np.full(blur.shape, -1) if made.behind is None else made.behind
 
 
 def edge(blur: DepthBlur, distance: float) -> np.ndarray:
@@ -91,8 +98,8 @@ def test_a_surface_that_hides_nothing_is_as_without_occlusion():
     across = np.linspace(1.0 / 1.2, 1.0 / 6.0, 90)
     light = rng.random((40, 90)) + 20.0 * (rng.random((40, 90)) > 0.99)
     blur = DepthBlur(np.tile(1.0 / across, (40, 1)), LENS, PIXEL, dtype=np.float64)
-    layer, radius = _layers(blur)
-    assert layer.max() >= 30
+    made, radius, _ = layered(blur)
+    assert made.number > 30
     assert np.abs(np.diff(radius, axis=1)).max() < 0.2
     # Where the blur varies, the points around do not add up to white by themselves.
     white = blur.forward(np.ones((40, 90)))
@@ -109,7 +116,7 @@ def test_a_slanted_foreground_is_not_transparent():
     light = np.zeros((HEIGHT, WIDTH))
     light[:, : BAR.start] = light[:, BAR.stop :] = 1.0
     blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
-    assert len(np.unique(_layers(blur)[0][:, BAR])) > 5
+    assert len(np.unique(_layering(blur).layers[:, BAR])) > 5
     middle = (BAR.start + BAR.stop) // 2
     assert Occlusion(blur).forward(light)[:, middle].max() < 0.05
 
@@ -131,8 +138,8 @@ def test_something_is_behind_a_point_where_a_farther_one_is_closer_than_their_ra
     rng = np.random.default_rng(seed)
     depth = 1.5 + 3.0 * (rng.random((14, 17)) > 0.6) + 0.4 * rng.random((14, 17))
     depth[3:9, 4:12] = 1.2
-    layer, radius = _layers(DepthBlur(depth, LENS, PIXEL, largest=40))
-    behind = _behind(layer, radius)
+    made, radius, behind = layered(DepthBlur(depth, LENS, PIXEL, largest=40))
+    layer = made.layers
     y, x = (a.ravel() for a in np.indices(depth.shape))
     distance = np.hypot(y[:, None] - y, x[:, None] - x)
     beyond = (radius.ravel()[:, None] - radius.ravel()) - distance
@@ -150,20 +157,21 @@ def test_what_is_behind_is_that_of_the_nearest_edge_mirrored_there():
     # Both the wall to the left and the sky to the right are within reach of every point between.
     depth = np.full((9, 26), 2.0)
     depth[:, 10:14], depth[:, 14:] = 1.0, np.inf
-    layer, radius = _layers(DepthBlur(depth, LENS, PIXEL, largest=40))
+    _, radius, behind = layered(DepthBlur(depth, LENS, PIXEL, largest=40))
     assert radius[0, 10] - radius[0, 0] > 4.0
-    behind = _behind(layer, radius)
     assert list(behind[4, 10:14] - 4 * 26) == [8, 7, 16, 15]
     assert np.all(behind[:, 14:] == -1)
 
 
 def test_a_scene_without_edges_hides_nothing_and_layers_are_bounded():
     smooth = DepthBlur(np.tile(np.linspace(1.8, 2.2, 40), (9, 1)), LENS, PIXEL, largest=20)
-    assert np.all(_behind(*_layers(smooth)) == -1)
-    fine = DepthBlur(np.tile([1.0, 1.2, 2.0, np.inf], (4, 1)), LENS, 6e-6, largest=100, energy=0.6, tol=0.1)
-    layer, radius = _layers(fine)
+    assert layered(smooth)[0].behind is None
+    depth = np.r_[1.0 / np.linspace(1.0, 0.001, 400), np.inf]
+    fine = DepthBlur(np.tile(depth, (4, 1)), LENS, 6e-6, largest=100, energy=0.6, tol=0.1)
+    made, radius, _ = layered(fine)
     assert np.ptp(radius) > 0.5 * MOST_LAYERS
-    assert list(layer[0, [0, -1]]) == [0, MOST_LAYERS - 1]
+    assert made.number == MOST_LAYERS
+    assert list(made.layers[0, [0, -1]]) == [0, MOST_LAYERS - 1]
 
 
 def test_occlusion_is_asked_for_by_a_truth_value():

@@ -126,3 +126,24 @@ def test_a_size_that_cannot_be_is_left_out_and_told(tmp_path):
     with open_recording(write(tmp_path / "huge.ome.tif", STACK[0], "ZYX", PhysicalSizeZ=500.0)) as found:
         assert found.step is None
         assert "planes apart 0.5 m, which cannot be; it was left out" in " ".join(found.notes)
+
+
+@pytest.mark.parametrize(
+    ("inside", "message"),
+    [("<a/>" * 700_000, "bytes of memory"), ('<!DOCTYPE a [<!ENTITY b "c">]>', "entities of its own")],
+    ids=["elements", "entities"],
+)
+def test_xml_that_takes_much_memory_is_refused_before_it_is_parsed(tmp_path, inside, message):
+    text = f'<?xml version="1.0"?><OME>{inside}</OME>'
+    tifffile.imwrite(tmp_path / "a.ome.tif", STACK[0], description=text, photometric="minisblack", metadata=None)
+    with pytest.raises(RecordingError, match=message):
+        open_recording(tmp_path / "a.ome.tif")
+
+
+@pytest.mark.parametrize("name", [".zattrs", ".zmetadata", "0/.zarray"])
+def test_json_that_takes_much_memory_is_refused_before_it_is_parsed(tmp_path, name):
+    with open_recording(STACK) as first:
+        save_stack(tmp_path / "a.ome.zarr", STACK, first)
+    (tmp_path / "a.ome.zarr" / name).write_text("[" + "[]," * 1_900_000 + "0]")
+    with pytest.raises(RecordingError, match=r"\.z[a-z]+: it would take .* bytes of memory"):
+        open_recording(tmp_path / "a.ome.zarr")

@@ -57,6 +57,7 @@ _TIMES, _COMPRESSED = 10, 100  # its size, that it may take else
 _HEADER = 2**16  # bytes; that of an array is a line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
+_DESCRIPTION = 270  # the tag of a text, which tifffile parses if it is XML
 _TIFF_PAGE = 2**12  # bytes that tifffile takes for a page
 DEFLATE = (8, 32946)
 """The compressions of TIFF files that deflate."""
@@ -145,6 +146,25 @@ def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] 
         return loads(text, object_pairs_hook=pairs)
     except (RecursionError, MemoryError) as error:
         raise ValueError(f"its objects are too many or too deep ({type(error).__name__})") from None
+
+
+def xml(text: str) -> Any:
+    """Return the root of a text in XML; ValueError if it is none, or would take too much memory."""
+    from xml.etree import ElementTree as ET
+
+    _afford_xml(text)
+    try:
+        return ET.fromstring(text)
+    except ET.ParseError as error:
+        raise ValueError(f"it is no XML: {error}") from None
+
+
+def _afford_xml(text: str) -> None:
+    """Refuse XML that would take too much memory, or names texts of its own, which can grow without end."""
+    if "<!ENTITY" in text:
+        raise ValueError("it has entities of its own, which no description needs")
+    # Bytes that Python takes for an element and for an attribute.
+    afford(2 * len(text) + 512 * text.count("<") + 160 * text.count("="), len(text), _TIMES)
 
 
 def reason(error: Exception) -> str:
@@ -283,6 +303,7 @@ def tiff_on_disk(path: Path) -> tuple[Any, list[str]]:
     if (tags := next(_tiff_pages(mapped), None)) is None:
         raise ValueError("it has no page")
     _tiff_page(mapped, tags)
+    _afford_xml(tags[_DESCRIPTION].tobytes().decode("latin-1") if _DESCRIPTION in tags else "")
     with quietly() as errors:
         found = tifffile.TiffFile(path)
         try:
@@ -340,7 +361,7 @@ def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple
             if place + size > len(data):
                 raise ValueError(f"its tag {tag} claims {size} bytes of a file of {len(data)}")
             if tag not in tags:
-                integers = _TIFF_INTEGERS.get(kind)
+                integers = "u1" if tag == _DESCRIPTION else _TIFF_INTEGERS.get(kind)
                 tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, place)
             at += struct.calcsize("=" + entry) + inline
         return tags, int(struct.unpack_from(order + word, data, at)[0])

@@ -19,7 +19,7 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from lommel.base import atomic, validation
+from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import ENCODINGS, from_light
 from lommel.base.optional import library
@@ -349,7 +349,7 @@ def _begin(folder: Path, record: dict[str, Any]) -> None:
     file = folder / _RECORD
     if file.exists():
         try:
-            known = json.loads(file.read_text(encoding="utf-8"))
+            known = reading.json(reading.contents(file))
         except ValueError:
             known = {}
         if known != record:

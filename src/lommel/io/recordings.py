@@ -23,7 +23,8 @@ _UNITS = {
     "microns": 1e-6, "micrometer": 1e-6, "micrometre": 1e-6, "nm": 1e-9, "nanometer": 1e-9, "nanometre": 1e-9,
     "Å": 1e-10, "angstrom": 1e-10, "pm": 1e-12, "\\u00B5m": 1e-6, "cm": 1e-2, "inch": 2.54e-2,
 }  # fmt: skip
-_XML = 2**24  # bytes of a description that are parsed
+_JSON = 2**24  # bytes of a description that are parsed
+_DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _CHUNK = (32, 256, 256)  # of an OME-Zarr that is written
 _AXES = "TCZYX"
 _SHARE = 1e-4  # of lengths that count as equal
@@ -391,14 +392,9 @@ def _number(value: Any) -> float | None:
 
 def _ome(file: Any) -> dict[str, Any]:
     """Return what OME-XML says of the first image."""
-    from xml.etree import ElementTree as ET
-
-    text = file.ome_metadata or ""
-    if len(text) > _XML:
-        return {}
     try:
-        root = ET.fromstring(text)
-    except ET.ParseError:
+        root = reading.xml(file.ome_metadata or "")
+    except ValueError:
         return {}
     pixels = root.find(".//{*}Image/{*}Pixels")
     if pixels is None:
@@ -436,10 +432,8 @@ def _imagej(file: Any) -> dict[str, Any]:
 
 def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
     zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
-    for name in ("zarr.json", ".zattrs", ".zgroup"):
-        if (path / name).exists() and reading.size(path / name) > _XML:
-            raise RecordingError(f"{line(path)}: {name} is larger than any description")
     try:
+        _look(path)
         group = zarr.open(str(path), mode="r")
     except Exception as error:  # of any kind
         raise RecordingError(f"{line(path)}: no OME-Zarr: {reading.reason(error)}") from None
@@ -452,6 +446,7 @@ def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
         names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
         units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
         first = scales["datasets"][0]
+        _look(path / first["path"])
         array = group[first["path"]]
         moves = [*first.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
         scale = np.ones(len(names))
@@ -486,6 +481,16 @@ def _zarr(path: Path, time: int | None, axes: str | None) -> Recording:
     found["emission"] = [_length(each.get("emission_wavelength"), "nm", "nm") for each in channels]
     made = Recording(_Chunked(array, order, at), path=path)
     return _told(made, found, "OME-Zarr", [])
+
+
+def _look(folder: Path) -> None:
+    """Parse the descriptions in a folder of Zarr, as zarr will; ValueError or OSError if it would cost too much."""
+    for name in _DESCRIPTIONS:
+        if (folder / name).exists():
+            try:
+                reading.json(reading.contents(folder / name, _JSON))
+            except ValueError as error:
+                raise ValueError(f"{name}: {reading.reason(error)}") from None
 
 
 class _Chunked:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from lommel.base import validation
+from lommel.base import reading, validation
 from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
@@ -496,7 +496,7 @@ class _Target:
             return
         mark = self._room / "request.json"
         if mark.exists():
-            said = json.loads(mark.read_text(encoding="utf-8"))
+            said = reading.json(reading.contents(mark))
             if said.get("request") == request:
                 self._array = _opened(self._room, "r+")["0"]
                 self._done = set(said.get("done", []))

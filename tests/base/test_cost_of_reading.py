@@ -18,7 +18,7 @@ FILES = hostile_files.files()
 
 @pytest.fixture(scope="module")
 def costs() -> dict[str, tuple[int, float, int, str]]:
-    """Bytes of each file, seconds and bytes of memory that it takes, and what is told of it."""
+    """Bytes of each file, work and bytes of memory that it takes, and what is told of it."""
     command = [sys.executable, "-W", "error", hostile_files.__file__]
     result = subprocess.run(command, capture_output=True, text=True, timeout=900, check=False)
     assert result.returncode == 0, result.stderr
@@ -27,10 +27,10 @@ def costs() -> dict[str, tuple[int, float, int, str]]:
 
 @pytest.mark.parametrize("name", FILES)
 def test_a_hostile_file_costs_little_and_is_told_in_short(name, costs):
-    size, seconds, memory, told = costs[name]
+    size, work, memory, told = costs[name]
     times = 100 if FILES[name][0] in COMPRESSED and "pages" not in name else 10
     assert memory <= max(hostile_files.ENOUGH, times * size) + 2**24, told  # and what libraries take the first time
-    assert seconds <= max(1.5, 1.5e-6 * size), told  # of a machine at work
+    assert work <= max(2e7, 20 * size), told  # seconds would count what else the machine does
     assert not told.startswith("ESCAPED")
     assert len(told) < 2200
 

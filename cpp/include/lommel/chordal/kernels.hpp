@@ -26,6 +26,9 @@ struct ChordKernels {
     static void nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to);
     static void rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords);
     static void columns(Level level, const KernelTable<Real>& kernel, const Real* chords, Real* row);
+    static void parity_rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, bool odd, const Real* nodes,
+                            Real* chords);
+    static void parity_columns(Level level, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row);
     static void intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top);
     static void subtract(Level level, const Real* inner, std::size_t count, Real* u);
     static void scale(Level level, const Real* u, Real area, std::size_t count, Real* inner);
@@ -83,6 +86,15 @@ void ChordKernels<Real>::columns(Level level, const KernelTable<Real>& kernel, c
     dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         kernel.lanes.side > 1 ? lone_columns_of_row(isa, kernel, chords, row) : columns_of_row(isa, kernel, chords, row);
     });
+}
+template <class Real>
+void ChordKernels<Real>::parity_rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, bool odd,
+                                     const Real* nodes, Real* chords) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { rows_of_parity(isa, kernel, chord, odd, nodes, chords); });
+}
+template <class Real>
+void ChordKernels<Real>::parity_columns(Level level, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { columns_of_parity(isa, kernel, odd, chords, row); });
 }
 template <class Real>
 void ChordKernels<Real>::intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top) {

@@ -306,6 +306,45 @@ LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const
     });
 }
 
+// The same of pupil functions of one parity, at distances from the axis alone. Of a pair of chords, nodes[node][re, im], even or odd
+// in y: chords[distance of a row][chord][re, im]. Where it is odd sines take the place of cosines, less a factor -i.
+template <class I, class Real>
+LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_t chord, bool odd, const Real* nodes,
+                                  Real* chords) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t rows = kernel.rows.at.size(), within = kernel.count.half_nodes(), line = kernel.vectors() * 2 * lanes;
+    const Real* table = (odd ? kernel.row_sin : kernel.row_cos).data();
+    for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size)::value;
+        V a[R][2] = {};
+        multiply<R, 2>(table + (chord * rows + first) * within, nodes, within, a);
+        for (std::size_t r = 0; r < R; ++r) {
+            Real* to = chords + (first + r) * line + chord * 2 * lanes;
+            store(to, a[r][0]);
+            store(to + lanes, a[r][1]);
+        }
+    });
+}
+
+// Then row[distance of a column][re, im], by chords[chord][re, im] of a row that are even or odd in x.
+template <class I, class Real>
+LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t half = kernel.count.half_chords();
+    const Real* table = (odd ? kernel.column_sin : kernel.column_cos).data();
+    for_fixed_tiles<column_tile>(kernel.columns.at.size(), [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size)::value;
+        V a[R][2] = {};
+        multiply<R, 2>(table + first * half, chords, half, a);
+        for (std::size_t r = 0; r < R; ++r) {
+            store(row + (first + r) * 2 * lanes, a[r][0]);
+            store(row + ((first + r) * 2 + 1) * lanes, a[r][1]);
+        }
+    });
+}
+
 // |U|^2 along a row; `top` is raised to the largest of each lane.
 template <class I, class Real>
 LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Real* intensity, Real* top) {

@@ -150,15 +150,16 @@ def folder(tmp_path, monkeypatch) -> Path:
         tifffile.imwrite(f"{name}.tif", np.round(beads).astype(np.uint16), photometric="minisblack")
     lens = lm.load_instrument("lens.toml")
     light = lens.pupil()
-    aberrated = light.wavefront + lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.5})
+    aberrated = light.wavefront + lm.Wavefront([-4.0, -3.0, 0.0, 3.0, 4.0], spherical=0.5)
     light = lm.Pupil(aberrated, wavelength=light.wavelength, f_number=light.f_number)
-    sky = np.full((3, 180, 180), 20.0)
-    for row, column in np.ndindex(4, 4):
+    stars = lm.psf(light, 33, lens.pixel).values
+    sky = np.full((3, 140, 140), 20.0)
+    for row, column in np.ndindex(3, 3):
         part = np.s_[:, 40 * row + 10 : 40 * row + 43, 40 * column + 10 : 40 * column + 43]
-        sky[part] += 4e4 * lm.psf(light, 33, lens.pixel).values
+        sky[part] += 4e4 * stars[1:4]
     for name, exposure in zip(("inside", "stars", "outside"), lm.Noise(read=2.0).record(sky, seed=2), strict=True):
         fits.PrimaryHDU(exposure.astype(np.float32)).writeto(f"{name}.fits")
-    stars = 3e4 * lm.psf(light, 33, lens.pixel).values
+    stars = 3e4 * stars[::2]
     for k, image in enumerate(np.round(lm.Noise(read=2.0).record(stars + 20.0, seed=1))):
         tifffile.imwrite(f"star-{k}.tif", np.maximum(image, 0.0).astype(np.uint16))
     tifffile.imwrite("spot.tif", np.round(stars[1] + 20.0).astype(np.float32))

@@ -74,10 +74,23 @@ def test_a_fitted_microscope_is_written_and_read(folder):
 
 
 def test_beads_of_a_field_are_found_and_fitted_together(folder):
-    found = run("field.tif", *ASKED, "--window", "19", "--fixed")
+    words = ["beads", "field.tif", *ASKED, "--window", "19", "--fixed"]
+    found = CliRunner().invoke(main, words, env={"COLUMNS": "100"})
     assert found.exit_code == 0, found.output
-    assert "field.tif [1]" in found.output
     assert "converged" in found.output
+    row = next(line.split() for line in found.output.splitlines() if line.startswith("field.tif [1]"))
+    place = dict(zip(("row", "column", "z", "depth", "flux", "chi2"), row[2:], strict=True))
+    for name, low, high in (("row", 14.9, 45.1), ("column", 19.9, 60.1), ("z", -20.0, 20.0), ("flux", 8e3, 1.2e4)):
+        value, error = map(float, place[name].split("+-"))
+        assert low < value < high
+        assert 0.0 < error < 0.2 * high
+    assert place["depth"] == "50"  # held
+
+
+def test_a_result_that_does_not_fit_has_exit_code_3(folder):
+    found = run("bead.tif", "objective.toml", "--step", "-200nm", *ASKED[3:], "--fixed")
+    assert found.exit_code == 3
+    assert "reversed z: " in found.output
 
 
 @pytest.mark.parametrize(

@@ -76,6 +76,13 @@ def test_what_the_command_cannot_do_is_told(night, call_lommel):
     assert "images must show at least 4 isolated stars; 0 spots found" in told("--defocus", 0, 1, "--threshold", 900)
 
 
+def test_a_misfit_has_exit_code_3(night, call_lommel):
+    options = ("--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 0, "--terms", 1, "--known-blur", 0)
+    result = call_lommel("fit-field", "stars.npy", "lens.toml", *options, folder=night)
+    assert result.returncode == 3, result.stderr
+    assert "misfit: " in result.stdout
+
+
 def test_json_has_the_terms_and_the_stars(night, call_lommel):
     options = ("--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 1, "--terms", 3, "--known-blur", 0)
     found = json.loads(call_lommel("fit-field", "stars.npy", "lens.toml", *options, "--json", folder=night).stdout)

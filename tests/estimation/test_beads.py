@@ -10,13 +10,14 @@ import pytest
 import lommel as lm
 import plane_waves
 from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, changed
+from lommel.estimation.beads import possible
 from lommel.special import zernike
 from objectives import OIL, oil
 
 WAVE, PIXEL = 600e-9, 6.5e-6
 Z = np.linspace(-0.9e-6, 0.9e-6, 9)
 NOISE = lm.Noise(read=1.6, offset=100)
-GIVEN = {"z": Z, "wavelength": WAVE, "pixel": PIXEL, "noise": NOISE, "diameter": 0.1e-6, "threads": 1}
+GIVEN = {"z": Z, "wavelength": WAVE, "pixel": PIXEL, "noise": NOISE, "diameter": 0.1e-6, "threads": 1, "starts": 1}
 TERMS = tuple(zernike.term(5 + k, "noll") for k in range(7))
 
 
@@ -32,7 +33,7 @@ def wavefront(coefficients):
 
 
 def recorded(
-    seed, coefficients, objective=OIL, *, light=1e4, depth=50e-9, diameter=0.1e-6, z=Z, pixel=PIXEL, size=17
+    seed, coefficients, objective=OIL, *, light=1e4, depth=50e-9, diameter=0.1e-6, z=Z, pixel=PIXEL, size=15
 ):
     """Return the stack of a bead, by a certified PSF, and where it is."""
     rng = np.random.default_rng(seed)
@@ -66,7 +67,7 @@ def test_images_are_those_of_plane_waves_summed_over_the_ball_and_the_pixel(diam
     rows, columns = np.array([10, 11, 8, 13, 5]), np.array([10, 9, 12, 10, 4])
     sub, weight = np.polynomial.legendre.leggauss(3)
     dy, dx = np.meshgrid(0.5 * sub, 0.5 * sub, indexing="ij")
-    x, y, up, share = ball(4)
+    x, y, up, share = ball(4 if diameter > 2e-7 else 3)
     total, power = np.zeros((2, rows.size)), 0.0
     aberrations = wavefront(coefficients)
     for k in range(x.shape[0]):
@@ -112,11 +113,10 @@ def test_derivatives_are_differences_of_images(name):
     assert np.abs(found - exact).max() <= 0.06 * np.abs(exact).max()
 
 
-@pytest.mark.parametrize("seed", range(2))
-def test_aberrations_and_places_are_found_from_nothing_within_their_standard_errors(seed):
-    given = waves(seed, (0.15, 0.28)[seed])
-    images, (row, column, up) = recorded(seed, given)
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+def test_aberrations_and_places_are_found_from_nothing_within_their_standard_errors():
+    given = waves(1, 0.28)
+    images, (row, column, up) = recorded(1, given, size=17)
+    found = lm.fit_beads(images, OIL, **GIVEN | {"starts": 5}, terms=TERMS, priors={})
     assert found.converged, found.message
     off = [(found.coefficients[t] - c) / found.deviation[t] for t, c in zip(TERMS, given, strict=True)]
     assert np.abs(off).max() < 4.5
@@ -124,11 +124,13 @@ def test_aberrations_and_places_are_found_from_nothing_within_their_standard_err
     for value, true, error in ((one.row, row, "row"), (one.column, column, "column"), (one.z, up, "z")):
         assert abs(value - true) < 5.0 * one.deviation[error]
     assert found.model_error < 1e-3
-    assert one.flux == pytest.approx(np.full(9, 1e4), rel=0.2)
+    assert 0.5 < np.sqrt(np.mean(((one.flux - 1e4) / one.flux_deviation) ** 2)) < 1.6
+    assert 0.5 < np.sqrt(np.mean(((one.background - 10.0) / one.background_deviation) ** 2)) < 1.6
+    assert abs(one.flux.mean() - 1e4) < 4.0 * one.deviation["flux"]
 
 
 def test_a_stack_of_plane_waves_is_fitted_within_its_standard_errors():
-    given, size = waves(12, 0.15), 17
+    given, size = waves(12, 0.15), 15
     y, x = np.mgrid[:size, :size] - size // 2
     sub, weight = np.polynomial.legendre.leggauss(3)
     dy, dx = np.meshgrid(0.5 * sub, 0.5 * sub, indexing="ij")
@@ -147,7 +149,7 @@ def test_a_stack_of_plane_waves_is_fitted_within_its_standard_errors():
 
 def test_standard_errors_hold_for_dim_beads():
     off = []
-    for seed in range(3):
+    for seed in range(2):
         given = waves(20 + seed, 0.1)
         images, _ = recorded(seed, given, light=1000.0)
         found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
@@ -174,6 +176,21 @@ def test_score_tests_name_the_constant_that_is_wrong(name):
     assert abs(found.suspects[0].sigmas) > 5.0
     assert not found.reliable
     assert f"the data want {name} = " in found.message
+
+
+def test_a_constant_that_would_leave_physics_is_named_without_a_value():
+    given = waves(3, 0.1)
+    pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=WAVE, aberrations=wavefront(given))
+    images = NOISE.record(1e5 * lm.psf(pupil, 17, PIXEL, integrate=False).values.astype(float) + 10.0, seed=1)
+    found = lm.fit_beads(images, OIL, **GIVEN | {"diameter": 0.0}, depth=50e-9, terms=TERMS, priors={})
+    blur = next(one for one in found.suspects if one.name == "blur")
+    assert (blur.possible, blur.value < 0.0, abs(blur.sigmas) > 5.0) == (False, True, True)
+    assert str(blur).startswith("blur lower than 0 pixels^2, beyond what is possible (")
+    assert "blur lower than 0" in found.message
+    setup = Setup(OIL, WAVE, pupil.emitter, PIXEL, 0.1e-6)
+    for name, worst, best in (("sample", 0.9, 1.0), ("NA", 1.52, 1.5), ("depth", 0.0, 0.03e-6), ("step", 0.0, 0.5)):
+        assert not possible(setup, name, worst)
+        assert possible(setup, name, best)
 
 
 def test_immersion_and_cover_glass_are_named_together():
@@ -207,16 +224,14 @@ def test_a_stack_in_reversed_order_is_told_before_constants():
 
 def test_several_beads_share_the_microscope():
     given = waves(7)
-    stacks = [recorded(30 + k, given)[0] for k in range(2)]
-    stacks.append(recorded(40, given, depth=1e-6)[0])
-    depths = [50e-9, 50e-9, 1e-6]
+    stacks = [recorded(30 + k, given, depth=depth)[0] for k, depth in enumerate((50e-9, 1e-6))]
     alone = lm.fit_beads(stacks[0], OIL, **GIVEN, terms=TERMS, priors={})
-    found = lm.fit_beads(stacks, OIL, **GIVEN, depth=depths, terms=TERMS, priors={})
+    found = lm.fit_beads(stacks, OIL, **GIVEN, depth=[50e-9, 1e-6], terms=TERMS, priors={})
     assert found.converged
     for term, c in zip(TERMS, given, strict=True):
         assert abs(found.coefficients[term] - c) < 4.5 * found.deviation[term]
-        assert found.deviation[term] < 0.75 * alone.deviation[term]
-    assert [one.used for one in found.beads] == [True] * 3
+        assert found.deviation[term] < 0.9 * alone.deviation[term]
+    assert [one.used for one in found.beads] == [True] * 2
 
 
 def test_the_deviation_of_the_psf_elsewhere_is_what_fits_differ_by():
@@ -269,7 +284,7 @@ def test_an_interrupt_keeps_the_best_so_far():
 
 def test_noise_alone_is_no_bead():
     images = NOISE.record(np.full((9, 17, 17), 20.0), seed=1)
-    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, starts=1)
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
     assert not found.converged
     assert "no bead" in found.message
 
@@ -297,9 +312,8 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"diameter": 1.0}, "diameter must be"),
         ({"stacks": np.full((9, 17, 17), 100.0)}, "must show a star"),
         ({"saturation": 50.0}, "saturated"),
-        ({"stacks": [STACK, STACK[:, :15, :15]]}, "windows of one shape"),
+        ({"stacks": [STACK, STACK[:, :13, :13]]}, "windows of one shape"),
     ],
-    ids=str,
 )
 def test_what_cannot_be_fitted_is_refused_with_a_sentence(more, told):
     given = {"stacks": STACK, "terms": TERMS} | GIVEN | more

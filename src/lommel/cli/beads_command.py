@@ -89,7 +89,8 @@ def beads(
 
     All beads share the aberrations and the constants of the microscope. chi2 is about 1 where the model fits; a wrong
     constant may leave it there, so all are tested, and the last line names those that the data want changed. What is
-    written with -o is a microscope file with the fitted numbers and their standard errors.
+    written with -o is a microscope file with the fitted numbers and their standard errors. The exit code is 3 if the
+    fit did not converge: a misfit, no bead, or planes in reversed order.
 
     Examples
     --------
@@ -148,7 +149,7 @@ def beads(
     notes += [note for path in stacks if (note := _other_step(path, step))]
     if len(windows) > _MOST:
         notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
-    return Report(facts, _parts(found, names, corners, notes)) + written([output, figure])
+    return Report(facts, _parts(found, names, corners, notes), found.converged) + written([output, figure])
 
 
 def _other_step(path: Path, step: float) -> str:
@@ -187,9 +188,14 @@ def _facts(found: BeadFit, corners: list[tuple[int, int]]) -> Facts:
         {"row": one.row + corner[0], "column": one.column + corner[1]}
         | {name: getattr(one, name) for name in ("z", "depth", "chi2", "used")}
         | {"deviation": one.deviation, "flux": one.flux.tolist(), "background": one.background.tolist()}
+        | {f"{name}_deviation": _numbers(getattr(one, f"{name}_deviation")) for name in ("flux", "background")}
         for one, corner in zip(found.beads, corners, strict=False)
     ]
     return facts | {"covariance": found.covariance.tolist(), "model_error": found.model_error}
+
+
+def _numbers(values: Values) -> list[float | None]:
+    return [_plain(value) for value in values]
 
 
 def _plain(value: float) -> float | None:
@@ -206,29 +212,33 @@ def _parts(
         if isinstance(name, str):
             metres = name in ("coverslip", "pixel", "diameter")
             shown = [1e6 * value, 1e6 * error] if metres else [value, error]
-            constants.append((f"{name} (um)" if metres else name, *_with_error(*shown)))
+            constants.append((f"{name} (um)" if metres else name, *_with_error(shown[0], shown[1])))
         else:
             terms.append((label(name), *_with_error(1e3 * value / (2.0 * math.pi), 1e3 * error / (2.0 * math.pi))))
     parts: list[RenderableType] = [table_of(("term", "milliwaves rms", "std. error"), terms), ""]
     if constants:
         parts += [table_of(("constant", "value", "std. error"), constants), ""]
-    rows = [
-        (
-            name,
-            f"{one.row + corner[0]:.2f}",
-            f"{one.column + corner[1]:.2f}",
-            format_length(one.z, digits=3),
-            format_length(one.depth, digits=3),
-            f"{np.mean(one.flux):.4g}",
-            f"{one.chi2:.3f}{'' if one.used else ', left out'}",
-        )
-        for name, corner, one in zip(names, corners, found.beads, strict=False)
-    ]
-    parts.append(table_of(("bead", "row", "column", "z", "depth", "electrons a plane", "chi2"), rows))
+    rows = []
+    for name, corner, one in zip(names, corners, found.beads, strict=False):
+        values = {
+            "row": (one.row + corner[0], 1.0),
+            "column": (one.column + corner[1], 1.0),
+            "z": (one.z, 1e9),
+            "depth": (one.depth, 1e9),
+            "flux": (float(np.mean(one.flux)), 1.0),
+        }
+        cells = [_beside(factor * v, factor * one.deviation.get(key, 0.0)) for key, (v, factor) in values.items()]
+        rows.append((name, *cells, f"{one.chi2:.3f}{'' if one.used else ', left out'}"))
+    parts.append(table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), rows))
     return [*parts, "", *(Wrapped(note) for note in notes), Wrapped(found.message)]
 
 
-def _with_error(value: float, error: float) -> tuple[str, str]:
-    """Return a number and its standard error, which has two digits, to the same place."""
-    places = max(0, 1 - math.floor(math.log10(error))) if 0.0 < error < math.inf else 4
+def _beside(value: float, error: float) -> str:
+    """Return a number and its standard error, or the number alone where it was not estimated."""
+    return "+-".join(_with_error(value, error, 3)) if error else f"{value:.4g}"
+
+
+def _with_error(value: float, error: float, most: int = 9) -> tuple[str, str]:
+    """Return a number and its standard error, which has two digits, to the same place: at most so many decimals."""
+    places = min(max(0, 1 - math.floor(math.log10(error))), most) if 0.0 < error < math.inf else 4
     return f"{value:.{places}f}", f"{error:.{places}f}"

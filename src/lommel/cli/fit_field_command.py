@@ -90,8 +90,8 @@ def fit_field(
     and background. Several exposures need the --defocus of each. One focus leaves the common sign of all even terms
     open (defocus, astigmatism, spherical): the map with positive defocus in the mean is written, the other by --twin.
 
-    The table serves as file of the section [field], with unit = "waves". A misfit is said in the last line, and by
-    "converged" of --json; the exit code is 0 all the same.
+    The table serves as file of the section [field], with unit = "waves". A misfit is said in the last line, by
+    "converged" of --json, and by exit code 3.
 
     Examples
     --------
@@ -137,7 +137,7 @@ def fit_field(
         made.save(twin, twin=True)
     if figure is not None:
         save_figure(made.plot(), figure)
-    return Report(_facts(made, found), _parts(made, found)) + written([output, twin, figure, spots])
+    return Report(_facts(made, found), _parts(made, found), made.converged) + written([output, twin, figure, spots])
 
 
 def _parts(made: FieldFit, found: PointSources) -> list[Any]:

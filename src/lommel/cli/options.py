@@ -144,7 +144,8 @@ def command(
 ) -> Callable[[Callable[..., Report | None]], Command]:
     """Return a decorator that makes a command of a function: its docstring is the help, its report is printed.
 
-    Errors that a user can cause are one line, with exit code 2; errors of the program have exit code 1. With the
+    Errors that a user can cause are one line, with exit code 2; errors of the program have exit code 1. A fit that
+    did not converge is printed, with exit code 3. With the
     environment variable LOMMEL_TRACEBACK set, Python's traceback is shown instead.
     """
 
@@ -155,9 +156,12 @@ def command(
             try:
                 if given.get("figure") is not None:  # before anything is computed
                     figure_format(given["figure"])
-                if report := function(**given):
+                report = function(**given)
+                if report is not None:
                     report.print(as_json=as_json)
                 sys.stdout.flush()  # now, where a failure can still be reported
+                if report is not None and not report.converged:
+                    sys.exit(3)
             except (click.ClickException, click.exceptions.Exit, click.Abort):
                 raise
             except BrokenPipeError:

@@ -31,13 +31,18 @@ Facts: TypeAlias = dict[str, Any]
 
 @dataclass(frozen=True)
 class Report:
-    """What a command has found: the facts that ``--json`` prints, and lines and tables that say the same."""
+    """What a command has found: the facts that ``--json`` prints, and lines and tables that say the same.
+
+    The exit code is 3 where a result is not to be trusted: a fit that did not converge.
+    """
 
     facts: Facts
     parts: Sequence[RenderableType]
+    converged: bool = True
 
     def __add__(self, other: Report) -> Report:
-        return Report(self.facts | other.facts, [*self.parts, *other.parts])
+        both = self.converged and other.converged
+        return Report(self.facts | other.facts, [*self.parts, *other.parts], both)
 
     def print(self, *, as_json: bool = False) -> None:
         """Print the facts as JSON, or the parts, on standard output."""

@@ -136,11 +136,12 @@ def retrieve(
 
     LENS may describe a microscope. IMAGES are then the planes of a z stack of a small bead at the depth of the file
     (or --depth), in the order of the stage, towards the sample, --step apart; the middle one is at the origin of the
-    file. What is written serves as its [aberrations.zernike].
+    file. What is written serves as its [aberrations.zernike]. The bead is a point here, and the microscope is as its
+    file says: see `lommel beads` for beads of a size, several beads, and tests of indices, depth, NA and pixel.
 
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The
     reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right. A misfit is said in the last
-    line, and by "converged" and "reliable" of --json; the exit code is 0 all the same.
+    line, by "converged" and "reliable" of --json, and by exit code 3.
 
     Examples
     --------
@@ -194,7 +195,10 @@ def retrieve(
     if figure is not None:
         save_figure(found.plot(unit=unit, names=names), figure)
     made = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
-    return Report({"images": names} | _facts(found), _parts(found, unit, names)) + made
+    parts = _parts(found, unit, names)
+    if microscope is not None:
+        parts.append(Wrapped("Of a point, with all constants held; lommel beads estimates and tests them."))
+    return Report({"images": names} | _facts(found), parts, found.converged) + made
 
 
 def _image_names(files: list[Path], count: int) -> list[str]:

@@ -325,6 +325,8 @@ class Part(NamedTuple):
     spread: float
     light: Array  # (2, planes)
     visible: float  # of the light of all planes, standard deviations
+    scatter: Array  # (planes, 2, 2), covariance of the light where all parameters are held
+    carried: Array  # (planes, parameters, 2), what the light falls by as parameters rise
 
 
 def likelihood(values: Array, stack: Stack, light: Array, threads: int) -> tuple[float, float, float, float]:
@@ -351,4 +353,7 @@ def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Arr
     alone = inner[:, 0, 0] - inner[:, 0, 1] ** 2 / inner[:, 1, 1]
     visible = math.sqrt(float((light[0] ** 2 * np.maximum(alone, 0.0)).sum()))
     total = float(each[:, -1, -1].sum())
-    return Part(float(deviance), found, information, total, float(expected), float(spread), light, visible)
+    return Part(
+        float(deviance), found, information, total, float(expected), float(spread), light, visible,
+        np.linalg.inv(inner), chain @ carried,
+    )  # fmt: skip

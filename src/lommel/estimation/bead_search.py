@@ -1,4 +1,4 @@
-"""Fisher scoring of stacks of beads: shared parameters, and places that are eliminated bead by bead."""
+"""The search for stacks of beads: Fisher scoring with places eliminated bead by bead, starts, beads left out."""
 
 from __future__ import annotations
 
@@ -22,12 +22,16 @@ from lommel.estimation.bead_images import (
     likelihood,
     part_of,
 )
+from lommel.estimation.star_images import MOST, SURE
 
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
 _SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
 _DAMPING = 1e-2, 1e-6, 1e7  # at first, at least, and where a search gives up
 _FAR = 1.0  # radians rms: no step changes the wavefront by more
+_ALIKE = 1.0  # of minus the log-likelihood: starts that end so near have found one minimum
+_LEFT = 1.5  # times the median chi2, from which a bead is left out
+ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)  # metres of the stage, where restarts begin
 _REACH = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "drift_column": 1.0, "depth": 0.3e-6}
 
 
@@ -133,6 +137,11 @@ class BeadModel:
         """Return the model of one bead, with the constants of the microscope and its depth fixed."""
         depth = Prior(self.depths[k].value, 0.0)
         return BeadModel(self.images, [self.stacks[k]], {}, [depth], drift=DRIFT[0] in self.own)
+
+    def having(self, kept: Sequence[int]) -> BeadModel:
+        """Return the model of some of the beads."""
+        stacks, depths = [self.stacks[k] for k in kept], [self.depths[k] for k in kept]
+        return BeadModel(self.images, stacks, self.priors, depths, drift=DRIFT[0] in self.own)
 
     def prior_deviance(self, state: State) -> float:
         """Return what priors add to the deviance."""
@@ -308,3 +317,87 @@ def climb(model: BeadModel, start: State, most: int, report: Callable[[int, floa
     except KeyboardInterrupt:
         interrupted = True
     return Climbed(state, values, deviance, normal, settled, taken, interrupted)
+
+
+class Search:
+    """Searches for the answer of a model, from several starts, of single beads first."""
+
+    def __init__(
+        self,
+        model: BeadModel,
+        setup: Setup,
+        waves: Array,
+        starts: int,
+        most: int,
+        progress: Callable[[float, float], object] | None,
+    ) -> None:
+        self.model, self.setup, self.waves, self.starts, self.most = model, setup, waves, starts, most
+        self.steps, self._done, self._progress, self.interrupted = 0, 0.0, progress, False
+
+    def all(self) -> tuple[Climbed, list[bool]]:
+        """Return the best fit of all beads, and which are part of it."""
+        model, count = self.model, len(self.model.stacks)
+        singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
+        scores = np.array([model.alone(k).chi2_of(one.normal.parts) for k, one in enumerate(singles)])
+        middle = float(np.median(scores[:, 0]))
+        used = [bool(chi2 < _LEFT * middle or chi2 < 1.0 + MOST * spread) for chi2, spread in scores]
+        kept = [k for k in range(count) if used[k]]
+        joint = model.having(kept)
+        if count == 1 and not model.priors and "depth" not in model.own:
+            return singles[0], used
+        waves = np.median([singles[k].state.waves for k in kept], axis=0)
+        start = State(self.setup, waves, tuple(singles[k].state.places[0] for k in kept))
+        return self.climb(joint, start, 0.4), used
+
+    def one(self, model: BeadModel, share: float) -> Climbed:
+        """Return the best fit of one stack."""
+        best: Climbed | None = None
+        for origin in ORIGINS[: self.starts]:
+            place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
+            found = self.climb(model, State(self.setup, self.waves, (place,)), share)
+            alike = best is not None and abs(found.deviance - best.deviance) < _ALIKE
+            if best is None or found.deviance < best.deviance:
+                best = found
+            chi2, spread = model.chi2_of(best.normal.parts)
+            if self.interrupted or (best.settled and (alike or chi2 < 1.0 + SURE * spread)):
+                break
+            share = 0.0
+        assert best is not None
+        return best
+
+    def climb(self, model: BeadModel, start: State, share: float) -> Climbed:
+        """Return the end of one search; `share` of the progress."""
+        before = self._done
+
+        def report(step: int, chi2: float) -> None:
+            if self._progress is not None:
+                self._progress(min(before + share * (1.0 - 0.8**step), 1.0), chi2)
+
+        found = climb(model, start, self.most, report)
+        self.steps += found.steps
+        self._done, self.interrupted = before + share, found.interrupted
+        return found
+
+
+def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
+    """Return where to begin: centroid of the sharpest planes, and the focus where squares are centred."""
+    counted, _, _, valid = stack.star
+    images = np.where(valid > 0.0, counted, np.nan).reshape(len(stack.z), *stack.shape)
+    light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
+    sharp = (light * np.abs(light)).sum(axis=(1, 2))
+    sharp = np.clip(sharp - np.median(sharp), 0.0, None)
+    total = float(sharp.sum())
+    middle = float(sharp @ stack.z) / total if total > 0.0 else float(stack.z.mean())
+    best = light[np.argsort(-sharp)[:5]].mean(axis=0)
+    best = np.where(best > 0.2 * best.max(), best, 0.0)
+    row, column = (
+        float((best.sum(axis=1 - axis) * (np.arange(side) - side // 2)).sum() / max(best.sum(), 1e-300))
+        for axis, side in enumerate(stack.shape)
+    )
+    return Place(row, column, brightest(setup, depth) - setup.step * middle + origin, depth)
+
+
+def brightest(setup: Setup, depth: float) -> float:
+    """Return the position of the stage at which an emitter at a depth is brightest, without aberrations."""
+    made = setup.objective.pupil(depth=depth, wavelength=setup.wavelength, emitter=setup.emitter)
+    return float(made.focus)

@@ -15,10 +15,22 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, light_of
-from lommel.estimation.bead_search import DRIFT, BeadModel, Climbed, Prior, State, climb
+from lommel.estimation.bead_search import (
+    DRIFT,
+    ORIGINS,
+    BeadModel,
+    Climbed,
+    Prior,
+    Search,
+    State,
+    brightest,
+    climb,
+    lowest,
+    start_of,
+)
 from lommel.estimation.noise import Noise
 from lommel.estimation.phase_retrieval import label, recorded
-from lommel.estimation.star_images import MOST, SURE
+from lommel.estimation.star_images import MOST
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
@@ -35,13 +47,10 @@ _PLANES = 5  # at the least
 _SUSPECT = 5.0  # standard deviations of a score test
 _VISIBLE = 10.0  # standard deviations of the light of all planes together
 _REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has to fit better
-_ALIKE = 1.0  # of the same: starts that end so near have found one minimum
 _FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves more is not the only fault
 _TURNS = 20  # steps of a search for a stack in reversed order
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
-_LEFT = 1.5  # times the median chi2, from which a bead is left out
 _FIRST = 5  # Noll's index of the first term after defocus
-_ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)  # metres of the stage, where restarts begin
 USUAL: Mapping[str, float] = {"depth": 20e-9, "sample": 3e-3, "NA": 0.02, "pixel": 0.01, "diameter": 0.1}
 """Standard deviations of the constants that are unknowns by default; of pixel and diameter relative ones."""
 
@@ -59,6 +68,9 @@ class Suspect(NamedTuple):
     given : float
         The value that was stated.
     unit : str
+    possible : bool
+        Whether a microscope can have this value. Else, such as an index below 1 or an NA above that of the
+        immersion, the constant is only in the direction that the data want.
     """
 
     name: str
@@ -67,10 +79,15 @@ class Suspect(NamedTuple):
     deviation: float
     given: float
     unit: str
+    possible: bool = True
 
     def __str__(self) -> str:
         """Return such as "sample = 1.379 +- 0.005 (11 sigma)"."""
         factor, unit = _SHOWN.get(self.unit, (1.0, f" {self.unit}".rstrip()))
+        if not self.possible:
+            way = "lower" if self.value < self.given else "higher"
+            said = f"{self.name} {way} than {factor * self.given:.6g}{unit}, beyond what is possible"
+            return f"{said} ({abs(self.sigmas):.2g} sigma)"
         value, error = _with_error(factor * self.value, factor * self.deviation)
         return f"{self.name} = {value} +- {error}{unit} ({abs(self.sigmas):.2g} sigma)"
 
@@ -100,11 +117,14 @@ class FittedBead:
     depth : float
         Of its centre below the glass, metres.
     deviation : dict of str to float
-        Standard errors of "row", "column", "z" and, where estimated, "depth", "drift_row", "drift_column".
+        Standard errors of "row", "column", "z", the means of "flux" and "background" over planes and, where
+        estimated, "depth", "drift_row", "drift_column".
     drift : (float, float)
         How far it moves along rows and columns from the middle to the end of the stack, pixels.
     flux, background : ndarray, shape (planes,)
         Electrons of the bead, and electrons a pixel.
+    flux_deviation, background_deviation : ndarray, shape (planes,)
+        Standard errors of these; NaN of a bead that is not used.
     chi2 : float
         Pearson's, per degree of freedom.
     used : bool
@@ -121,6 +141,8 @@ class FittedBead:
     drift: tuple[float, float]
     flux: Array = field(repr=False)
     background: Array = field(repr=False)
+    flux_deviation: Array = field(repr=False)
+    background_deviation: Array = field(repr=False)
     chi2: float
     used: bool
     images: Array = field(repr=False)
@@ -304,12 +326,7 @@ class BeadFit:
 
 def _focused(setup: Setup, depth: float) -> Place:
     """Return the place of an emitter at its brightest focus."""
-    return Place(0.0, 0.0, _brightest(setup, depth), depth)
-
-
-def _brightest(setup: Setup, depth: float) -> float:
-    made = setup.objective.pupil(depth=depth, wavelength=setup.wavelength, emitter=setup.emitter)
-    return float(made.focus)
+    return Place(0.0, 0.0, brightest(setup, depth), depth)
 
 
 def fit_beads(
@@ -455,7 +472,7 @@ def fit_beads(
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
     if np.abs(apart).max() > 1e-4:
         raise ValueError(f"z is in metres, got planes {np.abs(apart).max():g} m apart")
-    count = validation.integer("starts", starts, least=1, most=len(_ORIGINS))
+    count = validation.integer("starts", starts, least=1, most=len(ORIGINS))
     most = validation.integer("steps", steps, least=1, most=10_000)
     validation.function("progress", progress, required=False)
     validation.optional("aberrations", aberrations, Wavefront)
@@ -482,7 +499,7 @@ def fit_beads(
     )
     if model.tested < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
-    search = _Search(model, setup, waves, count, most, progress)
+    search = Search(model, setup, waves, count, most, progress)
     found, used = search.all()
     return _fitted(model, search, found, used, values, noise, notes)
 
@@ -591,98 +608,9 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     return setup, found, of_depth, notes
 
 
-class _Search:
-    """Searches for the answer of a model, from several starts, of single beads first."""
-
-    def __init__(
-        self,
-        model: BeadModel,
-        setup: Setup,
-        waves: Array,
-        starts: int,
-        most: int,
-        progress: Callable[[float, float], object] | None,
-    ) -> None:
-        self.model, self.setup, self.waves, self.starts, self.most = model, setup, waves, starts, most
-        self.steps, self._done, self._progress, self.interrupted = 0, 0.0, progress, False
-
-    def all(self) -> tuple[Climbed, list[bool]]:
-        """Return the best fit of all beads, and which are part of it."""
-        model, count = self.model, len(self.model.stacks)
-        singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
-        scores = np.array([model.alone(k).chi2_of(one.normal.parts) for k, one in enumerate(singles)])
-        middle = float(np.median(scores[:, 0]))
-        used = [bool(chi2 < _LEFT * middle or chi2 < 1.0 + MOST * spread) for chi2, spread in scores]
-        kept = [k for k in range(count) if used[k]]
-        joint = _of(model, kept)
-        if count == 1 and not model.priors and "depth" not in model.own:
-            return singles[0], used
-        waves = np.median([singles[k].state.waves for k in kept], axis=0)
-        start = State(self.setup, waves, tuple(singles[k].state.places[0] for k in kept))
-        return self.climb(joint, start, 0.4), used
-
-    def one(self, model: BeadModel, share: float) -> Climbed:
-        """Return the best fit of one stack."""
-        best: Climbed | None = None
-        for origin in _ORIGINS[: self.starts]:
-            place = _start(model.stacks[0], self.setup, model.depths[0].value, origin)
-            found = self.climb(model, State(self.setup, self.waves, (place,)), share)
-            alike = best is not None and abs(found.deviance - best.deviance) < _ALIKE
-            if best is None or found.deviance < best.deviance:
-                best = found
-            chi2, spread = model.chi2_of(best.normal.parts)
-            if self.interrupted or (best.settled and (alike or chi2 < 1.0 + SURE * spread)):
-                break
-            share = 0.0
-        assert best is not None
-        return best
-
-    def climb(self, model: BeadModel, start: State, share: float) -> Climbed:
-        """Return the end of one search; `share` of the progress."""
-        before = self._done
-
-        def report(step: int, chi2: float) -> None:
-            if self._progress is not None:
-                self._progress(min(before + share * (1.0 - 0.8**step), 1.0), chi2)
-
-        found = climb(model, start, self.most, report)
-        self.steps += found.steps
-        self._done, self.interrupted = before + share, found.interrupted
-        return found
-
-
-def _of(model: BeadModel, kept: Sequence[int]) -> BeadModel:
-    """Return the model of some of the beads."""
-    return BeadModel(
-        model.images,
-        [model.stacks[k] for k in kept],
-        model.priors,
-        [model.depths[k] for k in kept],
-        drift=DRIFT[0] in model.own,
-    )
-
-
-def _start(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
-    """Return the place of a bead: centroid of the sharpest planes, and the focus where squares are centred."""
-    counted, _, _, valid = stack.star
-    images = np.where(valid > 0.0, counted, np.nan).reshape(len(stack.z), *stack.shape)
-    light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
-    sharp = (light * np.abs(light)).sum(axis=(1, 2))
-    sharp = np.clip(sharp - np.median(sharp), 0.0, None)
-    total = float(sharp.sum())
-    middle = float(sharp @ stack.z) / total if total > 0.0 else float(stack.z.mean())
-    best = light[np.argsort(-sharp)[:5]].mean(axis=0)
-    best = np.where(best > 0.2 * best.max(), best, 0.0)
-    row, column = (
-        float((best.sum(axis=1 - axis) * (np.arange(side) - side // 2)).sum() / max(best.sum(), 1e-300))
-        for axis, side in enumerate(stack.shape)
-    )
-    return Place(row, column, _brightest(setup, depth) - setup.step * middle + origin, depth)
-
-
 def _fitted(
     model: BeadModel,
-    search: _Search,
+    search: Search,
     found: Climbed,
     used: list[bool],
     values: list[Array],
@@ -691,7 +619,7 @@ def _fitted(
 ) -> BeadFit:
     """Return the result."""
     kept = [k for k in range(len(used)) if used[k]]
-    joint, state = _of(model, kept), found.state
+    joint, state = model.having(kept), found.state
     frozen = [name for name in _available(state.setup) if name not in joint.priors and name != "depth"]
     if min(d.value for d in joint.depths) > state.setup.wavelength and state.setup.objective.sample < (
         state.setup.objective.NA
@@ -738,8 +666,8 @@ def _fitted(
         named = ", ".join(map(str, [one for one in suspects if abs(one.sigmas) > 0.5 * _SUSPECT][:3]))
         light = " and the wavelength" if {"pixel", "NA"} & {one.name for one in suspects[:3]} else ""
         message += f"; the data want {named}: check these constants{light}"
-        if solved is not None and worst is not None and not backwards:
-            message += f" ({_settled_at(joint, worst, solved)})"
+        if solved is not None and worst is not None and (where := _settled_at(joint, worst, solved)):
+            message += f" ({where})"
     if not all(used):
         left = ", ".join(str(j) for j, one in enumerate(used) if not one)
         message += f"; left out, beside which the others do not fit: bead {left}"
@@ -805,9 +733,25 @@ def _suspects(
             1.0 / math.sqrt(information),
             deep + given,
             CONSTANTS[name].unit,
+            possible(state.setup, name, deep + value),
         )
         found.append(shown)
     return tuple(sorted(found, key=lambda one: -abs(one.sigmas)))
+
+
+def possible(setup: Setup, name: str, value: float) -> bool:
+    """Return whether there is a microscope with this value of a constant."""
+    if name == "depth":
+        return value >= lowest(setup)
+    if name in ("diameter", "blur", "coverslip"):
+        return value >= 0.0
+    if name in ("pixel", "step"):
+        return value > 0.0
+    try:
+        setup.having(name, value)
+    except ValueError:
+        return False
+    return True
 
 
 def _beads(
@@ -828,12 +772,22 @@ def _beads(
             place, light = state.places[taken], state.light[taken]
             own, cross = normal.own[taken], normal.across[taken][:k]
             back = _inverse(own)
-            covered = back + back @ cross.T @ inverse @ cross @ back
+            mixed = inverse @ cross @ back
+            covered = back + back @ cross.T @ mixed
             errors = dict(zip(model.own, np.sqrt(np.diag(covered)).tolist(), strict=True))
+            part, own_of = normal.parts[taken], len(model.own)
+            rows = [*range(k), *range(part.carried.shape[1] - own_of, part.carried.shape[1])]
+            carried = part.carried[:, rows]
+            whole = np.block([[inverse, -mixed], [-mixed.T, covered]])
+            scatter = np.diagonal(part.scatter + carried.swapaxes(1, 2) @ whole @ carried, axis1=1, axis2=2)
+            alike = carried.mean(axis=0)  # all planes depend on the same parameters
+            mean = np.diag(part.scatter.mean(axis=0)) / len(scatter) + np.diag(alike.T @ whole @ alike)
+            errors |= dict(zip(("flux", "background"), np.sqrt(mean).tolist(), strict=True))
             taken += 1
         else:
-            place = _start(stack, state.setup, model.depths[j].value, 0.0)
+            place = start_of(stack, state.setup, model.depths[j].value, 0.0)
             light, errors = light_of(model.images.values(state.setup, state.waves, place, stack), stack.star), {}
+            scatter = np.full((len(stack.z), 2), math.nan)
         image = model.images.values(state.setup, state.waves, place, stack)
         mean = light[0][:, None, None] * image + light[1][:, None, None]
         chi2 = alone.chi2(replace(state, places=(place,), light=(light,)), [image])[0]
@@ -846,12 +800,14 @@ def _beads(
             FittedBead(
                 row=stack.shape[0] // 2 + place.row,
                 column=stack.shape[1] // 2 + place.column,
-                z=(_brightest(state.setup, place.depth) - place.focus) / state.setup.step,
+                z=(brightest(state.setup, place.depth) - place.focus) / state.setup.step,
                 depth=place.depth,
                 deviation=errors,
                 drift=place.drift,
                 flux=light[0],
                 background=light[1],
+                flux_deviation=np.sqrt(scatter[:, 0]),
+                background_deviation=np.sqrt(scatter[:, 1]),
                 chi2=chi2,
                 used=used[j],
                 images=values[j],
@@ -883,10 +839,12 @@ def _model_error(model: BeadModel, state: State) -> float:
 
 
 def _settled_at(joint: BeadModel, worst: Suspect, solved: Climbed) -> str:
-    """Return where a suspected constant ends that is solved for without a prior, and the chi2 there."""
+    """Return where a suspected constant ends that is solved for, and the chi2 there; "" beyond what is possible."""
     factor, unit = _SHOWN.get(worst.unit, (1.0, f" {worst.unit}".rstrip()))
     state = solved.state
     value = state.places[0].depth if worst.name == "depth" else state.setup.value(worst.name)
+    if not possible(state.setup, worst.name, value):
+        return ""
     shown, _ = _with_error(factor * value, factor * worst.deviation)
     return f"solved for, {worst.name} is {shown}{unit}, with chi2 {joint.chi2_of(solved.normal.parts)[0]:.4g}"
 
@@ -907,14 +865,14 @@ def _freed(joint: BeadModel, found: Climbed, suspect: Suspect) -> Climbed | None
         return None
 
 
-def _backwards(search: _Search, joint: BeadModel, best: float, chi2: float) -> str:
+def _backwards(search: Search, joint: BeadModel, best: float, chi2: float) -> str:
     """Return what is to be said where planes in reversed order fit far better than a deviance of `best`, or "".
 
     And fit well: where chi2 is little nearer to 1 than `chi2` was, the step or the objective is wrong.
     """
     turned = [Stack(stack.star, stack.shape, -stack.z) for stack in joint.stacks]
     other = BeadModel(joint.images, turned, joint.priors, joint.depths, drift=DRIFT[0] in joint.own)
-    places = tuple(_start(s, search.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
+    places = tuple(start_of(s, search.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
     try:
         there = climb(other, State(search.setup, search.waves, places), _TURNS, lambda *_: None)
     except (Declined, ValueError):

@@ -35,7 +35,6 @@ if TYPE_CHECKING:
 _MOST_DEGREE = 6
 _MOST_SIDE = 10**6
 _GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exact up to degree 3
-_SURE, _SLACK = 6.0, 0.01  # standard deviations of chi2, and what else it may exceed 1 by
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
@@ -598,7 +597,8 @@ def _answer(
     squares = found.squares()
     errors = np.sqrt(np.diag(covariance))[k * m :]
     width = np.sqrt(np.maximum(squares, 0.0))
-    deviation = np.where(width > 0.0, errors / (2.0 * np.maximum(width, 1e-9)), np.sqrt(errors))
+    # Of a square that may be 0, the width is known to the root of the standard error of the square.
+    deviation = errors / np.maximum(2.0 * width, np.sqrt(errors))
     every = np.arange(stars.count)
     own = np.ones((stars.count, 4, stars.exposures))
     own[found.model.chosen] = found.of_stars()
@@ -614,7 +614,7 @@ def _answer(
     used = np.zeros(stars.count, dtype=bool)
     used[found.model.chosen] = True
     chi2 = float(found.scores.chi2[0])
-    limit = 1.0 + _SURE * float(found.scores.spread[0]) + _SLACK
+    limit = float(found.model.limit(found.scores)[0])
     held_out = float(state.get("held_out", math.nan))
     settled = found.settled and chi2 < limit
     work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} stars, degree {degree}"

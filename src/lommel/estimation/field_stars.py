@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, cast
 
 import numpy as np
@@ -22,6 +22,7 @@ from lommel.psf import Plan
 
 _AT_ONCE = 3e7  # values of samples and their derivatives that are computed together
 _PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images in a search
+_SHARP = 0.02  # pixels^2: a blur that small may be none
 _ROOM = 0.75  # pixels by which blur may widen before samples are chosen anew
 OWN = 4  # parameters of an image: row, column, flux, background
 
@@ -315,7 +316,7 @@ class Blocks:
     """Information of a field: of shared parameters, and of those of each star.
 
     `shared` (s, s), `own` (n, o, o), `mixed` (n, c, o) of the c waves and squares of a star with its own, `basis`
-    (n, m) of the monomials at each.
+    (n, m) of the monomials at each. `squares` (e,) are the squared widths of the blur there.
     """
 
     shared: Array
@@ -323,6 +324,7 @@ class Blocks:
     mixed: Array
     basis: Array
     waves: int
+    squares: Array
 
     def outward(self, local: Array) -> Array:
         """Return the sum over stars of matrices (n, c, c) of waves and squares, as of shared parameters (s, s)."""
@@ -413,8 +415,9 @@ class WholeField:
         )
         c = self.waves + self.of.exposures
         info, slope = found[:, :, :-1], found[:, :, -1]
-        blocks = Blocks(np.empty((0, 0)), info[:, c:, c:], info[:, :c, c:], self.basis, self.waves)
-        blocks = Blocks(blocks.outward(info[:, :c, :c]), blocks.own, blocks.mixed, self.basis, self.waves)
+        squares = x[0, self.waves * self.basis.shape[1] : self.shared].copy()
+        blocks = Blocks(np.empty((0, 0)), info[:, c:, c:], info[:, :c, c:], self.basis, self.waves, squares)
+        blocks = replace(blocks, shared=blocks.outward(info[:, :c, :c]))
         whole = np.concatenate([blocks.gathered(slope[:, :c]), slope[:, c:].ravel()])
         expected = max(total.sum() * (self.tested / self.pixels), 1.0)
         boxed = np.empty(1, dtype=object)
@@ -437,7 +440,17 @@ class WholeField:
         else:
             right = slope[: self.shared] - blocks.gathered((blocks.mixed @ first[:, :, None])[:, :, 0])
             scale = 1.0 / np.sqrt(np.diag(matrix))
-            shared = scale * np.linalg.solve(matrix * np.outer(scale, scale), scale * right)
+            matrix, right = matrix * np.outer(scale, scale), scale * right
+            shared = scale * np.linalg.solve(matrix, right)
+            at = np.arange(self.shared - len(blocks.squares), self.shared)
+            sharp = shared[at] < -blocks.squares
+            if self.of.blurred and sharp.any():  # images of stars sharper than any: blur ends at 0
+                bound = np.zeros(self.shared, dtype=bool)
+                bound[at[sharp]] = True
+                ended = (-blocks.squares / scale[at])[sharp]
+                right = right[~bound] - matrix[np.ix_(~bound, bound)] @ ended
+                shared[bound] = -blocks.squares[sharp]
+                shared[~bound] = scale[~bound] * np.linalg.solve(matrix[np.ix_(~bound, ~bound)], right)
         back = (blocks.mixed.swapaxes(-1, -2) @ blocks.spread(shared)[:, :, None])[:, :, 0]
         step = np.concatenate([shared, (first - (inverse @ back[:, :, None])[:, :, 0]).ravel()])
         return step[None], np.array([step @ slope])
@@ -451,7 +464,8 @@ class WholeField:
     def within(self, x: Array, before: Array) -> Array:
         """Limit parameters in place."""
         at = slice(self.waves * self.basis.shape[1], self.shared)
-        np.clip(x[:, at], 0.25 * before[:, at], 4.0 * before[:, at] + 0.1, out=x[:, at])
+        least = np.where(before[:, at] < _SHARP, 0.0, 0.25 * before[:, at])
+        np.clip(x[:, at], least, 4.0 * before[:, at] + 0.1, out=x[:, at])
         _, _, tilts, light = self.parts(x)
         self.of.limited(tilts, light, self.parts(before)[3])
         return x

@@ -27,7 +27,7 @@ obscurations = st.one_of(st.just(0.0), st.floats(0.05, 0.9))
 
 
 class Pieces(NamedTuple):
-    """Samples by polynomials of degree 5 of the distance, on pieces of one width."""
+    """Samples by polynomials of degree 7 of the distance, or of its square, on pieces."""
 
     window: Window
     level: int
@@ -35,44 +35,85 @@ class Pieces(NamedTuple):
     @property
     def width(self) -> mp.mpf:
         """On which interpolation is off by half of 10^-level."""
-        return 2 * (mp.factorial(6) / 4 * mp.mpf(10) ** -self.level) ** (mp.mpf(1) / 6)
+        return 2 * (mp.factorial(8) / 4 * mp.mpf(10) ** -self.level) ** (mp.mpf(1) / 8)
+
+    @property
+    def equal(self) -> int:
+        """How many from the axis on have this width: the least power of two that reaches 32, and eight at least."""
+        return next(n for n in (2**k for k in range(3, 30)) if n * self.width >= 32)
+
+    def places(self, distances: np.ndarray) -> np.ndarray:
+        """Return in which piece distances are: linear up to so many, then in squares from R to 2 R."""
+        found = distances / float(self.width)
+        of_squares = np.zeros_like(found)
+        begin = start = float(self.equal)
+        for _ in range(40):
+            within = (found >= begin) & (found < 2 * begin)
+            of_squares[within] = (start + (found**2 - begin**2) / (2 * begin))[within]
+            start += 1.5 * begin
+            begin *= 2
+        return np.where(found < self.equal, found, of_squares)
 
     def ends(self) -> tuple[int, int]:
-        """Return the first piece and the one after the last, both in sixteens."""
-        v = self.window.distances() / float(self.width) / 16
+        """Return the first piece and the one after the last, both in eights."""
         sides = (self.window.row, self.window.height), (self.window.column, self.window.width)
         within = [max(0.0, -c, c - n + 1) for c, n in sides]
-        return int(math.hypot(*within) * self.window.step / float(self.width) / 16) * 16, (int(v[-1]) + 1) * 16
+        nearest = math.hypot(*within) * self.window.step
+        first, last = self.places(np.array([nearest, self.window.distances()[-1]])) / 8
+        return int(first) * 8, (int(last) + 1) * 8
 
     def pays(self) -> bool:
         first, last = self.ends()
-        return 6 * (last - first) <= self.window.height * self.window.width + 1024
+        return 8 * (last - first) <= self.window.height * self.window.width + 1024
 
     def radii(self) -> np.ndarray:
-        points = np.cos(np.pi * (np.arange(6)[::-1] + 0.5) / 6)
-        return float(self.width / 2) * (2 * np.arange(*self.ends())[:, None] + 1 + points).ravel()
+        """Return Chebyshev points of what pieces are equal in: of distances or of squares."""
+        points = np.cos(np.pi * (np.arange(8)[::-1] + 0.5) / 8)
+        found, start, begin = [], 0.0, 0.0
+        for piece in range(*self.ends()):
+            start, begin = 0.0, 0.0
+            end = float(self.equal)
+            while piece >= start + (1.0 if begin == 0 else 1.5) * (begin or end):
+                start, begin, end = start + (1.0 if begin == 0 else 1.5) * (begin or end), end, 2 * end
+            at = piece + 0.5 + 0.5 * points - start
+            found.append(at if begin == 0 else np.sqrt(begin**2 + 2 * begin * at))
+        return float(self.width) * np.ravel(found)
 
     def series(self, profile: np.ndarray) -> np.ndarray:
-        points = np.cos(np.pi * (np.arange(6)[::-1] + 0.5) / 6)
-        return np.linalg.solve(np.polynomial.chebyshev.chebvander(points, 5), profile.reshape(-1, 6).T)
+        points = np.cos(np.pi * (np.arange(8)[::-1] + 0.5) / 8)
+        return np.linalg.solve(np.polynomial.chebyshev.chebvander(points, 7), profile.reshape(-1, 8).T)
 
     def values(self, profile: np.ndarray) -> tuple[np.ndarray, mp.mpf]:
         y, x = np.arange(self.window.height) - self.window.row, np.arange(self.window.width) - self.window.column
-        place = self.window.step * np.hypot(y[:, None], x) / float(self.width) - self.ends()[0]
+        place = self.places(self.window.step * np.hypot(y[:, None], x)) - self.ends()[0]
         each = np.floor(place).astype(int)
         series = self.series(profile)[:, each]
         return np.polynomial.chebyshev.chebval(2 * (place - each) - 1, series, tensor=False), mp.mpf(0)
 
-    def singly(self, profile: np.ndarray, top: float) -> mp.mpf:
-        """Return what polynomials in single precision add, and the largest value by them."""
-        powers = [np.abs(np.polynomial.chebyshev.cheb2poly(piece)) for piece in self.series(profile).T]
-        sums = [c[0] + sum((3 + 3 * k) * size for k, size in enumerate(c) if k > 0) for c in powers]
-        return SINGLE * (mp.mpf("1.01") * mp.mpf(float(max(sums))) + mp.mpf(top))
+    def singly(self, profile: np.ndarray, top: float, room: mp.mpf) -> mp.mpf:
+        """Return what cubics in single precision add, off by about `room`, and the largest value by them."""
+        powers = np.abs([np.polynomial.chebyshev.cheb2poly(piece) for piece in self.series(profile).T])
+        bent = max(sum(math.comb(i, 4) * size for i, size in enumerate(piece)) for piece in powers)
+        parts = min(64, 2 * max(1, math.ceil((bent / (8 * float(room))) ** 0.25 / 2)))
+        taylor = [
+            [sum(math.comb(i, k) * size for i, size in enumerate(piece)) / parts**k for k in range(8)]
+            for piece in powers
+        ]
+        counts = [1, 6, 9, 12, 1 + 9, 1 + 12, 1 + 9, 1 + 12]
+        largest = max(sum(n * size for n, size in zip(counts, piece, strict=True)) for piece in taylor)
+        rounded = SINGLE * (mp.mpf("1.01") * mp.mpf(float(largest)) + mp.mpf(top))
+        return rounded + mp.mpf(float(bent)) / (8 * parts**4)
 
     def table(self) -> Table:
-        points = np.cos(np.pi * (np.arange(6) + 0.5) / 6)
+        points = np.cos(np.pi * (np.arange(8) + 0.5) / 8)
         sizes = np.abs(np.linalg.inv(np.vander(points))).sum()
-        return Table(interpolation(float(self.width / 2), 6), lebesgue(6), mp.mpf(1), 64 * mp.mpf(sizes))
+        # |d^8 f / d(r^2)^8| from those by r: the coefficients of Bessel's polynomials, r at least where squares begin.
+        reach = self.equal * self.width
+        squares = sum(
+            mp.factorial(7 + j) / (mp.factorial(j) * mp.factorial(7 - j)) / (4 * reach) ** j for j in range(8)
+        )
+        error = 2 * (self.width / 2) ** 8 / mp.factorial(8) * squares
+        return Table(error, lebesgue(8), mp.mpf(1), 64 * mp.mpf(sizes))
 
 
 class Tabulated(NamedTuple):
@@ -135,7 +176,8 @@ class Judged(NamedTuple):
     singly: mp.mpf  # how much of the error, also of `top`, is that of single precision
 
 
-def judged(lens: Lens, way: Pieces | Tabulated, error: float, singly: bool = False) -> Judged:
+def judged(lens: Lens, way: Pieces | Tabulated, error: float, singly: mp.mpf | None = None) -> Judged:
+    """`singly`: by sums in single precision, to that tolerance."""
     v, table = way.radii(), way.table()
     u, e = lens.field(0, v, error)
     intensity = np.abs(u) ** 2
@@ -143,7 +185,8 @@ def judged(lens: Lens, way: Pieces | Tabulated, error: float, singly: bool = Fal
     size, top = float(intensity.max()), float(values.max())
     given = 2 * mp.sqrt(size) * e + e * e
     off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)
-    rough = way.singly(intensity, top) if singly and isinstance(way, Pieces) else mp.mpf(0)
+    by_cubics = singly is not None and isinstance(way, Pieces)
+    rough = way.singly(intensity, top, singly * size / 20) if by_cubics else mp.mpf(0)
     return Judged(way, table, v, e, size, top, off + rough, table.magnification * given, rough)
 
 
@@ -194,7 +237,7 @@ def attempted(lens: Lens, window: Window, tol: float, divided: bool, single: boo
     elsewhere, looked = mp.mpf(0), divided
     singly = single and way is Pieces and allowed >= mp.mpf("5e-7")
     while True:
-        found = judged(lens, way(window, level), error, singly)
+        found = judged(lens, way(window, level), error, allowed if singly else None)
         if singly and related(found.off, found.top - found.off, divided, single, True) > tol:
             singly, found = False, judged(lens, way(window, level), error)
         if related(found.off, found.top - found.off, divided, single, way is Pieces) > tol and not looked:

@@ -138,6 +138,53 @@ LOMMEL_INLINE V from_bits(V x) {
     std::memcpy(&x, &whole, sizeof x);
     return x;
 }
+#if !defined(__clang__)
+// Four floats from c + at[0] on and, of eight, as many from c + at[4] on. By hand as in splat().
+template <class V>
+LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
+    V v;
+    if constexpr (sizeof(V) == 16) {
+        std::memcpy(&v, c + at[0], sizeof v);
+    }
+#ifdef LOMMEL_X86
+    if constexpr (sizeof(V) == 32) {
+        typedef float Quad __attribute__((vector_size(16)));
+        Quad low, high;
+        std::memcpy(&low, c + at[0], sizeof low);
+        std::memcpy(&high, c + at[4], sizeof high);
+        asm("vinsertf128 $1, %2, %t1, %0" : "=x"(v) : "x"(low), "xm"(high));
+    }
+#endif
+    return v;
+}
+// Those of four vectors that stand first, second, third, and fourth in each four.
+template <class V>
+LOMMEL_INLINE void turned_fours(V a, V b, V c, V d, V (&out)[4]) {
+    if constexpr (sizeof(V) == 16) {
+        typedef std::int32_t Order __attribute__((vector_size(16)));
+        const Order low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
+        const V ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab2 = __builtin_shuffle(a, b, high),
+                cd2 = __builtin_shuffle(c, d, high);
+        out[0] = __builtin_shuffle(ab, cd, first_half);
+        out[1] = __builtin_shuffle(ab, cd, second_half);
+        out[2] = __builtin_shuffle(ab2, cd2, first_half);
+        out[3] = __builtin_shuffle(ab2, cd2, second_half);
+    }
+#ifdef LOMMEL_X86
+    if constexpr (sizeof(V) == 32) {
+        V ab, cd, ab2, cd2;
+        asm("vunpcklps %2, %1, %0" : "=x"(ab) : "x"(a), "x"(b));
+        asm("vunpcklps %2, %1, %0" : "=x"(cd) : "x"(c), "x"(d));
+        asm("vunpckhps %2, %1, %0" : "=x"(ab2) : "x"(a), "x"(b));
+        asm("vunpckhps %2, %1, %0" : "=x"(cd2) : "x"(c), "x"(d));
+        asm("vunpcklpd %2, %1, %0" : "=x"(out[0]) : "x"(ab), "x"(cd));
+        asm("vunpckhpd %2, %1, %0" : "=x"(out[1]) : "x"(ab), "x"(cd));
+        asm("vunpcklpd %2, %1, %0" : "=x"(out[2]) : "x"(ab2), "x"(cd2));
+        asm("vunpckhpd %2, %1, %0" : "=x"(out[3]) : "x"(ab2), "x"(cd2));
+    }
+#endif
+}
+#endif
 template <class Order, class Real, class V, std::size_t... I>
 LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
 #ifdef __clang__

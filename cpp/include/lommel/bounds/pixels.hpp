@@ -26,15 +26,30 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Interpolation at so many Chebyshev points over a width of 2 `half`: by the derivative |f^(n)| <= 2^n, or by the size of
+// Interpolation at so many Chebyshev points over a width of 2 `half`, by the derivative |f^(n)| <= 2^n.
+inline double interpolation_by_slope(double half, std::size_t points) {
+    const double n = static_cast<double>(points);
+    return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
+}
+
+// As many times that where f is taken as a function of the square of r, over a width of 4 R `half` of this for r >= R.
+inline double of_squares(double radius, std::size_t points) {
+    double sum = 1.0, term = 1.0;
+    for (std::size_t j = 1; j < points; ++j) {
+        term *= static_cast<double>((points - 1 + j) * (points - j)) / (4.0 * radius * static_cast<double>(j));
+        sum += term;
+    }
+    return sum;
+}
+
+// Interpolation at so many Chebyshev points over a width of 2 `half`: by the derivative, or by the size of
 // f on the ellipse of least bound. Of an even function over [-half, half] half the points are mirror images.
 inline double interpolation_error(double half, std::size_t points) {
     if (half <= 0.0) {
         return 0.0;
     }
     const double n = static_cast<double>(points);
-    const double by_slope = std::log(2.0) + n * std::log(half) - log_factorial(n);
-    double logarithm = by_slope;
+    double logarithm = std::log(interpolation_by_slope(half, points));
     if (n > 2.0 * half) {
         const double eta = std::acosh(n / (2.0 * half));
         const double by_ellipse = std::log(4.0) + 2.0 * half * std::sinh(eta) - n * eta - std::log1p(-std::exp(-eta));

@@ -1,4 +1,4 @@
-// Samples around an axis anywhere: polynomials of the distance from it, on pieces that do not depend on the axis.
+// Samples around an axis anywhere: polynomials of the distance from it, or of its square, on pieces that do not depend on the axis.
 // docs/certificate.md, section 9.
 #pragma once
 
@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <type_traits>
+#include <vector>
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
@@ -21,14 +24,41 @@
 
 namespace lommel {
 
+// From monomials on [-1, 1] to those of the cubics through four Chebyshev points of each of so many equal parts.
+struct Cubics {
+    static constexpr std::size_t terms = 4, from = 8, least = 2, most = 64;  // parts: an even number
+    std::size_t parts;
+    Doubles matrix;  // [power][part, power]
+    std::array<double, from> size{};  // see narrow()
+
+    explicit Cubics(std::size_t count);
+
+    bool is(std::size_t count) const { return parts == count; }
+    std::size_t bytes() const { return sizeof(double) * matrix.size(); }
+    static constexpr std::size_t most_bytes = std::size_t{1} << 20;
+    static std::shared_ptr<const Cubics> get(std::size_t count) { return cache<Cubics>.get(count); }
+
+    // p^(4) / 4! of a polynomial p is no more, and p no farther than that over 8 parts^4 from its cubics.
+    static double bent(const double* c) {
+        return std::abs(c[4]) + 5.0 * std::abs(c[5]) + 15.0 * std::abs(c[6]) + 35.0 * std::abs(c[7]);
+    }
+    static std::size_t for_error(double bent, double room) {
+        const double wanted = std::ceil(0.5 * std::sqrt(std::sqrt(bent / (8.0 * room))));
+        return 2 * static_cast<std::size_t>(std::max(1.0, std::min(0.5 * most, wanted)));  // also where that is no number
+    }
+    double error(double bent) const { return bent / (8.0 * std::pow(static_cast<double>(parts), 4.0)); }
+};
+
 struct SamplePieces : Radii {  // where I is wanted, in v
-    static constexpr std::size_t points = 6, apart = 8;  // of a piece, and what its coefficients are padded to
-    static constexpr std::size_t together = 16;          // as many pieces more or less are one table
+    static constexpr std::size_t points = 8;  // of a piece, and coefficients
+    static constexpr std::size_t together = 8;  // as many pieces more or less are one table
+    static constexpr double evenly = 32.0;  // up to here in v at least pieces are equal
+    static_assert(Cubics::from == points);
 
     int level;  // errors are about 10^-level; `error` says what they are
     std::size_t first, last;  // pieces
     double width, error, of_nodes = lebesgue(points), of_grid = 1.0, rounding = 0.0;
-    std::array<double, points * apart> powers{};  // [point][power]
+    std::array<double, points * points> powers{};  // [point][power]
 
     SamplePieces(int digits, std::size_t from, std::size_t to);
 
@@ -37,22 +67,28 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     bool is(int digits, std::size_t from, std::size_t to) const { return level == digits && first == from && last == to; }
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
-    // Of 2^-6 w^6 / 6! |f^(6)|, w the width: see interpolation_error().
+    // Of 2^-14 w^8 / 8! |f^(8)|, w the width: see interpolation_error().
     static double width_for(int digits) {
-        return 2.0 * std::pow(360.0 * PixelTable::Budget::window * std::pow(10.0, -digits), 1.0 / 6.0);
+        return 2.0 * std::pow(20160.0 * PixelTable::Budget::window * std::pow(10.0, -digits), 1.0 / 8.0);
     }
+    // As many pieces from the axis on are equal in r, a power of two; beyond, between R and 2 R pieces of the axis, those are equal
+    // whose squares are, so that no roots are taken.
+    static double equal_pieces(double width) { return std::exp2(std::max(3.0, std::ceil(std::log2(evenly / width)))); }
+
     // The pieces of a window: the first one, and the one after the last.
     static std::array<std::size_t, 2> of(const PixelWindow& window, int digits) {
         double ends[2];
         window.reach(ends);
-        const double per_pixel = window.step / width_for(digits);
-        const auto whole = [&](double pixels) { return static_cast<std::size_t>(pixels * per_pixel / double(together)); };
+        const double w = width_for(digits), equal = equal_pieces(w);
+        const auto whole = [&](double pixels) {
+            return static_cast<std::size_t>(piece_of(pixels * window.step / w, equal) / double(together));
+        };
         return {whole(ends[0] * (1.0 - 1e-12)) * together, (whole(ends[1] * (1.0 + 1e-12)) + 1) * together};
     }
     // Whether fewer radii do than there are pixels.
     static bool pays(const PixelWindow& window, int digits) {
         const auto ends = of(window, digits);
-        return (ends[1] - ends[0]) * points <= window.height * window.width + 64 * together;
+        return (ends[1] - ends[0]) * points <= window.height * window.width + 128 * together;
     }
     static std::shared_ptr<const SamplePieces> get(const PixelWindow& window, int digits) {
         const auto ends = of(window, digits);
@@ -60,176 +96,316 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     }
 
     // The pixels of a window times a number, none below `least`, from I at the radii; returns the largest, not multiplied. Bound by
-    // loads, of doubles; in single precision by square roots.
+    // loads, of doubles.
     template <class T>
     double paint(const PixelWindow& window, const double* intensity, double by, T least, T* image) const {
         thread_local Doubles scratch;
-        scratch.resize((last - first) * apart);
+        scratch.resize((last - first) * points);
         double* const all = scratch.data();
         double top = 0.0;
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            fit(intensity, all);
-            top = evaluate(window, all, double(), [&](std::size_t i, double made, double& most) LOMMEL_INLINE_LAMBDA {
-                most = made > most ? made : most;
-                image[i] = std::max(static_cast<T>(by * made), least);
-            });
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            fit(isa, intensity, all);
+            double tops[tile] = {};
+            each_tile<double, points>(window, 1,
+                                      [&](std::size_t begin, std::size_t count, const std::int32_t* at, const double* x)
+                                          LOMMEL_INLINE_LAMBDA {
+                                              for (std::size_t i = 0; i < count; ++i) {
+                                                  const double *const c = all + at[i], t = 2.0 * x[i], s = t * t;
+                                                  const double made = ((c[7] * t + c[6]) * s + (c[5] * t + c[4])) * (s * s) +
+                                                                      ((c[3] * t + c[2]) * s + (c[1] * t + c[0]));
+                                                  tops[i] = made > tops[i] ? made : tops[i];
+                                                  image[begin + i] = std::max(static_cast<T>(by * made), least);
+                                              }
+                                          });
+            top = *std::max_element(tops, tops + tile);
         });
         return top;
     }
 
-    // The same, none below 0, by polynomials in single precision, whose roundings add `rounding_of_singles` to the error of I.
-    double paint_singly(const PixelWindow& window, const double* intensity, double by, float* image,
-                        double& rounding_of_singles) const {
+    // The same, none below 0, by cubics in single precision on parts of the pieces, off by about `room`; what they add to the error of
+    // I, with all roundings, is `off`. Bound by loads.
+    double paint_singly(const PixelWindow& window, const double* intensity, double by, double room, float* image,
+                        double& off) const {
         thread_local Doubles scratch;
         thread_local Floats singles;
-        scratch.resize((last - first) * apart);
-        singles.resize((last - first) * apart);
+        scratch.resize((last - first) * points);
         double* const all = scratch.data();
-        float* const scaled = singles.data();
         double top = 0.0;
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            fit(intensity, all);
-            rounding_of_singles = narrow(all, by, scaled);
-            top = evaluate(window, scaled, float(), [&](std::size_t i, float made, float& most) LOMMEL_INLINE_LAMBDA {
-                most = made > most ? made : most;
-                image[i] = made > 0.0f ? made : 0.0f;
-            });
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            const double bent = fit(isa, intensity, all);
+            const auto cubics = Cubics::get(Cubics::for_error(bent, room));
+            singles.resize((last - first) * cubics->parts * Cubics::terms);
+            float* const scaled = singles.data();
+            off = cubics->error(bent) + narrow(isa, *cubics, all, by, scaled);
+            alignas(64) float tops[8] = {}, made[tile];
+            each_tile<float, Cubics::terms>(
+                window, cubics->parts,
+                [&](std::size_t begin, std::size_t count, const std::int32_t* at, const float* x) LOMMEL_INLINE_LAMBDA {
+                    cubics_at(isa, scaled, at, x, count, count % 8 == 0 ? image + begin : made, tops);
+                    if (count % 8 != 0) {
+                        std::copy_n(made, count, image + begin);
+                    }
+                });
+            top = static_cast<double>(*std::max_element(tops, tops + 8));
         });
         top /= by;
-        rounding_of_singles += single_roundoff * top;  // of the largest value itself
+        off += single_roundoff * top;  // of the largest value itself
         return top;
     }
 
    private:
-    // Of each piece the coefficients of the polynomial through I.
-    LOMMEL_INLINE void fit(const double* intensity, double* coefficients) const {
-        for (std::size_t piece = first; piece < last; ++piece, intensity += points, coefficients += apart) {
-            double sums[apart] = {};
-            for (std::size_t i = 0; i < points; ++i) {
-                for (std::size_t power = 0; power < apart; ++power) {
-                    sums[power] += powers[i * apart + power] * intensity[i];
-                }
+    static constexpr std::size_t tile = 64;  // pixels of a row
+
+    struct Zone {  // of squares of distances, in squares of pieces: from where on, and which part they are in
+        double begin, slope, shift;
+    };
+
+    // In which piece a distance is, in pieces: r up to R = `equal`, and (r^2 / R + 2 R - equal) / 2 for R <= r < 2 R = 2 equal, ...
+    static double piece_of(double distance, double equal) {
+        if (distance < equal) {
+            return distance;
+        }
+        const double from = equal * std::exp2(std::floor(std::log2(distance / equal)));
+        return 0.5 * (distance * distance / from - equal) + from;
+    }
+    static double distance_of(double piece, double equal) {
+        double from = equal;
+        for (; piece >= 3.0 * from - 0.5 * equal; from *= 2.0) {
+        }
+        return piece < equal ? piece : std::sqrt(from * (2.0 * (piece - from) + equal));
+    }
+
+    // Sums over i of factors[i] rows[i * pitch + k], as To.
+    template <class I, class To>
+    static LOMMEL_INLINE void eight_sums(I, const double* factors, double by, const double* rows, std::size_t pitch, To* sums) {
+        using V = typename I::pack;
+        using Out = std::conditional_t<sizeof(To) == sizeof(double), V, typename Vector<I::lanes>::narrow>;
+        constexpr std::size_t packs = points / I::lanes;
+        V sum[packs] = {};
+        for (std::size_t i = 0; i < points; ++i) {
+            const V factor = splat<V>(by * factors[i]);
+            for (std::size_t p = 0; p < packs; ++p) {
+                sum[p] = sum[p] + factor * load<V>(rows + i * pitch + p * I::lanes);
             }
-            std::copy_n(sums, apart, coefficients);
+        }
+        for (std::size_t p = 0; p < packs; ++p) {
+            store(sums + p * I::lanes, converted<Out>(sum[p]));
         }
     }
 
-    // Coefficients times a number in single precision; returns what evaluate() makes of their roundings and its own at most.
-    LOMMEL_INLINE double narrow(const double* coefficients, double by, float* scaled) const {
+    // Of each piece the coefficients of the polynomial through I; returns the largest that Cubics::bent() is.
+    template <class I>
+    LOMMEL_INLINE double fit(I isa, const double* intensity, double* coefficients) const {
         double largest = 0.0;
-        for (std::size_t piece = first; piece < last; ++piece, coefficients += apart, scaled += apart) {
-            double sum = std::abs(coefficients[0]);
-            for (std::size_t power = 0; power < apart; ++power) {
-                scaled[power] = static_cast<float>(by * coefficients[power]);
-                // Each is rounded once, its power of x, which is rounded, too, as often as that says, and it takes part in no more
-                // than 3 + 2 k products and sums; c_0 in the last sum alone, whose rounding is that of storing.
-                sum += power > 0 ? (3.0 + 3.0 * static_cast<double>(power)) * std::abs(coefficients[power]) : 0.0;
+        for (std::size_t piece = first; piece < last; ++piece, intensity += points, coefficients += points) {
+            eight_sums(isa, intensity, 1.0, powers.data(), points, coefficients);
+            const double bent = Cubics::bent(coefficients);
+            largest = bent > largest ? bent : largest;
+        }
+        return largest;
+    }
+
+    // Coefficients of the cubics times a number; returns what evaluate() makes of their roundings and its own at most.
+    template <class I>
+    LOMMEL_INLINE double narrow(I isa, const Cubics& cubics, const double* coefficients, double by, float* scaled) const {
+        const std::size_t outputs = cubics.parts * Cubics::terms;
+        double largest = 0.0;
+        for (std::size_t piece = first; piece < last; ++piece, coefficients += points) {
+            for (std::size_t start = 0; start < outputs; start += points, scaled += points) {
+                eight_sums(isa, coefficients, by, cubics.matrix.data() + start, outputs, scaled);
             }
-            largest = sum > largest ? sum : largest;
+            double size = 0.0;
+            for (std::size_t i = 0; i < points; ++i) {
+                size += cubics.size[i] * std::abs(coefficients[i]);
+            }
+            largest = size > largest ? size : largest;
         }
         return 1.01 * single_roundoff * largest;
     }
 
-    // Hands over each pixel, with what is the largest so far of some of them; returns the largest of all.
-    template <class Real, class Take>
-    LOMMEL_INLINE double evaluate(const PixelWindow& window, const Real* coefficients, Real, const Take& take) const {
-        constexpr std::size_t tile = 64;
+    // Hands over the pixels of a row of a tile: the first, how many, in which part of which piece each is, and where in it. There is
+    // room behind them for whole vectors, in parts that are there.
+    template <class Real, std::size_t Apart, class Take>
+    LOMMEL_INLINE void each_tile(const PixelWindow& window, std::size_t parts, const Take& take) const {
+        constexpr std::size_t block = 8;
         alignas(64) std::int32_t at[tile];
-        alignas(64) Real x[tile], made[tile], tops[tile] = {};
-        const double per_pixel = window.step / width, begin = static_cast<double>(first);
-        for (std::size_t row = 0; row < window.height; ++row) {
-            look();
-            const double dy = static_cast<double>(row) - window.center_y, square = dy * dy;
-            for (std::size_t start = 0; start < window.width; start += tile) {
-                const std::size_t here = std::min(tile, window.width - start);
-                const double left = static_cast<double>(start) - window.center_x;
-                for (std::int32_t i = 0; i < static_cast<std::int32_t>(tile); ++i) {
-                    const double dx = left + static_cast<double>(i), place = std::sqrt(dx * dx + square) * per_pixel - begin;
-                    at[i] = static_cast<std::int32_t>(place);
-                    x[i] = static_cast<Real>(2.0 * (place - static_cast<double>(at[i])) - 1.0);
+        alignas(64) double squares[tile], place[tile];
+        alignas(64) Real x[tile];
+        const double pieces = window.step / width;
+        const std::vector<Zone> zones = all_zones(static_cast<double>(parts));
+        const auto split = [&](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
+            // The nearest whole number, in the last bits.
+            const double whole = where + 0x1.8p52;
+            std::int64_t bits;
+            std::memcpy(&bits, &whole, sizeof bits);
+            at[i] = static_cast<std::int32_t>(Apart) * static_cast<std::int32_t>(bits);
+            x[i] = static_cast<Real>(where - (whole - 0x1.8p52));
+        };
+        // All rows of some columns in turn, so that most of the pieces of a row are those of the one before.
+        for (std::size_t start = 0; start < window.width; start += tile) {
+            const std::size_t here = std::min(tile, window.width - start), padded = (here + block - 1) / block * block;
+            for (std::size_t i = 0; i < padded; ++i) {
+                const double across = pieces * (static_cast<double>(start + std::min(i, here - 1)) - window.center_x);
+                squares[i] = across * across;
+            }
+            const double least = *std::min_element(squares, squares + here), most = *std::max_element(squares, squares + here);
+            std::size_t low = 0, high = 0;
+            for (std::size_t row = 0; row < window.height; ++row) {
+                look();
+                const double down = pieces * (static_cast<double>(row) - window.center_y), square = down * down;
+                zone_of(zones, least + square, low);
+                zone_of(zones, most + square, high);
+                const Zone zone = zones[low];
+                // The root and the lines of the zones touch each other, and the curve that they make bends one way: it is the least.
+                const Zone next = zones[low + 1];
+                const double shift = square * zone.slope + zone.shift, other_shift = square * next.slope + next.shift;
+                if (low > 0 && high <= low + 1) {
+                    for (std::size_t i = 0; i < padded; ++i) {
+                        const double here = squares[i] * zone.slope + shift, there = squares[i] * next.slope + other_shift;
+                        split(i, there < here ? there : here);
+                    }
+                } else {
+                    for (std::size_t i = 0; low > 0 && i < padded; ++i) {
+                        place[i] = squares[i] * zone.slope + shift;
+                    }
+                    for (std::size_t i = 0; low == 0 && i < padded; ++i) {
+                        const double s = squares[i] + square, inner = s < next.begin ? s : next.begin;
+                        place[i] = std::sqrt(inner) * zone.slope + (s - inner) * next.slope + zone.shift;
+                    }
+                    for (std::size_t further = std::max<std::size_t>(low + 1, 2); further <= high; ++further) {
+                        const Zone one = zones[further];
+                        for (std::size_t i = 0; i < padded; ++i) {
+                            const double other = (squares[i] + square) * one.slope + one.shift;
+                            place[i] = other < place[i] ? other : place[i];
+                        }
+                    }
+                    for (std::size_t i = 0; i < padded; ++i) {
+                        split(i, place[i]);
+                    }
                 }
-                for (std::size_t i = here; i < tile; ++i) {  // beyond the edge there may be no piece
-                    at[i] = at[0];
-                }
-                polynomials(coefficients, at, x, here, made);
-                for (std::size_t i = 0; i < here; ++i) {
-                    take(row * window.width + start + i, made[i], tops[i]);
-                }
+                take(row * window.width + start, here, at, x);
             }
         }
-        return static_cast<double>(*std::max_element(tops, tops + tile));
     }
-    static LOMMEL_INLINE void polynomials(const double* coefficients, const std::int32_t* at, const double* x,
-                                          std::size_t count, double* made) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const double *const c = coefficients + static_cast<std::size_t>(at[i]) * apart, t = x[i], s = t * t;
-            made[i] = ((c[5] * t + c[4]) * s + (c[3] * t + c[2])) * s + (c[1] * t + c[0]);
+    std::vector<Zone> all_zones(double parts) const;
+    static LOMMEL_INLINE void zone_of(const std::vector<Zone>& zones, double square, std::size_t& zone) {
+        while (square < zones[zone].begin) {
+            --zone;
+        }
+        while (square >= zones[zone + 1].begin) {
+            ++zone;
         }
     }
-    // Of four pixels at once, whose coefficients are loaded side by side and turned; of whole fours, so that some follow the last.
-    static LOMMEL_INLINE void polynomials(const float* coefficients, const std::int32_t* at, const float* x, std::size_t count,
-                                          float* made) {
+    // Of a vector of pixels at once, whose coefficients are loaded side by side and turned; those behind the last of them are as the
+    // last. Raises what is the largest so far in each lane.
+    template <class I>
+    static LOMMEL_INLINE void cubics_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
+                                        float* tops) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)
-        typedef float Quad __attribute__((vector_size(16)));
-        typedef std::int32_t Order __attribute__((vector_size(16)));
-        const Order low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
-        for (std::size_t i = 0; i < count; i += 4) {
-            const float* from[4];
-            for (std::size_t k = 0; k < 4; ++k) {
-                from[k] = coefficients + static_cast<std::size_t>(at[i + k]) * apart;
-            }
-            Quad c[8];
-            for (std::size_t part = 0; part < 8; part += 4) {
-                const Quad a = load<Quad>(from[0] + part), b = load<Quad>(from[1] + part), d = load<Quad>(from[2] + part),
-                           e = load<Quad>(from[3] + part);
-                const Quad ab = __builtin_shuffle(a, b, low), de = __builtin_shuffle(d, e, low),
-                           ab2 = __builtin_shuffle(a, b, high), de2 = __builtin_shuffle(d, e, high);
-                c[part] = __builtin_shuffle(ab, de, first_half);
-                c[part + 1] = __builtin_shuffle(ab, de, second_half);
-                c[part + 2] = __builtin_shuffle(ab2, de2, first_half);
-                c[part + 3] = __builtin_shuffle(ab2, de2, second_half);
-            }
-            const Quad t = load<Quad>(x + i), s = t * t;
-            store(made + i, (((c[5] * t + c[4]) * s + (c[3] * t + c[2])) * s + c[1] * t) + c[0]);
+        using V = typename Vector<(I::lanes > 2 ? 4 : 2)>::floats;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+        V top = load<V>(tops);
+        for (std::size_t i = 0; i < count; i += lanes) {
+            const V a = fours<V>(c, at + i), b = fours<V>(c, at + i + 1), d = fours<V>(c, at + i + 2),
+                    e = fours<V>(c, at + i + 3);
+            V from[4];
+            turned_fours(a, b, d, e, from);
+            const V t = load<V>(x + i), made = ((from[3] * t + from[2]) * t + from[1]) * t + from[0];
+            const V positive = larger(made, V{});
+            top = larger(top, positive);
+            store(to + i, positive);
         }
+        store(tops, top);
 #else
         for (std::size_t i = 0; i < count; ++i) {
-            const float *const c = coefficients + static_cast<std::size_t>(at[i]) * apart, t = x[i], s = t * t;
-            made[i] = (((c[5] * t + c[4]) * s + (c[3] * t + c[2])) * s + c[1] * t) + c[0];
+            const float *const from = c + at[i], t = x[i];
+            to[i] = std::max(0.0f, ((from[3] * t + from[2]) * t + from[1]) * t + from[0]);
+            tops[i % 8] = std::max(tops[i % 8], to[i]);
         }
 #endif
     }
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t to)
-    : level(digits), first(from), last(to), width(width_for(digits)), error(interpolation_error(0.5 * width, points)) {
-    // T_k in powers of x, and with these the polynomial through values at the points.
-    double chebyshev[points][points] = {{1.0}, {0.0, 1.0}}, sizes = 0.0;
-    for (std::size_t k = 2; k < points; ++k) {
-        for (std::size_t power = 0; power < points; ++power) {
+// With what values at n Chebyshev points, which rise, are taken to coefficients of 1, x, x^2, ...: [point][power].
+template <std::size_t Count>
+std::array<double, Count * Count> through_points() {
+    double chebyshev[Count][Count] = {{1.0}, {0.0, 1.0}};
+    for (std::size_t k = 2; k < Count; ++k) {
+        for (std::size_t power = 0; power < Count; ++power) {
             chebyshev[k][power] = (power > 0 ? 2.0 * chebyshev[k - 1][power - 1] : 0.0) - chebyshev[k - 2][power];
         }
     }
-    const Doubles matrix = cosine_transform(points);  // of points that fall
-    for (std::size_t i = 0; i < points; ++i) {
-        for (std::size_t power = 0; power < points; ++power) {
-            double& sum = powers[i * apart + power];
-            for (std::size_t k = 0; k < points; ++k) {
-                sum += matrix[k * points + points - 1 - i] * chebyshev[k][power];
+    const Doubles matrix = cosine_transform(Count);  // of points that fall
+    std::array<double, Count * Count> made{};
+    for (std::size_t i = 0; i < Count; ++i) {
+        for (std::size_t power = 0; power < Count; ++power) {
+            for (std::size_t k = 0; k < Count; ++k) {
+                made[i * Count + power] += matrix[k * Count + Count - 1 - i] * chebyshev[k][power];
             }
-            sizes += std::abs(sum);
         }
     }
-    // Of factors, of sums of six products, and of Horner's scheme.
+    return made;
+}
+
+LOMMEL_ONCE Cubics::Cubics(std::size_t count) : parts(count), matrix(from * parts * terms) {
+    const auto powers = through_points<terms>();
+    for (std::size_t part = 0; part < parts; ++part) {
+        for (std::size_t i = 0; i < terms; ++i) {
+            const double y = chebyshev_point(terms - 1 - i, terms);
+            const double x = (static_cast<double>(2 * part) + 1.0 + y) / static_cast<double>(parts) - 1.0;
+            double raised = 1.0;
+            for (std::size_t k = 0; k < from; ++k, raised *= x) {
+                for (std::size_t power = 0; power < terms; ++power) {
+                    matrix[(k * parts + part) * terms + power] +=
+                        raised * powers[i * terms + power] * std::exp2(static_cast<double>(power));
+                }
+            }
+        }
+    }
+    // Each coefficient of a cubic is rounded once, and its power of x, which is rounded, too, as often as that says, and it takes part in
+    // no more than 2 k + 1 products and sums; the first in the last sum alone, whose rounding is that of storing. That is 1, 6, 9 and
+    // 12 roundings of what the Taylor coefficients of a part are at most, and those beyond the third go to lower ones of the same parity.
+    for (std::size_t k = 0; k < from; ++k) {
+        double choose = 1.0, shrink = 1.0;
+        for (std::size_t j = 0; j <= k; ++j) {
+            constexpr double roundings[from] = {1.0, 6.0, 9.0, 12.0, 10.0, 13.0, 10.0, 13.0};
+            size[k] += roundings[j] * choose * shrink;
+            choose *= static_cast<double>(k - j) / static_cast<double>(j + 1);
+            shrink /= static_cast<double>(parts);
+        }
+    }
+}
+
+LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t to)
+    : level(digits), first(from), last(to), width(width_for(digits)), powers(through_points<points>()) {
+    const double equal = equal_pieces(width);
+    error = interpolation_by_slope(0.5 * width, points) * of_squares(equal * width, points);
+    double sizes = 0.0;
+    for (const double power : powers) {
+        sizes += std::abs(power);
+    }
+    // Of factors, of sums of eight products, and of evaluation.
     rounding = 64.0 * sizes;
     count = (last - first) * points;
     for (std::size_t piece = first; piece < last; ++piece) {
         for (std::size_t i = 0; i < points; ++i) {
-            radii.push_back(0.5 * width * (2.0 * static_cast<double>(piece) + 1.0 + chebyshev_point(points - 1 - i, points)));
+            const double at = static_cast<double>(piece) + 0.5 * (1.0 + chebyshev_point(points - 1 - i, points));
+            radii.push_back(width * distance_of(at, equal));
         }
     }
     radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
+}
+
+LOMMEL_ONCE std::vector<SamplePieces::Zone> SamplePieces::all_zones(double parts) const {
+    const double equal = equal_pieces(width), begin = static_cast<double>(first);
+    std::vector<Zone> zones = {{0.0, parts, -parts * begin - 0.5}};
+    double from = equal;
+    for (; from * width <= reach(); from *= 2.0) {
+        zones.push_back({from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5});
+    }
+    zones.push_back({HUGE_VAL, 0.0, HUGE_VAL});
+    return zones;
 }
 #endif
 

@@ -79,12 +79,12 @@ class PixelRenderer {
     // What the tolerance is spent on, times what the largest value may be.
     struct Budget {
         // At first, on the table, and on U, which counts twice in I, times what the table makes of errors.
-        static constexpr double table = 0.25, field = 0.02;
+        static constexpr double table = 0.25, field = 0.02, cubics = 0.05;
         // Where that did not do, on each of both; half of it where values are divided by their largest.
         static constexpr double each = 0.2;
         // Of coarse pixels, on rings that are left out, and on quadrature.
         static constexpr double rings = 0.4, sums = 0.05;
-        static_assert(table + 2.0 * field <= 1.0 && 2.0 * each <= 1.0);
+        static_assert(table + 2.0 * field + cubics <= 1.0 && 2.0 * each <= 1.0);
     };
 
     struct Attempt {
@@ -160,7 +160,8 @@ class PixelRenderer {
         });
         double of_singles = 0.0;
         if constexpr (std::is_same_v<Table, SamplePieces> && sizeof(T) == sizeof(float)) {
-            f.top = painted.singly ? table.paint_singly(window, at_radii.data(), painted.scale, painted.image, of_singles)
+            f.top = painted.singly ? table.paint_singly(window, at_radii.data(), painted.scale,
+                                                        Budget::cubics * allowed_ * f.size, painted.image, of_singles)
                                    : table.paint(window, at_radii.data(), painted.scale, T{0}, painted.image);
             made.penalty = 0.0;
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {

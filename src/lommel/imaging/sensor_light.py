@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
 from lommel.estimation.pixel_transfer import transfer_of_windows
+from lommel.methods.bounds import growth, quadrature_nodes
 from lommel.methods.choice import of_profiles
+from lommel.methods.hankel import Hankel
 from lommel.methods.pixels.rule import local_rule, pixel_rule, quarters, sums_of_windows
 from lommel.optics.aperture.shapes import Segments
 from lommel.optics.lens import Lens
@@ -21,6 +23,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
 _METHOD = of_profiles(1e-7)
+_QUADRATURE = Hankel(1e-13)
 _LOCAL = 600.0  # half widths in v from which sparse rules are faster than dense ones
 
 
@@ -61,7 +64,7 @@ class SensorLight:
             share = weight * step**2 / (4.0 * math.pi * there.transmission)
             if half * step > _LOCAL:
                 local = local_rule(half, step)
-                total += share * (local.matrix @ _METHOD.profile(there, local.v).values.T).T
+                total += share * (local.matrix @ _profiles(there, local.v).T).T
                 continue
             rule = pixel_rule(half, step)
             total += share * _METHOD.means(there, step * rule.radii, rule.matrix, self.threads)
@@ -95,6 +98,36 @@ class SensorLight:
         side = np.array((half + 0.5) * self.pixel)
         each = ((weight, pupil.in_light(wavelength)) for wavelength, weight in self.spectrum)
         return float(np.min(sum(weight * radial_square_energy(_METHOD, light, side) for weight, light in each)))
+
+
+_ROWS = 1024  # radii at once
+_TAPS = 20  # values of U that one half-way between follows from
+_DEAR = 8.0  # a value of J0, over a step of the series at one radius
+
+
+def _profiles(pupil: Pupil, v: Array) -> Array:
+    """Return I at equally spaced v from 0 on, less than a unit apart, for a stack of pupils."""
+    terms = pupil.radial_terms()
+    low, reach = pupil.obscuration**2, float(v[-1])
+    nodes = quadrature_nodes(growth(terms, low, reach, pupil.illumination), _QUADRATURE.tol, low)
+    if np.abs(terms).sum() < _DEAR * nodes:
+        return _METHOD.profile(pupil, v).values
+    # For many pupils of large phases the series takes many times as long as matrix products with values of J0. U is
+    # of exponential type 1 in v: polynomials through every second value err by less than sin(spacing)^20 of the
+    # largest.
+    taps = np.arange(_TAPS) - (_TAPS // 2 - 0.5)
+    weights = np.array([math.prod(-x / (y - x) for x in taps if x != y) for y in taps])
+    made = np.empty((len(terms), v.size))
+    for start in range(0, v.size, 2 * _ROWS):
+        count = min(2 * _ROWS, v.size - start)
+        at = start // 2 + np.arange(1 - _TAPS // 2, (count + 1) // 2 + _TAPS // 2)
+        rising, place = np.unique(np.abs(at), return_inverse=True)  # U is even
+        field = _QUADRATURE.evaluate(pupil, 2.0 * v[1] * rising).values[:, place]
+        between = sum(weight * field[:, k : k + count // 2] for k, weight in enumerate(weights))
+        here = field[:, _TAPS // 2 - 1 :][:, : (count + 1) // 2]
+        for first, part in ((0, here), (1, between)):
+            made[:, start + first : start + count : 2] = part.real**2 + part.imag**2
+    return made
 
 
 MAX_HALF = 2048

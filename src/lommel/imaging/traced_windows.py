@@ -171,6 +171,6 @@ def make(
     exact = windows(whole)
     for share in _SHARES:
         fewer = built(share)
-        if np.sqrt(((windows(fewer) - exact) ** 2).sum(axis=(-2, -1))).max() <= 0.1 * tol:
+        if (np.abs(windows(fewer) - exact).max(axis=(-2, -1)) / exact.max(axis=(-2, -1))).max() <= 0.1 * tol:
             return fewer
     return whole

@@ -15,49 +15,56 @@ namespace lommel {
 inline void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
                     int threads, double* out) {
     constexpr std::size_t together = 8, step = 16;
-    const std::size_t stride = (sums + step - 1) / step * step;
-    // Columns that are not there are zero.
-    const bool whole = sums == stride;
-    Doubles padded(whole ? 0 : count * stride);
-    for (std::size_t i = 0; i < count && !whole; ++i) {
-        std::copy_n(matrix + i * sums, sums, padded.data() + i * stride);
-    }
-    const double* const table = whole ? matrix : padded.data();
+    // For many rows a panel of columns is copied: read with the stride of the matrix, it takes a page for each row of that.
+    const bool copied = rows > 2 * together;
+    const std::size_t tall = copied ? 8 * together : together, panels = (sums + step - 1) / step;
+    const std::size_t parts = copied ? panels : 1, each = panels / parts;
     const double microseconds = 1e-4 * static_cast<double>(rows) * static_cast<double>(count) * static_cast<double>(sums);
     const int worth = worthwhile_threads(threads, microseconds);
-    parallel_for((rows + together - 1) / together, worth, [&](std::size_t, std::size_t task) {
-        const std::size_t first = task * together, some = std::min(together, rows - first);
-        // Nor are there all rows.
-        const bool here = whole && some == together;
-        Doubles values(here ? 0 : together * count), results(here ? 0 : together * stride);
-        std::copy_n(given + first * count, here ? 0 : some * count, values.data());
-        const double* const from = here ? given + first * count : values.data();
-        double* const to = here ? out + first * stride : results.data();
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            using V = typename decltype(isa)::pack;
-            constexpr std::size_t lanes = decltype(isa)::lanes;
-            // Chains of multiply-adds, as many as registers hold, so that the matrix is read as seldom as may be.
-            constexpr std::size_t chains = lanes == 8 ? together : together / 2;
-            for (std::size_t row = 0; row < together; row += chains) {
-                for (std::size_t j = 0; j < stride; j += 2 * lanes) {
-                    V sum[chains][2] = {};
-                    for (std::size_t i = 0; i < count; ++i) {
-                        const V a = load<V>(table + i * stride + j), b = load<V>(table + i * stride + j + lanes);
+    parallel_for((rows + tall - 1) / tall * parts, worth, [&](std::size_t, std::size_t task) {
+        const std::size_t first = task / parts * tall, some = std::min(tall, rows - first);
+        // Rows and columns that are not there are zero.
+        const std::size_t held = (some + together - 1) / together * together;
+        const bool full = held == some;
+        Doubles packed(copied || sums < panels * step ? count * step : 0), values(full ? 0 : held * count),
+            results(held * step);
+        std::copy_n(given + first * count, full ? 0 : some * count, values.data());
+        const double* const from = full ? given + first * count : values.data();
+        for (std::size_t panel = task % parts * each; panel < (task % parts + 1) * each; ++panel) {
+            const std::size_t column = panel * step, columns = std::min(step, sums - column);
+            const bool direct = columns == step && !copied, here = columns == step && full;
+            for (std::size_t i = 0; i < count && !direct; ++i) {
+                std::copy_n(matrix + i * sums + column, columns, packed.data() + i * step);
+            }
+            const double* const table = direct ? matrix + column : packed.data();
+            double* const to = here ? out + first * sums + column : results.data();
+            const std::size_t stride = direct ? sums : step, pitch = here ? sums : step;
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using V = typename decltype(isa)::pack;
+                constexpr std::size_t lanes = decltype(isa)::lanes;
+                // Chains of multiply-adds, as many as registers hold, so that the panel is read as seldom as may be.
+                constexpr std::size_t chains = lanes == 8 ? together : together / 2;
+                for (std::size_t row = 0; row < some; row += chains) {
+                    for (std::size_t j = 0; j < step; j += 2 * lanes) {
+                        V sum[chains][2] = {};
+                        for (std::size_t i = 0; i < count; ++i) {
+                            const V a = load<V>(table + i * stride + j), b = load<V>(table + i * stride + j + lanes);
+                            for (std::size_t p = 0; p < chains; ++p) {
+                                const V value = splat<V>(from[(row + p) * count + i]);
+                                sum[p][0] = sum[p][0] + value * a;
+                                sum[p][1] = sum[p][1] + value * b;
+                            }
+                        }
                         for (std::size_t p = 0; p < chains; ++p) {
-                            const V value = splat<V>(from[(row + p) * count + i]);
-                            sum[p][0] = sum[p][0] + value * a;
-                            sum[p][1] = sum[p][1] + value * b;
+                            store(to + (row + p) * pitch + j, sum[p][0]);
+                            store(to + (row + p) * pitch + j + lanes, sum[p][1]);
                         }
                     }
-                    for (std::size_t p = 0; p < chains; ++p) {
-                        store(to + (row + p) * stride + j, sum[p][0]);
-                        store(to + (row + p) * stride + j + lanes, sum[p][1]);
-                    }
                 }
+            });
+            for (std::size_t row = 0; row < some && !here; ++row) {
+                std::copy_n(results.data() + row * step, columns, out + (first + row) * sums + column);
             }
-        });
-        for (std::size_t p = 0; p < some && !here; ++p) {
-            std::copy_n(results.data() + p * stride, sums, out + (first + p) * sums);
         }
     });
 }

@@ -196,23 +196,29 @@ def local_rule(half: int, step: float) -> LocalRule:
     -------
     LocalRule
     """
-    from scipy.sparse import coo_array
+    from scipy.sparse import csr_array
 
     radii, weights, starts = _nodes(half, step, 8)
-    at = radii * (step / _SPACING)
-    first = np.floor(at).astype(np.int64) - (_STENCIL // 2 - 1)
-    t = (at - first)[:, None] - np.arange(_STENCIL)
-    lagrange = np.empty_like(t)
+    t = radii * (step / _SPACING)
+    first = np.floor(t).astype(np.int64) - (_STENCIL // 2 - 1)
+    t -= first
+    counts = np.diff(starts, append=radii.size)
+    low, high = np.minimum.reduceat(first, starts), np.maximum.reduceat(first, starts) + _STENCIL
+    # A pixel depends on all values from its nearest to its farthest.
+    ends = np.cumsum(high - low)
+    place = np.repeat(ends - (high - low) - low, counts) + first
+    after = np.ones((_STENCIL, radii.size))
+    for j in range(_STENCIL - 1, 0, -1):
+        after[j - 1] = after[j] * (t - j)
+    before, sums = weights, np.zeros(ends[-1])
     for j in range(_STENCIL):
         scale = math.prod(j - k for k in range(_STENCIL) if k != j)
-        lagrange[:, j] = np.prod(np.delete(t, j, axis=1), axis=1) / scale
-    column = np.abs(first[:, None] + np.arange(_STENCIL))  # I is even
-    row = np.repeat(np.arange(starts.size), np.diff(starts, append=radii.size))
-    count = int(column.max()) + 1
-    parts = (lagrange * weights[:, None]).ravel(), (np.repeat(row, _STENCIL), column.ravel())
-    return LocalRule(
-        _SPACING * np.arange(count, dtype=np.float64), coo_array(parts, shape=(starts.size, count)).tocsr()
-    )
+        sums += np.bincount(place + j, before * after[j] / scale, ends[-1])
+        before = before * (t - j)
+    column = np.abs(np.arange(ends[-1]) - np.repeat(ends - high, high - low))  # I is even
+    count = int(high.max())
+    made = csr_array((sums, column, np.concatenate([[0], ends])), shape=(starts.size, count))
+    return LocalRule(_SPACING * np.arange(count, dtype=np.float64), made)
 
 
 def _moments(twice: Array, weights: Array, starts: NDArray[np.int64], count: int) -> Array:

@@ -90,6 +90,20 @@ COPIES = {
 }
 
 
+TELESCOPE = """[lens]
+wavelength = "550 nm"
+focal_length = "800 mm"
+f_number = 8.0
+focus_distance = inf
+obscuration = 0.3
+[object]
+distance = inf
+[sensor]
+pixel = "4.4 um"
+shape = 17
+"""
+
+
 @pytest.fixture
 def folder(tmp_path, monkeypatch) -> Path:
     """The files that the pages name, as small as they may be, in the folder that tests run in."""
@@ -153,13 +167,18 @@ def folder(tmp_path, monkeypatch) -> Path:
     aberrated = light.wavefront + lm.Wavefront([-4.0, -3.0, 0.0, 3.0, 4.0], spherical=0.5)
     light = lm.Pupil(aberrated, wavelength=light.wavelength, f_number=light.f_number)
     stars = lm.psf(light, 33, lens.pixel).values
-    sky = np.full((3, 140, 140), 20.0)
+    Path("telescope.toml").write_text(TELESCOPE, encoding="utf-8")
+    telescope = lm.load_instrument("telescope.toml")
+    aberrated = telescope.pupil().carrying(lm.Wavefront(5.0, nonradial={(3, 1): 0.6}), None)
+    donut = lm.psf(aberrated, 33, telescope.pixel).values
+    sky = np.full((4, 140, 140), 20.0)
     for row, column in np.ndindex(3, 3):
         part = np.s_[:, 40 * row + 10 : 40 * row + 43, 40 * column + 10 : 40 * column + 43]
-        sky[part] += 4e4 * stars[1:4]
-    for name, exposure in zip(("inside", "stars", "outside"), lm.Noise(read=2.0).record(sky, seed=2), strict=True):
+        sky[part] += 4e4 * np.stack([*stars[1:4], donut])
+    names = "inside", "stars", "outside", "donuts"
+    for name, exposure in zip(names, lm.Noise(read=2.0).record(sky, seed=2), strict=True):
         fits.PrimaryHDU(exposure.astype(np.float32)).writeto(f"{name}.fits")
-    stars = 3e4 * stars[::2]
+    stars = 3e4 * stars[[0, 2, 4]]
     for k, image in enumerate(np.round(lm.Noise(read=2.0).record(stars + 20.0, seed=1))):
         tifffile.imwrite(f"star-{k}.tif", np.maximum(image, 0.0).astype(np.uint16))
     tifffile.imwrite("spot.tif", np.round(stars[1] + 20.0).astype(np.float32))

@@ -122,6 +122,17 @@ def test_two_foci_tell_the_sign():
     np.testing.assert_allclose(fit.blur, 0.6, atol=0.02)
 
 
+@pytest.mark.parametrize("defocus", [-4.0, 4.0])
+def test_a_known_defocus_decides_the_sign(defocus):
+    draw = np.random.default_rng(9)
+    options = {"side": SIDE, "defocus": (defocus,), "snr": (60, 200)}
+    places, images, true = simulated.stars(draw, 8, lines, simulated.Telescope(3, side=96), **options)
+    fit = fitted(images, places, defocus=defocus, terms=3, degree=1)
+    assert fit.converged, fit.message
+    assert "the one nearer to the known defocus is given" in fit.message
+    assert 0.4 < over_bound(fit, places, true, even=3) < 1.8
+
+
 def test_stars_without_blur_settle_at_none():
     draw = np.random.default_rng(8)
     scope = simulated.Telescope(3, side=96)
@@ -133,6 +144,21 @@ def test_stars_without_blur_settle_at_none():
     assert (fit.blur == 0.0).any()
     assert (fit.blur_deviation < 0.2).all()
     assert 0.4 < over_bound(fit, places, true, even=3) < 1.8
+
+
+def test_corners_of_a_checkerboard_tell_the_field():
+    draw = np.random.default_rng(3)
+    options = {"side": 13, "pixel": 0.9, "sigma": 0.4, "pitch": 30.0}
+    places, images, true = simulated.corners(draw, 2, 3, lines, simulated.Telescope(3, side=64), **options)
+    more = {"pixel": 0.9, "targets": "crossing", "size": 27.0, "terms": 3, "degree": 1}
+    fit = fitted(images, places, **more)
+    assert fit.converged, fit.message
+    values, errors = fit.at(*position(places, 0.9))
+    off = min(np.sqrt((((values - sign * true) / errors) ** 2).mean()) for sign in (1.0, -1.0))
+    assert 0.4 < off < 1.8
+    assert abs(fit.blur[0] - 0.4) < 5.0 * fit.blur_deviation[0]
+    np.testing.assert_allclose(fit.stars.flux, 4500.0, rtol=0.02)
+    np.testing.assert_allclose(fit.stars.background, 2750.0, rtol=0.01)
 
 
 def test_doubles_and_defects_are_rejected():
@@ -220,6 +246,9 @@ def test_an_interrupt_keeps_the_best_so_far():
         ({"degree": 9}, "degree must be from 0 to 6"),
         ({"blur": -1.0}, "blur must be"),
         ({"pupil": lm.Pupil(lm.Wavefront([1.0, 2.0]))}, "pupil must be a single one"),
+        ({"targets": "edge"}, "targets must be"),
+        ({"targets": "pinhole"}, "size must be the diameter of the pinholes"),
+        ({"size": 3.0}, "size must be left out for stars"),
         ({"sensor": 4000}, "sensor must be its rows and columns"),
         ({"count": 3}, "windows must be of at least 4 stars"),
     ],

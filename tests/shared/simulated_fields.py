@@ -1,11 +1,11 @@
-"""Stars over a field by a Cartesian matrix Fourier transform, which shares nothing with the package."""
+"""Stars and corners of a checkerboard over a field by matrix Fourier transforms, apart from the package."""
 
 from __future__ import annotations
 
 from math import factorial
 
 import numpy as np
-from scipy import ndimage
+from scipy import ndimage, signal
 
 
 def noll(j):
@@ -106,3 +106,57 @@ def stars(draw, count, waves, telescope, *, side=33, pixel=0.5, sigma=0.6, defoc
                 light += draw.uniform(0.4, 1) * telescope.image(true[k], beside, pixel, side, sigma, known)
             images[k, e] = draw.poisson(flux[k] * light + 20.0) + draw.normal(size=(side, side)) * 2.0
     return places, images, true
+
+
+def extended(covered, telescope, waves, pixel, side, sigma, *, over=7, reach=20.0):
+    """Return an object seen through a telescope, mean values of pixels: `covered(y, x)` in pixels from the middle.
+
+    The object is sampled four times along each of the `over` points of a pixel, and convolved with a PSF as far as
+    `reach` (lambda*N).
+    """
+    step = pixel / over
+    half = int(np.ceil(reach / step))
+    points = step * np.arange(-half, half + 1)
+    wave = np.exp(-1j * np.pi * np.outer(points, telescope.grid))
+    field = wave @ (telescope.aperture * np.exp(1j * np.tensordot(waves, telescope.terms, 1))) @ wave.T
+    light = np.abs(field) ** 2 * step**2 / (telescope.aperture.sum() * len(telescope.grid) ** 2)
+    pad = half + 2 * over
+    at = (np.arange(-pad, side * over + pad) + 0.5) / over - 0.5 - side // 2
+    drawn = np.zeros((len(at), len(at)))
+    for shift in np.ndindex(4, 4):
+        down, across = ((part + 0.5) / 4 - 0.5 for part in shift)
+        drawn += covered((at + down / over)[:, None], (at + across / over)[None]) / 16
+    if sigma:
+        drawn = ndimage.gaussian_filter(drawn, sigma * over, truncate=6)
+    made = signal.fftconvolve(drawn, light, mode="valid")[2 * over : -2 * over, 2 * over : -2 * over]
+    return made.reshape(side, over, side, over).mean((1, 3))
+
+
+def board(place, angles, pitch):
+    """Return a checkerboard, -1 and 1: a corner at a place, two angles of normals of its lines, squares of a side."""
+
+    def covered(y, x):
+        y, x = y - place[0], x - place[1]
+        lines = [np.sin(np.pi * (x * np.cos(angle) + y * np.sin(angle)) / pitch) for angle in angles]
+        return np.sign(lines[0]) * np.sign(lines[1])
+
+    return covered
+
+
+def corners(draw, rows, columns, waves, telescope, *, side, pixel, sigma, pitch, light=(5000.0, 500.0)):
+    """Return places, electrons (n, side, side) and true wavefronts of corners of a board on 4000 x 4000 pixels."""
+    cell = 4000 / rows, 4000 / columns
+    middle = [(np.arange(n) + 0.5) * size for n, size in zip((rows, columns), cell, strict=True)]
+    places = np.rint(np.stack(np.meshgrid(*middle, indexing="ij"), axis=-1).reshape(-1, 2))
+    places += draw.integers(-50, 51, places.shape)
+    v, u = ((places + 0.5) / 2000 - 1).T
+    true = waves(u, v)
+    turned, images = draw.uniform(0, np.pi / 2), []
+    white, black = light
+    for one in true:
+        first = turned + 0.01 * draw.normal() + draw.integers(2) * np.pi / 2
+        angles = first, first + np.pi / 2 + 0.01 * draw.normal()
+        drawn = board(draw.uniform(-0.5, 0.5, 2), angles, pitch)
+        mean = 0.5 * (white + black) + 0.5 * (white - black) * extended(drawn, telescope, one, pixel, side, sigma)
+        images.append(draw.poisson(mean) + draw.normal(size=mean.shape) * 2.0)
+    return places, np.array(images), true

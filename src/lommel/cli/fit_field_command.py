@@ -44,9 +44,12 @@ if TYPE_CHECKING:
     JSON,
     *under(
         "Stars",
-        Option("--window", type=click.IntRange(9, 401), default=33, help="Side of the window around a star, pixels."),
+        Option("--window", type=click.IntRange(9, 401),
+               help="Side of the window around a star, pixels; by default 33, or more as --defocus needs."),
         documented(find_spots, "threshold", type=float),
-        documented(find_spots, "width", type=float),
+        Option("--width", type=float,
+               help="Standard deviation of the smoothing that finds stars, pixels; by default 2, or half the radius "
+               "of defocused stars (rings)."),
         documented(find_spots, "most", type=int),
     ),
     *under(
@@ -75,9 +78,9 @@ def fit_field(
     spots: Path | None,
     object_distance: float | None,
     pixel: float | None,
-    window: int,
+    window: int | None,
     threshold: float,
-    width: float,
+    width: float | None,
     most: int | None,
     saturation: float | None,
     **given: Any,
@@ -88,15 +91,17 @@ def fit_field(
     sensor); LENS is a lens file with aperture, wavelength, f-number and pixel pitch. Isolated stars are found, and
     fitted jointly: Zernike terms as polynomials of the position, the blur by seeing, and of each star the place, flux
     and background. Several exposures need the --defocus of each. One focus leaves the common sign of all even terms
-    open (defocus, astigmatism, spherical): the map with positive defocus in the mean is written, the other by --twin.
+    open (defocus, astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive
+    defocus in the mean; the other by --twin. One exposure well out of focus ("donuts") is enough to collimate.
 
     The table serves as file of the section [field], with unit = "waves". A misfit is said in the last line, by
     "converged" of --json, and by exit code 3.
 
     Examples
     --------
-      lommel fit-field stars.fits phone.toml --read 2 --degree 3 -o field.csv --plot field.png
-      lommel fit-field inside.fits outside.fits phone.toml --defocus -3 3 --read 2 -o field.csv
+      lommel fit-field stars.fits lens.toml --read 2 --degree 3 -o field.csv --twin twin.csv --plot field.png
+      lommel fit-field inside.fits outside.fits lens.toml --defocus -3 3 --read 2 -o field.csv
+      lommel fit-field donuts.fits telescope.toml --defocus 5 --degree 1 --read 2 --plot collimation.png
     """
     for name, path in (("--output", output), ("--twin", twin)):
         if path is not None and path.suffix.lower() != ".csv":
@@ -108,9 +113,15 @@ def fit_field(
         if defocus is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
         started("finding stars")
-        found = find_spots(
-            exposures, noise=noise, window=window, threshold=threshold, width=width, saturation=saturation, most=most
+        known = numbers_of(defocus or "0")
+        pupil = instrument.pupil()
+        side, smoothing = _around(
+            float(np.abs(known).max()), float(min(np.atleast_1d(instrument.side)) / pupil.scale)
         )
+        found = find_spots(
+            exposures, noise=noise, window=window or side, threshold=threshold, width=width or smoothing,
+            saturation=saturation, most=most,
+        )  # fmt: skip
         if spots is not None:
             save_figure(cast("Figure", found.plot().figure), spots)
         if len(found) < 4:
@@ -119,13 +130,13 @@ def fit_field(
         made = fit(
             found.windows,
             found.places,
-            instrument.pupil(),
+            pupil,
             sensor=found.shape,
             pixel=instrument.side,
             noise=noise,
             degree=degree,
             terms=terms,
-            defocus=numbers_of(defocus or "0"),
+            defocus=known,
             blur=True if known_blur is None else known_blur,
             saturation=saturation,
             integrate=instrument.integrate,
@@ -138,6 +149,12 @@ def fit_field(
     if figure is not None:
         save_figure(made.plot(), figure)
     return Report(_facts(made, found), _parts(made, found), made.converged) + written([output, twin, figure, spots])
+
+
+def _around(defocus: float, pixel: float) -> tuple[int, float]:
+    """Return the window and the smoothing for stars at a defocus C_d, for pixels in lambda*N."""
+    radius = 4.0 * defocus / (math.pi * pixel)  # rays from the edge of the pupil; phase 2 C_d rho^2
+    return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1), max(2.0, 0.5 * radius)
 
 
 def _parts(made: FieldFit, found: PointSources) -> list[Any]:

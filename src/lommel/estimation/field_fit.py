@@ -22,6 +22,7 @@ from lommel.estimation.field_stars import FieldStars, WholeField
 from lommel.estimation.noise import Noise, random_numbers
 from lommel.estimation.phase_retrieval import label
 from lommel.estimation.star_images import Unknowns
+from lommel.estimation.target_readout import Target
 from lommel.field.maps import FieldMap
 from lommel.methods.derivative_names import Name, Term
 from lommel.optics.pupil import Pupil, checked
@@ -49,7 +50,8 @@ class FittedStars:
     centers : ndarray, shape (n, e, 2)
         Fitted row and column of the axis of each image within its window; NaN of stars not used, as below.
     flux, background : ndarray, shape (n, e)
-        Electrons of a star in an infinite window, and electrons a pixel.
+        Electrons of a star in an infinite window, and electrons a pixel; of corners white less black, and the mean of
+        both, electrons a pixel.
     chi2 : ndarray, shape (n,)
         Pearson's chi2 of each, with the wavefront of the field, per degree of freedom.
     used : ndarray of bool, shape (n,)
@@ -275,6 +277,8 @@ def fit_field(
     defocus: ArrayLike = 0.0,
     blur: bool | float = True,
     start: FieldMap | None = None,
+    targets: str = "star",
+    size: float | None = None,
     axis: tuple[float, float] | None = None,
     mask: ArrayLike | None = None,
     saturation: float | None = None,
@@ -284,7 +288,7 @@ def fit_field(
     threads: int | None = None,
     progress: Callable[[float, float], object] | None = None,
 ) -> FieldFit:
-    """Estimate the wavefront over the field of a camera or telescope from stars all over the image.
+    """Estimate the wavefront over the field of a camera or telescope from stars, or a chart, all over the image.
 
     The coefficients of Zernike terms are polynomials of the position. All stars are fitted jointly, in one exposure
     or several at known defoci, each at an unknown sub-pixel place, with a flux and a background of its own.
@@ -316,6 +320,13 @@ def fit_field(
         False is without, and a number is a known standard deviation in pixels.
     start : FieldMap, optional
         Where the search begins: the design of the lens, for example. It decides the sign of the even terms.
+    targets : {"star", "pinhole", "crossing"}, default "star"
+        What the windows show: points, round holes of one size, or corners of a checkerboard, at which four squares
+        meet. Corners are at unknown places and directions of their two lines, white squares of a flux a pixel above
+        the black ones; lines are straight within a window, and need not be perpendicular.
+    size : float, optional
+        In the image, in the unit of `pixel`: the diameter of pinholes, which need it, or the side of squares; without
+        it each corner is one of two lines without end.
     axis : (float, float), optional
         Row and column of the optical axis on the sensor, from which positions of the map are measured; by default
         the middle.
@@ -358,8 +369,9 @@ def fit_field(
     computed from samples at most 0.45 lambda*N apart, not on the pixels of the camera.
 
     One focus leaves the common sign of the even terms of the whole field open: `start` decides it, and without it the
-    map whose first even term is positive in the mean is returned; the other is `twin`. A second exposure at another
-    known defocus tells it. Tilts (distortion) are not known, since places are not.
+    map with the smaller wavefront beside a known defocus is returned, or else the one whose first even term is
+    positive in the mean; the other is `twin`. A second exposure at another known defocus tells it. Tilts (distortion)
+    are not known, since places are not.
 
     Examples
     --------
@@ -403,10 +415,11 @@ def fit_field(
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
     x, y = chip.positions(at)
     begun = given if start is None else _begun(start, given, x, y)
+    target = _target(targets, size, pitch)
     stars = FieldStars(
         electrons, read, valid, begun, known, unknowns, pitch,
         blurred=blur is True, integrate=plan.grid(given).integrate, tol=plan.tol, threads=plan.threads,
-        known=width_given or 0.0,
+        known=width_given or 0.0, target=target,
     )  # fmt: skip
     if stars.tested < 1:
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
@@ -428,9 +441,25 @@ def fit_field(
     return _answer(search, state, interrupted, given, start, chip, at, images, (noise, valid))
 
 
+def _target(kind: str, size: float | None, pixel: float) -> Target | None:
+    """Return what windows show, None for points."""
+    validation.choice("targets", kind, ("star", "pinhole", "crossing"))
+    across = None if size is None else validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
+    if kind == "star":
+        if size is not None:
+            raise ValueError("size must be left out for stars, which are points; choose targets")
+        return None
+    if across is None:
+        if kind == "pinhole":
+            raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
+        across = math.inf
+    return Target(kind, across)
+
+
 def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any]) -> None:
     """Put the fit, the rejected stars and the held-out chi2 into `state` as they become known."""
-    first = search.from_start() if begun else None
+    # A known defocus is a good start, for what is unknown beside it is usually less.
+    first = search.from_start() if begun or search.stars.defocused else None
     if first is None:
         first = search.from_singles()
     first, _ = search.cleaned(first, (0.65, 0.05))
@@ -584,14 +613,16 @@ def _answer(
         flip = (one.directions * one.even) @ inverse
         other = polynomials - 2.0 * flip.T @ polynomials
         other[:, 0] -= 2.0 * ((one.base[0] * one.even) @ inverse)
-        if _swapped(search, found, polynomials, other, start):
+        if _swapped(search, found, polynomials, other):
             polynomials, other = other, polynomials
             signs = np.eye(k) - 2.0 * flip.T
             turned = np.kron(signs, np.eye(m))
             covariance[: k * m, : k * m] = turned @ covariance[: k * m, : k * m] @ turned.T
             found.x[0, : k * m] = polynomials.ravel()
         twin = _map(chip, pupil, degree, edge_of(other), one.terms)
-        nearer = "the one nearer to start is given" if start is not None else "add a second defocus, or give start"
+        nearer = "add a second defocus, or give start"
+        if start is not None or stars.defocused:
+            nearer = f"the one nearer to {'start' if start is not None else 'the known defocus'} is given"
         message_sign = f"; {_SIGN}: {nearer}, the other is twin"
     made = _map(chip, pupil, degree, edge_of(polynomials), one.terms)
     squares = found.squares()
@@ -600,14 +631,14 @@ def _answer(
     # Of a square that may be 0, the width is known to the root of the standard error of the square.
     deviation = errors / np.maximum(2.0 * width, np.sqrt(errors))
     every = np.arange(stars.count)
-    own = np.ones((stars.count, 4, stars.exposures))
+    own = np.ones((stars.count, stars.own, stars.exposures))
     own[found.model.chosen] = found.of_stars()
     if len(lost):
         own[lost] = search.placed(lost, polynomials, squares)
     whole = WholeField(stars, every, search.basis(every), held=True)
     row = whole.row(polynomials, squares, own[:, :2], own[:, 2:])
     psf, slopes = whole.images(row)
-    each = stars.scores(every, [psf, *slopes], own[:, 2:], 4.0 * stars.exposures)
+    each = stars.scores(every, [psf, *slopes], own[:, 2:], float(stars.own * stars.exposures))
     light = own[:, 2:, :, None]
     model = light[:, 0] * psf.reshape(stars.count, stars.exposures, -1) + light[:, 1]
     centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [images.shape[2] // 2, images.shape[3] // 2]
@@ -682,15 +713,12 @@ def _fixed_of(start: FieldMap, chip: Sensor, one: Any) -> Callable[[Array, Array
     return fixed
 
 
-def _swapped(search: Search, found: Found, one: Array, other: Array, start: FieldMap | None) -> bool:
+def _swapped(search: Search, found: Found, one: Array, other: Array) -> bool:
     """Return whether the other of two fields is the one to give."""
     basis, stars = found.model.basis, search.stars
-    if start is not None or stars.start.any():
-        near = stars.start[found.model.chosen]
-        far = [
-            float(np.einsum("ni,ij,nj->", d, search.metric, d)) for d in (basis @ p.T - near for p in (one, other))
-        ]
-        if not math.isclose(far[0], far[1], rel_tol=1e-6):
-            return far[1] < far[0]
+    near = stars.start[found.model.chosen]
+    far = [float(np.einsum("ni,ij,nj->", d, search.metric, d)) for d in (basis @ p.T - near for p in (one, other))]
+    if not math.isclose(far[0], far[1], rel_tol=1e-6):
+        return far[1] < far[0]
     even = next(j for j, row in enumerate(stars.one.directions) if row[stars.one.even].any())
     return bool((basis @ other[even]).mean() > (basis @ one[even]).mean())

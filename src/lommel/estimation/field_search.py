@@ -39,7 +39,7 @@ class Found:
     settled: bool
 
     def of_stars(self) -> Array:
-        """Return the parameters of each star: places and light (r, 4, e)."""
+        """Return the parameters of each star: places, light and angles (r, own, e)."""
         _, _, tilts, light = self.model.parts(self.x)
         return np.concatenate([tilts, light], axis=1)
 
@@ -113,8 +113,7 @@ class Search:
         if scatter:
             waves += self.draw.normal(size=waves.shape) * size
         squares = np.full((len(rows), stars.exposures), self.square)
-        light = np.ones((len(rows), 2, stars.exposures))
-        return stars.joined(waves, squares, self._centred(rows, waves), light)
+        return stars.joined(waves, squares, self._centred(rows, waves), stars.first(rows))
 
     def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
         """Return tilts with which stars of these wavefronts have their light where it is."""
@@ -237,13 +236,15 @@ class Search:
         return Found(model, x, scores, bool(settled[0]))
 
     def placed(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Array:
-        """Return places and light (r, 4, e) of stars whose wavefronts are known."""
+        """Return places, light and angles (r, own, e) of stars whose wavefronts are known."""
         model = WholeField(self.stars, chosen, self.basis(chosen), held=True)
         waves = model.basis @ polynomials.T
         tilts = self._centred(chosen, waves)
-        x = model.row(polynomials, squares, tilts, np.ones_like(tilts))
-        tilts += self.stars.shifts(chosen, model.images(x, fast=True)[0]) * self.stars.one.tilt_of_pixel
-        x = model.row(polynomials, squares, tilts, np.ones_like(tilts))
+        first = self.stars.first(chosen)
+        x = model.row(polynomials, squares, tilts, first)
+        if not self.stars.cornered:  # whose places are known to a pixel
+            tilts += self.stars.shifts(chosen, model.images(x, fast=True)[0]) * self.stars.one.tilt_of_pixel
+        x = model.row(polynomials, squares, tilts, first)
         x, _, _, taken = climb(model, x, 6, lambda *_: None, fast=True)
         self.taken += taken
         return np.concatenate(model.parts(x)[2:], axis=1)

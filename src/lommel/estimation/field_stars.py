@@ -1,10 +1,11 @@
-"""Images of many stars over a field as functions of their wavefronts, places, light, and of a Gaussian blur."""
+"""Images of many stars, pinholes or corners over a field as functions of wavefronts, places, light, and of a blur."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, cast
 
 import numpy as np
@@ -13,7 +14,8 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.engine import star_likelihood
 from lommel.estimation.star_images import MOST, Scores, StarImages, Unknowns, carrying, covariance, damped
-from lommel.estimation.star_readout import STEP, StarReadout
+from lommel.estimation.star_readout import StarReadout
+from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.methods.derivative_names import SHIFTS, Name
 from lommel.methods.question import asked_about, output_type
 from lommel.optics.pupil import Pupil
@@ -24,14 +26,15 @@ _AT_ONCE = 3e7  # values of samples and their derivatives that are computed toge
 _PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images in a search
 _SHARP = 0.02  # pixels^2: a blur that small may be none
 _ROOM = 0.75  # pixels by which blur may widen before samples are chosen anew
-OWN = 4  # parameters of an image: row, column, flux, background
+_OWN = 4  # parameters of an image: row, column, flux, background; then angles
+_TURNED = 0.05  # radians: the longest step of an angle
 
 
 class FieldStars:
     """Images of n stars in e exposures, electrons (n, e, height, width), and their likelihood.
 
     Parameters of a star are the k coefficients of its wavefront (radians rms), the squared widths of the blur of each
-    exposure (pixels^2), and of each image its tilts by row and column, flux and background.
+    exposure (pixels^2), and of each image its tilts by row and column, flux, background, and of corners two angles.
     """
 
     def __init__(
@@ -49,18 +52,22 @@ class FieldStars:
         tol: float,
         threads: int,
         known: float = 0.0,
+        target: Target | None = None,
     ) -> None:
         self.count, self.exposures, *shape = electrons.shape
         self.shape = (shape[0], shape[1])
         self.pixels = shape[0] * shape[1]
         self.pupil, self.threads, self.blurred, self.integrate = pupil, threads, blurred, integrate
         self.fixed = known  # pixels of blur where that is known
+        self.target = target
+        self.own = _OWN + (0 if target is None else target.angles)
+        self.cornered = self.own > _OWN
         plan = Plan(self.shape, pixel, tol=tol, integrate=integrate, threads=threads or None)
         first = pupil if pupil.shape == () else pupil[0]
         self._first = first
         #: The images of one star, whose terms are those of all.
         self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
-        self.size = len(unknowns.terms) + (1 + OWN) * self.exposures
+        self.size = len(unknowns.terms) + (1 + self.own) * self.exposures
         flat = (self.count, self.exposures, self.pixels)
         counted = np.where(valid, electrons, 0.0)
         parts = counted, variance, np.maximum(variance, 0.05), valid
@@ -77,32 +84,38 @@ class FieldStars:
         fixed: Array = whole - self.start @ self.one.directions
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
         self.base[:, :, 0] += defocus[None]
+        self.defocused = bool(defocus.any())
         self._slopes: tuple[Name, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._scale = float(first.scale)
         self._pixel = pixel / self._scale
-        self._reader: StarReadout | None = None
+        self._reader: StarReadout | TargetReadout | None = None
         tested = self.star[3].sum(axis=(1, 2)) - self.size
         self.tested = int(tested.mean())
 
     def images(
-        self, stars: NDArray[np.intp], waves: Array, squares: Array, tilts: Array, *, fast: bool
+        self, stars: NDArray[np.intp], waves: Array, squares: Array, tilts: Array, rest: Array, *, fast: bool
     ) -> list[Array]:
-        """Return images of rows (r,) of stars, their slopes by edge terms and tilts, and by the squares if blurred.
+        """Return images of rows (r,) of stars, slopes by edge terms and tilts, by the squares if blurred, by angles.
 
-        `waves` is (r, k), `squares` (r, e), `tilts` (r, 2, e); each image list is (r * e, height, width).
+        `waves` is (r, k), `squares` (r, e), `tilts` (r, 2, e), `rest` light and angles (r, own - 2, e); each image
+        list is (r * e, height, width).
         """
         reader = self._readout(float(squares.max(initial=0.0)))
         lattice = self.shape if reader is None else reader.shape
         each = self.exposures * math.prod(lattice) * (len(self._slopes) + 2)
         block = max(1, int(_AT_ONCE / each))
         parts = [
-            self._block(reader, stars[s], waves[s], squares[s], tilts[s], fast=fast)
+            self._block(reader, stars[s], waves[s], squares[s], tilts[s], rest[s, 2:], fast=fast)
             for s in (slice(first, first + block) for first in range(0, len(stars), block))
         ]
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
-    def _readout(self, square: float) -> StarReadout | None:
+    def _readout(self, square: float) -> StarReadout | TargetReadout | None:
         """Return what reads pixels from samples for blur of this squared width; None where samples are the pixels."""
+        if self.target is not None:
+            if self._reader is None:
+                self._reader = TargetReadout(self.shape, self._pixel, self.target, integrate=self.integrate)
+            return self._reader
         if not (self.blurred or self.integrate or self.fixed):
             return None
         width = math.sqrt(square)
@@ -113,11 +126,12 @@ class FieldStars:
 
     def _block(
         self,
-        reader: StarReadout | None,
+        reader: StarReadout | TargetReadout | None,
         stars: NDArray[np.intp],
         waves: Array,
         squares: Array,
         tilts: Array,
+        angles: Array,
         *,
         fast: bool,
     ) -> list[Array]:
@@ -127,7 +141,7 @@ class FieldStars:
         wavefront = Wavefront.trusted(self.one.terms, edge.reshape(-1, edge.shape[-1]))
         pupil = cast("Pupil", carrying(self._first, wavefront))
         tol = self.loosest if fast else self.tol
-        shape, pitch = (self.shape, self._pixel) if reader is None else (reader.shape, STEP)
+        shape, pitch = (self.shape, self._pixel) if reader is None else (reader.shape, reader.step)
         plan = Plan(shape, pitch * self._scale, tol=tol, integrate=False, threads=self.threads or None)
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = asked_about(pupil, light, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
@@ -135,32 +149,21 @@ class FieldStars:
         samples = [made.values, *(slope.values for slope in slopes)]
         if reader is None:
             return [np.asarray(image).reshape(-1, *self.shape) for image in samples]
-        one = bool((squares == squares[:1]).all())
-        (down, across), (down_slope, across_slope) = reader.matrices((squares[:1] if one else squares).ravel())
-
-        def matched(part: Array) -> Array:
-            return np.tile(part, (len(stars), 1, 1)) if one and self.exposures > 1 else part
-
-        down, across, down_slope, across_slope = map(matched, (down, across, down_slope, across_slope))
         flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
-        halves = [down @ image for image in flat]
-        turned = across.swapaxes(-1, -2)
-        found = [half @ turned for half in halves]
-        if self.blurred:
-            by_width = halves[0] @ across_slope.swapaxes(-1, -2)
-            by_width += (down_slope @ flat[0]) @ turned
-            found.append(by_width)
-        return found
+        if isinstance(reader, TargetReadout):
+            turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
+            return reader.read(flat, squares.ravel(), turned, blurred=self.blurred)
+        return reader.read(flat, squares, blurred=self.blurred)
 
     def likelihood(
         self, stars: NDArray[np.intp], images: Sequence[Array], light: Array
     ) -> tuple[Array, Array, Array]:
         """Return deviance, expectation and variance of chi2 (3, r), slopes and information (r, p, p + 1).
 
-        Of all parameters of single stars; `light` is (r, 2, e).
+        Of all parameters of single stars; `light` is (r, 2, e), or more than that.
         """
         r, e, k = len(stars), self.exposures, len(self.one.directions)
-        own = np.ascontiguousarray(np.moveaxis(light, 1, 0).reshape(1, 2, r * e))
+        own = np.ascontiguousarray(np.moveaxis(light[:, :2], 1, 0).reshape(1, 2, r * e))
         whole = r == self.count and bool((stars == np.arange(r)).all())
         star = (self.star if whole else self.star[:, stars]).reshape(4, r * e, self.pixels)
         numbers, products = star_likelihood(images, own, star, self.threads)
@@ -171,11 +174,13 @@ class FieldStars:
         flux = light[:, 0]
         chain[:, :, :k, :edge] = self.one.unknowns.directions * flux[:, :, None, None]
         for i in range(e):
-            at = k + e + np.arange(OWN) * e + i
+            at = k + e + np.arange(self.own) * e + i
             if self.blurred:
                 chain[:, i, k + i, edge + 2] = flux[:, i]
             chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = flux[:, i]
             chain[:, i, at[2], d - 3] = chain[:, i, at[3], d - 2] = 1.0
+            for j in range(_OWN, self.own):
+                chain[:, i, at[j], edge + 2 + self.blurred + j - _OWN] = flux[:, i]
         chain[:, :, -1, -1] = 1.0
         found = (chain @ products.reshape(r, e, d, d) @ chain.swapaxes(-1, -2)).sum(axis=1)
         return numbers.reshape(3, r, e).sum(axis=-1), found[:, :-1], found[:, -1, -1]
@@ -200,7 +205,9 @@ class FieldStars:
         return np.stack([flux, level - flux * mean], axis=1)
 
     def centroids(self) -> Array:
-        """Return tilts (n, 2, e) that put each star at the centroid of its light."""
+        """Return tilts (n, 2, e) that put each star at the centroid of its light, and corners where lines cross."""
+        if self.cornered:
+            return np.asarray(self._crossings[:, :2] * self.one.tilt_of_pixel)
         image = self.star[0].reshape(-1, *self.shape)
         good = self.star[3].reshape(-1, *self.shape) > 0.0
         read = self.star[2].reshape(-1, self.pixels).mean(axis=1)
@@ -229,9 +236,9 @@ class FieldStars:
         return np.asarray(found.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
 
     def split(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Return waves (r, k), squares (r, e), tilts (r, 2, e) and light (r, 2, e) of parameters of stars (r, p)."""
+        """Return waves (r, k), squares (r, e), tilts (r, 2, e), light and angles (r, own - 2, e) of parameters."""
         k, e = len(self.one.directions), self.exposures
-        own = x[:, k + e :].reshape(len(x), OWN, e)
+        own = x[:, k + e :].reshape(len(x), self.own, e)
         return x[:, :k], x[:, k : k + e], own[:, :2], own[:, 2:]
 
     def joined(self, waves: Array, squares: Array, tilts: Array, light: Array) -> Array:
@@ -239,11 +246,26 @@ class FieldStars:
         r = len(waves)
         return np.concatenate([waves, squares, tilts.reshape(r, -1), light.reshape(r, -1)], axis=1)
 
-    def limited(self, tilts: Array, light: Array, before: Array) -> None:
-        """Limit tilts to the window, and flux to steps from that before, in place."""
+    def limited(self, tilts: Array, rest: Array, before: Array) -> None:
+        """Limit tilts to the window, and flux and angles to steps from those before, in place."""
         for j, largest in enumerate(self.one.largest_tilts):
             np.clip(tilts[:, j], -largest, largest, out=tilts[:, j])
-        np.maximum(light[:, 0], 0.1 * before[:, 0], out=light[:, 0])
+        np.maximum(rest[:, 0], 0.1 * before[:, 0], out=rest[:, 0])
+        np.clip(rest[:, 2:], before[:, 2:] - _TURNED, before[:, 2:] + _TURNED, out=rest[:, 2:])
+
+    def first(self, rows: NDArray[np.intp]) -> Array:
+        """Return light and angles (r, own - 2, e) to begin with."""
+        found = np.ones((len(rows), self.own - 2, self.exposures))
+        if self.cornered:
+            found[:, 2:] = self._crossings[rows][:, 2:]
+        return found
+
+    @cached_property
+    def _crossings(self) -> Array:
+        """Rows and columns, and two angles (n, 4, e), of crossings."""
+        images = self.star[0].reshape(-1, *self.shape)
+        found = np.array([start_of_crossing(image) for image in images])
+        return found.reshape(self.count, self.exposures, -1).swapaxes(1, 2)
 
 
 class SingleStars:
@@ -265,8 +287,7 @@ class SingleStars:
         return found[0], found[1:]
 
     def _images(self, x: Array, stars: NDArray[np.intp], *, fast: bool) -> list[Array]:
-        waves, squares, tilts, _ = self.of.split(x)
-        return self.of.images(stars, waves, squares, tilts, fast=fast)
+        return self.of.images(stars, *self.of.split(x), fast=fast)
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
         """Return the quality of the fit of rows."""
@@ -286,8 +307,9 @@ class SingleStars:
 
     def with_light(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background of least squares."""
-        waves, squares, tilts, _ = self.of.split(x)
-        return self.of.joined(waves, squares, tilts, self.of.light(self.rows, values))
+        found = x.copy()
+        self.of.split(found)[3][:, :2] = self.of.light(self.rows, values)
+        return found
 
     def within(self, x: Array, before: Array) -> Array:
         """Limit parameters in place."""
@@ -373,7 +395,7 @@ class WholeField:
         self.of, self.chosen, self.basis, self.held = stars, chosen, basis, held
         self.waves = len(stars.one.directions)
         self.shared = self.waves * basis.shape[1] + stars.exposures
-        self.size = self.shared + len(chosen) * OWN * stars.exposures
+        self.size = self.shared + len(chosen) * stars.own * stars.exposures
         unknown = self.size - (self.shared if held else 0) - (0 if stars.blurred or held else stars.exposures)
         self.pixels = int(stars.star[3][chosen].sum())
         self.tested = max(self.pixels - unknown, 1)
@@ -381,11 +403,11 @@ class WholeField:
         self.best: tuple[Array, Scores] | None = None  # so far, for whoever is interrupted
 
     def parts(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Return the parameters of each star: waves, squares, tilts, light."""
+        """Return the parameters of each star: waves, squares, tilts, light and angles."""
         k, m, e = self.waves, self.basis.shape[1], self.of.exposures
         waves = self.basis @ x[0, : k * m].reshape(k, m).T
         squares = np.broadcast_to(x[0, k * m : self.shared], (len(waves), e))
-        own = x[0, self.shared :].reshape(-1, OWN, e)
+        own = x[0, self.shared :].reshape(-1, self.of.own, e)
         return waves, squares, own[:, :2], own[:, 2:]
 
     def row(self, polynomials: Array, squares: Array, tilts: Array, light: Array) -> Array:
@@ -395,8 +417,7 @@ class WholeField:
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return images of all stars, and their slopes."""
-        waves, squares, tilts, _ = self.parts(x)
-        found = self.of.images(self.chosen, waves, squares, tilts, fast=fast)
+        found = self.of.images(self.chosen, *self.parts(x), fast=fast)
         return found[0], found[1:]
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
@@ -458,7 +479,7 @@ class WholeField:
     def with_light(self, x: Array, values: Any) -> Array:
         """Return the parameters with flux and background of least squares."""
         found = x.copy()
-        self.parts(found)[3][:] = self.of.light(self.chosen, values)
+        self.parts(found)[3][:, :2] = self.of.light(self.chosen, values)
         return found
 
     def within(self, x: Array, before: Array) -> Array:

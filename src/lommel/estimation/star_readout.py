@@ -12,11 +12,12 @@ where copies of the spectrum begin. Pixels may be of any size, and blur of any w
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from scipy import special
 
-from lommel.base.arrays import Array
+from lommel.base.arrays import Array, Values
 from lommel.special.legendre import gauss_legendre
 
 STEP = 0.45  # lambda*N from sample to sample
@@ -31,6 +32,8 @@ class StarReadout:
 
     `pixel` is in lambda*N; pixels that do not `integrate` are points.
     """
+
+    step = STEP
 
     def __init__(self, shape: tuple[int, int], pixel: float, widest: float, *, integrate: bool) -> None:
         self.pixel, self.widest = pixel, widest
@@ -64,3 +67,24 @@ class StarReadout:
                 one += (sin * weights[:, None]) @ across.T
                 place.append(one.astype(np.float32))
         return made
+
+    def read(self, samples: Sequence[Values], squares: Array, *, blurred: bool) -> list[Values]:
+        """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e).
+
+        And, if `blurred`, the slope by the squares.
+        """
+        one = bool((squares == squares[:1]).all())
+        (down, across), (down_slope, across_slope) = self.matrices((squares[:1] if one else squares).ravel())
+
+        def matched(part: Array) -> Array:
+            return np.tile(part, (len(squares), 1, 1)) if one and squares.shape[1] > 1 else part
+
+        down, across, down_slope, across_slope = map(matched, (down, across, down_slope, across_slope))
+        halves = [down @ image for image in samples]
+        turned = across.swapaxes(-1, -2)
+        found = [half @ turned for half in halves]
+        if blurred:
+            by_width = halves[0] @ across_slope.swapaxes(-1, -2)
+            by_width += (down_slope @ samples[0]) @ turned
+            found.append(by_width)
+        return found

@@ -1,0 +1,171 @@
+r"""Pixel values of pinholes and of crossings of a checkerboard from samples of PSFs, and slopes by blur and angles.
+
+An image is the object convolved with the PSF, the pixel and a Gaussian blur. The intensity of a PSF holds no
+frequency above 1 / (lambda*N): from samples ``h < 1/2`` apart (units of lambda*N) sums over samples are the
+convolution, and frequencies of the object above 1 are of no account. The spectrum of a disc is known. The corners of
+a checkerboard are sampled after a narrow Gaussian, which is then divided out: with lines at
+``p = x cos a + y sin a = 0`` and ``q = 0`` likewise,
+
+.. math:: \mathrm{E}[\mathrm{sgn}(p + \nu_p)\, \mathrm{sgn}(q + \nu_q)]
+          = \mathrm{erf}\,\mathrm{erf} + 4 \rho\, \varphi\varphi + 2 \rho^2\, pq\, \varphi\varphi + O(\rho^3),
+
+where :math:`\rho` is the cosine of the angle between the normals of the lines, near 0, and further lines a square
+apart alternate in sign.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy import fft, special
+
+from lommel.base.arrays import Array, Values
+
+_STEP = 0.45  # lambda*N from sample to sample, at most
+_FINE = 0.285  # the same of objects
+_MARGIN = 8.0  # lambda*N of samples of PSFs beyond the outer pixels
+_PAD = 5.0  # lambda*N that what is cut off at the edge of the transforms needs to ring down
+_ALIAS = 12.0  # minus the logarithm of what the Gaussian leaves where copies of the spectrum begin
+_TURNS = 90  # directions, of half a turn, in which a crossing is looked for
+
+
+class Target(NamedTuple):
+    """A kind of object, and its size in pixels: diameter of pinholes, side of squares (inf: one crossing alone)."""
+
+    kind: str
+    size: float
+
+    @property
+    def angles(self) -> int:
+        """How many angles are unknown."""
+        return 2 if self.kind == "crossing" else 0
+
+
+class TargetReadout:
+    """From samples of PSFs on a lattice to the pixels of a window, for objects around its middle pixel.
+
+    `pixel` is in lambda*N; pixels that do not `integrate` are points.
+    """
+
+    widest = math.inf  # pixels of blur
+
+    def __init__(self, shape: tuple[int, int], pixel: float, target: Target, *, integrate: bool) -> None:
+        self.pixel, self.target, self._pixels = pixel, target, shape
+        self._every = math.ceil(pixel / _STEP)
+        self.step = pixel / self._every
+        halves = [math.ceil(((side // 2) * pixel + _MARGIN) / self.step) for side in shape]
+        self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
+        pad = 2 * math.ceil(_PAD / self.step)
+        self._sides = [
+            fft.next_fast_len(side * self._every + samples + pad, real=True)
+            for side, samples in zip(shape, self.shape, strict=True)
+        ]
+        f_row = fft.fftfreq(self._sides[0], self.step)[:, None]
+        f_column = fft.rfftfreq(self._sides[1], self.step)[None]
+        square = f_row**2 + f_column**2
+        inside = square <= 1.1
+        self._rate: Array = -2.0 * (math.pi * pixel) ** 2 * square
+        area = np.sinc(pixel * f_row) * np.sinc(pixel * f_column) if integrate else np.ones(square.shape)
+        # Sample 0 of a PSF is its corner, the middle of the first pixel is half a window before the axis.
+        corner = [half - (side // 2) * self._every for half, side in zip(halves, shape, strict=True)]
+        turned = np.exp(2j * math.pi * self.step * (f_row * corner[0] + f_column * corner[1]))
+        self._plain = inside * area * turned
+        if target.kind == "pinhole":
+            reach = math.pi * target.size * pixel * np.sqrt(square)
+            disc = np.where(reach > 1e-6, 2.0 * special.j1(reach) / np.maximum(reach, 1e-6), 1.0)
+            self._plain *= disc * self._every**2
+            return
+        self._finer = math.ceil(self.step / _FINE)
+        step = self.step / self._finer
+        variance = _ALIAS / (2.0 * (math.pi * (1.0 / step - 1.0)) ** 2)
+        self._width = math.sqrt(variance)
+        self._plain *= np.exp(2.0 * math.pi**2 * variance * np.where(inside, square, 0.0)) / self._finer**2
+        y, x = (step * self._finer * side * fft.fftfreq(self._finer * side) for side in self._sides)
+        self._x, self._y = x[None], y[:, None]
+
+    def _lines(self, angle: float) -> tuple[Array, Array, Array, Array]:
+        """Return along the normal of a line e, g, g1 of the formula above, summed over lines, and dp/da."""
+        p = self._x * math.cos(angle) + self._y * math.sin(angle)
+        along = self._y * math.cos(angle) - self._x * math.sin(angle)
+        pitch = self.target.size * self.pixel
+        most = 0 if math.isinf(pitch) else math.ceil(1.5 * float(np.abs(p).max()) / pitch)
+        even, density, first = np.zeros(p.shape), np.zeros(p.shape), np.zeros(p.shape)
+        for k in range(-most, most + 1):
+            at = (p - k * pitch if k else p) / self._width
+            sign = -1.0 if k % 2 else 1.0
+            even += sign * special.erf(at * math.sqrt(0.5))
+            bell = np.exp(-0.5 * at * at) * (sign / math.sqrt(2.0 * math.pi))
+            density += bell
+            first += at * bell
+        return even, density, first, along / self._width
+
+    def _corners(self, angles: Array) -> list[Array]:
+        """Return spectra of the corner between lines of two angles, black and white at -1/2 and 1/2, and slopes."""
+        (e, g, e1, along), (other, h, h1, across) = (self._lines(float(angle)) for angle in angles)
+        cosine, sine = math.cos(angles[0] - angles[1]), math.sin(angles[0] - angles[1])
+        value = e * other + 4.0 * cosine * g * h + 2.0 * cosine**2 * e1 * h1
+        # By the angles: of each line, and of the cosine between them.
+        turned = -4.0 * sine * (g * h + cosine * e1 * h1)
+        one = 2.0 * g * along * other - 4.0 * cosine * e1 * along * h + turned
+        two = 2.0 * h * across * e - 4.0 * cosine * h1 * across * g - turned
+        return [self._coarse(0.5 * part) for part in (value, one, two)]
+
+    def _coarse(self, fine: Array) -> Array:
+        """Return the part of a spectrum that the lattice of the samples holds."""
+        whole = fft.rfft2(fine)
+        rows, columns = self._sides
+        half = (rows + 1) // 2
+        kept = np.concatenate([whole[:half], whole[len(whole) - (rows - half) :]])
+        return np.asarray(kept[:, : columns // 2 + 1])
+
+    def _spectra(self, square: float, angles: Array, *, blurred: bool) -> list[Array]:
+        """Return spectra of what samples are convolved with, and slopes by the blur and by angles."""
+        plain = self._plain * np.exp(square * self._rate)
+        parts = [plain] if self.target.kind == "pinhole" else [plain * part for part in self._corners(angles)]
+        return [parts[0], *([parts[0] * self._rate] if blurred else []), *parts[1:]]
+
+    def read(self, samples: Sequence[Values], squares: Array, angles: Array, *, blurred: bool) -> list[Values]:
+        """Return images (r, height, width) of samples of PSFs and of their slopes, and slopes of the images.
+
+        Slopes are by the squared blur (r,), pixels^2, if `blurred`, and by the angles (r, a).
+        """
+        count = len(samples) + blurred + self.target.angles
+        found: list[Values] = [np.empty((len(squares), *self._pixels), np.float32) for _ in range(count)]
+        for k, (square, pair) in enumerate(zip(squares, angles, strict=True)):
+            first, *others = self._spectra(float(square), pair, blurred=blurred)
+            light = [fft.rfft2(each[k], self._sides) for each in samples]
+            for place, spectrum in zip(
+                found, [*(first * one for one in light), *(light[0] * o for o in others)], strict=True
+            ):
+                place[k] = self._at_pixels(spectrum)
+        return found
+
+    def _at_pixels(self, spectrum: Array) -> Array:
+        image = fft.irfft2(spectrum, self._sides)
+        return np.asarray(image[tuple(slice(0, side * self._every, self._every) for side in self._pixels)])
+
+
+def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
+    """Return row and column of a crossing from the middle pixel, and the angles of the normals of its two lines."""
+    height, width = image.shape
+    y, x = (np.arange(side) - side // 2 for side in (height, width))
+    x, y = x[None].astype(float), y[:, None].astype(float)
+    window = np.exp(-0.5 * (x**2 + y**2) / (0.3 * min(height, width)) ** 2)
+    plain = image - np.median(image)
+    patterns = []
+    for turn in np.pi * np.arange(_TURNS) / _TURNS:
+        p, q = x * math.cos(turn) + y * math.sin(turn), y * math.cos(turn) - x * math.sin(turn)
+        pattern = np.tanh(p) * np.tanh(q) * window
+        patterns.append(pattern - pattern.mean())
+    stack = np.array(patterns)
+    size = [fft.next_fast_len(2 * side, real=True) for side in (height, width)]
+    matched = fft.irfft2(fft.rfft2(plain, size) * np.conj(fft.rfft2(stack, size)), size)
+    near = [max(2, side // 5) for side in (height, width)]
+    rows, columns = (np.arange(-n, n + 1) for n in near)
+    part = matched[:, rows[:, None], columns]
+    turn, row, column = np.unravel_index(int(part.argmax()), part.shape)
+    angle = math.pi * turn / _TURNS
+    return float(rows[row]), float(columns[column]), angle, angle + 0.5 * math.pi

@@ -261,9 +261,7 @@ def test_two_planes_tell_more_than_one(table):
     lower = Table(start, shape=13, pixel=6.5e-6, z=(RANGE[0] + shift, RANGE[1] + shift))
     with pytest.raises(ValueError, match="table must have channels of one range of z"):
         fit([table, lower], [np.ones((1, 15, 15)), np.ones((1, 13, 13))])
-    layers = OBJECTIVE.pupil(depth=1e-6, z=shift, **LIGHT)
-    other = type(pupil).from_dict(layers.to_dict() | {"z": 0.0})
-    lower = Table(other, shape=13, pixel=6.5e-6, z=RANGE)
+    lower = Table(pupil, shape=13, pixel=6.5e-6, z=RANGE, offset=shift)
     angle = 0.4
     turn = 1.05 * np.array([[math.cos(angle), math.sin(angle)], [math.sin(angle), -math.cos(angle)]])
     transform = np.column_stack([turn @ [[1.0, 0.4], [0.0, 1.0]], [3.3, 180.1]])

@@ -6,6 +6,7 @@ import io
 import json
 import math
 import zipfile
+from dataclasses import replace
 from os import PathLike
 from typing import Any, Self
 
@@ -55,6 +56,9 @@ class Table:
         the glass.
     along : {"z", "depth"}, default "z"
         What z is: the position of the stage, the emitter's depth fixed; or the depth, the stage fixed.
+    offset : float, default 0
+        For the second camera of a biplane, metres, up to 10 um either way: the image of a molecule at z is that of
+        the pupil with the stage at ``z + offset``; along the depth, with the stage moved by it.
     reach : float, default 3
         How far the molecule may be from the middle of pixel ``(height // 2, width // 2)`` along rows and columns,
         pixels, 0.5 to 16.
@@ -67,7 +71,7 @@ class Table:
     Attributes
     ----------
     pupil, shape, pixel, z, along, reach, tol
-        As the arguments.
+        As the arguments; the pupil with the stage moved by the offset.
     error_bound : float
         Proven bound on the error of values, over the same value as `tol`; at most `tol`.
     slope_bounds : dict
@@ -108,6 +112,7 @@ class Table:
         *,
         z: tuple[float, float],
         along: str = "z",
+        offset: float = 0.0,
         reach: float = 3.0,
         tol: float = 1e-4,
         threads: int | None = None,
@@ -119,7 +124,8 @@ class Table:
         side = validation.image_shape(shape)
         if max(side) > _MOST_SIDE:
             raise ValueError(f"shape must be at most {_MOST_SIDE} pixels a side, got {side}")
-        self.pupil, self.shape = pupil, side
+        moved = validation.real("offset", offset, least=-1e-5, most=1e-5)
+        self.pupil, self.shape = replace(pupil, focus=pupil.focus + moved), side
         self.pixel = validation.pixel(pixel, metric=True)
         self.along = validation.choice("along", along, ("z", "depth"))
         self.reach = validation.real("reach", reach, least=0.5, most=_MOST_REACH)

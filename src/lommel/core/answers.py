@@ -29,14 +29,19 @@ class ToleranceError(ArithmeticError):
 def not_met(tol: float, bound: float, what: str, where: str = "in double precision") -> ToleranceError:
     """Return what a method with a proven bound on its error over `what` raises where that stays above `tol`."""
     size = f"bounded by {bound:.2g} of {what}" if bound < 1.0 else f"which may be larger than {what}"
-    # A power of ten, with room for what grows with the tolerance.
-    enough = 10.0 ** math.ceil(math.log10(1.5 * bound)) if 0.0 < bound < 0.06 else 1.0
+    # Two digits, with room for what grows with the tolerance.
+    enough = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
     advice = f"; give tol={enough:g}" if tol < enough < 1.0 else ""
     error = ToleranceError(
         f"tol={tol:g} cannot be met {where}: the error, {size}, is not proven to be smaller{advice}"
     )
     error.bound = bound
     return error
+
+
+def _rounded_up(number: float) -> float:
+    digit = 10.0 ** (math.floor(math.log10(number)) - 1)
+    return float(f"{math.ceil(number / digit) * digit:.2g}")
 
 
 class FieldValues(NamedTuple):

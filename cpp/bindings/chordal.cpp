@@ -1,5 +1,6 @@
 // Pupils with arbitrary Zernike terms on small windows, by the chordal Gauss rule.
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "lommel/chordal/fields.hpp"
 #include "lommel/chordal/gradient.hpp"
 #include "lommel/chordal/images.hpp"
+#include "lommel/chordal/series_errors.hpp"
 #include "lommel/chordal/sums.hpp"
 
 #include "pupils.hpp"
@@ -167,22 +169,76 @@ Out<complex, 5> folded_waves(In<double, 3> terms, In<std::int32_t, 1> parities, 
     return values;
 }
 
-std::pair<Out<double, 4>, Out<double, 3>> series_light(In<double, 3> radial, In<std::int32_t, 1> ends,
-                                                       In<complex, 3> coefficients, In<std::int32_t, 2> shares,
-                                                       In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms,
-                                                       In<std::int32_t, 1> parities, In<complex, 5> waves,
-                                                       In<std::int32_t, 1> wave, double center_y, double center_x,
-                                                       std::size_t height, std::size_t width, double step, int threads) {
+using Sizes = std::tuple<Out<double, 4>, Out<double, 3>, double, double>;
+
+Sizes series_sizes(In<complex, 3> coefficients, In<std::int32_t, 1> ends, In<double, 2> powers, In<double, 1> rate,
+                   In<double, 2> chosen) {
+    const std::size_t sets = coefficients.shape(0), planes = coefficients.shape(1), curves = rate.size(), parts = ends.size();
+    const std::vector<std::size_t> last(ends.data(), ends.data() + parts);
+    require(parts > 0 && std::is_sorted(last.begin(), last.end()) && last.back() == coefficients.shape(2),
+            "terms must be those of parts");
+    require(powers.shape(0) == last.back() && powers.shape(1) == curves && chosen.shape(0) == 2 && chosen.shape(1) == curves,
+            "tables must be of the same terms and curves");
+    auto on_curves = new_array<double, 4>({sets, planes, parts, curves});
+    auto moduli = new_array<double, 3>({sets, planes, parts});
+    double needed[2];
+    lommel::SeriesSizes{sets * planes, parts, curves, on_curves.data(), moduli.data()}.sum(
+        lommel::processor_level(), coefficients.data(), last, powers.data(), rate.data(), chosen.data(), needed);
+    return {on_curves, moduli, needed[0], needed[1]};
+}
+
+Out<double, 3> field_errors(Out<double, 4> on_curves, Out<double, 3> moduli, In<std::int32_t, 1> series, In<double, 2> chords,
+                            In<double, 2> nodes, In<double, 1> left, In<double, 1> rounding, In<double, 2> shares,
+                            double error) {
+    const std::size_t sets = series.size(), planes = on_curves.shape(1), parts = on_curves.shape(2),
+                      curves = on_curves.shape(3);
+    require(moduli.size() * curves == on_curves.size() && shares.shape(1) == parts, "tables must be of the same parts");
+    require(std::all_of(series.data(), series.data() + sets,
+                        [&](std::int32_t s) { return s >= 0 && static_cast<std::size_t>(s) < on_curves.shape(0); }),
+            "sets must be of series");
+    for (const auto* each : {&chords, &nodes}) {
+        require(each->shape(0) == sets && each->shape(1) == curves, "one value a set and curve");
+    }
+    require(left.size() == sets && rounding.size() == sets, "one value a set");
+    auto wrong = new_array<double, 3>({sets, planes, shares.shape(0)});
+    lommel::SeriesSizes{on_curves.shape(0) * planes, parts, curves, on_curves.data(), moduli.data()}.errors(
+        series.data(), sets, planes, chords.data(), nodes.data(), left.data(), rounding.data(), shares.data(), shares.shape(0),
+        error, wrong.data());
+    return wrong;
+}
+
+using Light = std::tuple<Out<double, 4>, Out<double, 2>, Out<double, 2>>;
+
+Light series_light(In<double, 3> radial, In<std::int32_t, 1> ends, In<complex, 3> coefficients, In<std::int32_t, 2> shares,
+                   In<complex, 3> factors, In<std::int32_t, 2> sets, In<double, 3> terms, In<std::int32_t, 1> parities,
+                   In<complex, 5> waves, In<std::int32_t, 1> wave, double center_y, double center_x, std::size_t height,
+                   std::size_t width, double step, In<double, 3> wrong, In<double, 1> power, int threads) {
     const lommel::NodeSeries given =
         node_series(radial, ends, coefficients, shares, factors, sets, terms, parities, waves, wave);
     require_image(height, width);
     require_center(center_y, center_x);
     require_request(step, 1.0, threads);
+    require(wrong.shape(0) == given.sets.size() && wrong.shape(1) == given.planes && wrong.shape(2) == given.fields,
+            "one error a set, plane and field");
+    require(power.size() == given.planes &&
+                std::all_of(power.data(), power.data() + power.size(), [](double p) { return p > 0.0; }),
+            "one power a plane, above 0");
     auto values = new_array<double, 4>({given.sets.size(), given.planes, height, width});
-    auto largest = new_array<double, 3>({given.sets.size(), given.planes, given.fields});
-    released(
-        [&] { lommel::node_light(given, {height, width, center_y, center_x, step}, threads, values.data(), largest.data()); });
-    return {values, largest};
+    auto errors = new_array<double, 2>({given.sets.size(), given.planes});
+    auto largest = new_array<double, 2>({given.sets.size(), given.planes});
+    released([&] {
+        std::vector<double> of_fields(wrong.size());
+        const lommel::DiskWindow window{height, width, center_y, center_x, step};
+        lommel::node_light(given, window, threads, values.data(), of_fields.data());
+        lommel::light_errors(wrong.data(), of_fields.data(), given.sets.size(), given.planes, given.fields, errors.data());
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            const double over = power.data()[i % given.planes];
+            largest.data()[i] =
+                lommel::divide(lommel::processor_level(), over, height * width, values.data() + i * height * width);
+            errors.data()[i] *= (1.0 + 1e-12) / over;
+        }
+    });
+    return {values, errors, largest};
 }
 
 std::pair<Out<double, 2>, Out<double, 2>> series_gradient(In<double, 3> radial, In<std::int32_t, 1> ends,
@@ -273,9 +329,15 @@ void bindings::define_chordal(nb::module_& m) {
     m.def("folded_waves", &folded_waves, "terms"_a, "parities"_a, "edge"_a, "weights"_a, "largest"_a,
           "Weighted sums by parity of exp(i W) at the images of nodes, and of i W exp(i W) over a largest W above 0.");
     m.def("chordal_series_light", &series_light, "radial"_a, "ends"_a, "coefficients"_a, "shares"_a, "factors"_a, "sets"_a,
-          "terms"_a, "parities"_a, "waves"_a, "wave"_a, "center_y"_a, "center_x"_a, "height"_a, "width"_a, "step"_a,
-          "threads"_a,
-          "Sums of squares of fields whose amplitudes are series at the nodes of a quadrant, derivatives, and largest fields.");
+          "terms"_a, "parities"_a, "waves"_a, "wave"_a, "center_y"_a, "center_x"_a, "height"_a, "width"_a, "step"_a, "wrong"_a,
+          "power"_a, "threads"_a,
+          "Sums of squares of fields whose amplitudes are series at the nodes of a quadrant, and derivatives, over the power "
+          "of each "
+          "plane; what they are off by, of fields that are `wrong` by so much; and the largest of each in modulus.");
+    m.def("chordal_series_sizes", &series_sizes, "coefficients"_a, "ends"_a, "powers"_a, "rate"_a, "chosen"_a,
+          "What parts are at most on curves around the real angles, and at these; and halved numbers of chords and nodes.");
+    m.def("chordal_field_errors", &field_errors, "on_curves"_a, "moduli"_a, "series"_a, "chords"_a, "nodes"_a, "left"_a,
+          "rounding"_a, "shares"_a, "error"_a, "What sums over chords and nodes are off by, of each set, plane and field.");
     m.def("chordal_series_gradient", &series_gradient, "radial"_a, "ends"_a, "coefficients"_a, "shares"_a, "factors"_a,
           "sets"_a, "terms"_a, "parities"_a, "waves"_a, "wave"_a, "center_y"_a, "center_x"_a, "step"_a, "weights"_a,
           "threads"_a,

@@ -290,6 +290,43 @@ def folded_waves(terms: NodeTerms, edge: Array, weights: Array, largest: float) 
     return _core.folded_waves(*terms, edge, weights, largest)
 
 
+class SeriesSizes(NamedTuple):
+    """Bounds on parts of amplitudes on curves around the real angles, and at real angles."""
+
+    on_curves: Array  # (series, planes, parts, curves)
+    moduli: Array  # (series, planes, parts)
+
+
+def chordal_series_sizes(
+    coefficients: NDArray[np.complex128], ends: NDArray[np.int32], powers: Array, rate: Array, chosen: Array
+) -> tuple[SeriesSizes, float, float]:
+    """Return bounds on series (series, planes, terms), and halved numbers of chords and of nodes.
+
+    `powers` (terms, curves) bound the terms. The numbers are the least over the curves of `chosen`, (2, curves), and
+    the logarithm of the largest part times `rate`.
+    """
+    on_curves, moduli, chords, nodes = _core.chordal_series_sizes(coefficients, ends, powers, rate, chosen)
+    return SeriesSizes(on_curves, moduli), chords, nodes
+
+
+def chordal_field_errors(
+    sizes: SeriesSizes,
+    series: NDArray[np.int32],
+    curves: tuple[Array, Array],
+    left: Array,
+    rounding: Array,
+    shares: Array,
+    error: float,
+) -> Array:
+    """Return what sums over chords and nodes are off by, (sets, planes, fields).
+
+    Each set has a series, and what parts on the curves are multiplied by for chords and for nodes, (sets, curves);
+    what is `left` out, and the `rounding` of moduli. `shares` (fields, parts) of parts, in which there may be another
+    `error`, make a field.
+    """
+    return _core.chordal_field_errors(*sizes, series, *curves, left, rounding, shares, error)
+
+
 def chordal_series_light(
     tables: NodeTables,
     coefficients: NDArray[np.complex128],
@@ -297,16 +334,19 @@ def chordal_series_light(
     window: Window,
     sets: NDArray[np.int32],
     terms: NodeTerms,
+    wrong: Array,
+    power: Array,
     threads: int = 0,
-) -> tuple[Array, Array]:
+) -> tuple[Array, Array, Array]:
     """Return the sum of squares of fields in each plane, and its derivatives, (sets, planes, height, width).
 
-    And the largest modulus of each field, (sets, planes, fields). `coefficients` have the shape (series, planes,
+    Over the `power` of each plane. Then what they are off by, of fields that are `wrong` by so much, (sets, planes,
+    fields), and the largest of each in modulus, (sets, planes). `coefficients` have the shape (series, planes,
     terms); a set of fields has one of these series, is multiplied by i times one of the `terms` or, for -1, none, and
     has waves of a kind.
     """
-    light: Callable[..., tuple[Array, Array]] = _core.chordal_series_light
-    rows = *window.center, *window.shape, window.step, threads
+    light: Callable[..., tuple[Array, Array, Array]] = _core.chordal_series_light
+    rows = *window.center, *window.shape, window.step, wrong, power, threads
     return light(*tables[:2], coefficients, *tables[2:], sets, *terms, *waves, *rows)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel import _core
-from lommel.core.engine import folded_waves
+from lommel.core.engine import SeriesSizes, chordal_field_errors, folded_waves
 from lommel.methods.layers import chordal_debye
 from lommel.optics.layers import debye, projection
 from lommel.optics.layers.quadrature_bounds import Model
@@ -199,7 +199,10 @@ def test_sums_of_each_term_are_within_the_bound_of_chords_and_nodes(few, count, 
         images = [at.theta, np.pi - at.theta, -at.theta, np.pi + at.theta]
         error = abs(sum((at.weight * integrand(at.rho, theta)).sum() for theta in images) - fine(integrand))
         each = chordal_debye.curves(size, rule)
-        bound = chordal_debye.sums_error(np.exp(n * chordal_debye._B)[None], each)[0]
+        sizes = SeriesSizes(np.exp(n * chordal_debye._B)[None, None, None], np.zeros((1, 1, 1)))
+        none, one = np.zeros(1), np.ones((1, 1))
+        curves = each[0][None], each[1][None]
+        bound = chordal_field_errors(sizes, np.zeros(1, np.int32), curves, none, none, one, 0.0).item()
         assert error <= bound + 1e-14
         found.append(error / bound if error > 1e-13 else 0.0)
     assert max(found) > 1e-5 or count > 10  # far from the bound, were it a wrong one
@@ -271,10 +274,11 @@ def test_errors_of_fields_become_those_of_intensities_and_slopes(monkeypatch):
     grid, d = lm.Grid(7, PIXEL), 1e-3
     chordal_debye._case.cache_clear()
     monkeypatch.setattr(chordal_debye, "left_out", lambda *_: 0.0)
-    monkeypatch.setattr(chordal_debye, "sums_error", lambda series, *_: np.full(series.shape[:-1], d))
-    values, error = chordal_debye.intensities(pupil, grid, 1e-9, 1, chordal_debye.By((1,), ((2, 2),)))
+    monkeypatch.setattr(chordal_debye, "chordal_field_errors", lambda *_: np.full((3, 1, 1), d))
+    values, error, largest = chordal_debye.intensities(pupil, grid, 1e-9, 1, chordal_debye.By((1,), ((2, 2),)))
     chordal_debye._case.cache_clear()
     power = float(pupil.power[0])
+    assert largest[:, 0] == pytest.approx(np.abs(values).max(axis=(1, 2, 3)), rel=1e-15)
     largest = np.sqrt(values[0].max() * power)
     assert error[0] * power == pytest.approx(d * (2.0 * largest + d), rel=1e-6)
     for slope in (1, 2):

@@ -157,7 +157,7 @@ inline void node_gradient(const NodeSeries& given, const DiskWindow& window, int
     const std::size_t batches = (jobs + lanes - 1) / lanes, parts_size = given.parts_size();
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
-    const Doubles parts = all_parts(level, given, 1, threads);
+    const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
     // What a batch adds to the planes that it has fields of: their light, the sums that terms share, those of parts.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);

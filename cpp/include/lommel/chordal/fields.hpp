@@ -8,7 +8,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -116,22 +115,24 @@ inline void fold_waves(Level level, std::size_t nodes, const double* terms, cons
     });
 }
 
-// Parts of the amplitudes of one plane by one series: to[part][re, im][node].
-inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, double* to) {
+// Parts of the amplitudes of one plane by one series at some nodes: to[part][re, im][node].
+inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, std::size_t first,
+                       std::size_t count, double* to) {
     const std::size_t nodes = given.nodes();
     dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
         for (std::size_t part = 0, term = 0; part < given.ends.size(); ++part) {
-            double *re = to + 2 * part * nodes, *im = re + nodes;
-            std::fill_n(re, 2 * nodes, 0.0);
+            double *re = to + 2 * part * nodes + first, *im = re + nodes;
+            std::fill_n(re, count, 0.0);
+            std::fill_n(im, count, 0.0);
             const auto add = [&](auto size) LOMMEL_INLINE_LAMBDA {
                 constexpr std::size_t T = decltype(size)::value;
                 const double* values[T];
                 double a[T], b[T];
                 for (std::size_t t = 0; t < T; ++t) {
-                    values[t] = given.radial + (term + t) * nodes;
+                    values[t] = given.radial + (term + t) * nodes + first;
                     a[t] = coefficients[term + t].real(), b[t] = coefficients[term + t].imag();
                 }
-                for (std::size_t k = 0; k < nodes; ++k) {
+                for (std::size_t k = 0; k < count; ++k) {
                     double sum = re[k], other = im[k];
                     for (std::size_t t = 0; t < T; ++t) {
                         sum += a[t] * values[t][k];
@@ -151,71 +152,118 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Of all planes by the first so many series: [series][plane], each as above.
-inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, int threads) {
-    Doubles parts(series * given.planes * given.parts_size());
-    parallel_for(series * given.planes, threads, [&](std::size_t, std::size_t p) {
-        sum_series(level, given, given.coefficients + p * given.total, parts.data() + p * given.parts_size());
+// Of some planes by the first so many series: [series][plane], each as above. Few nodes at once, of which all terms stay in a cache.
+inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
+                         int threads) {
+    constexpr std::size_t block = 64;
+    const std::size_t nodes = given.nodes();
+    Doubles parts(series * planes * given.parts_size());
+    parallel_for((nodes + block - 1) / block, threads, [&](std::size_t, std::size_t b) {
+        for (std::size_t p = 0; p < series * planes; ++p) {
+            const std::size_t from = p / planes * given.planes + first + p % planes;
+            sum_series(level, given, given.coefficients + from * given.total, b * block, std::min(block, nodes - b * block),
+                       parts.data() + p * given.parts_size());
+        }
     });
     return parts;
 }
 
-// Some nodes of one parity of the pupil function of a field: re and im of `count` of them, from `from` on. `parts` as above; `own` are
-// the parities of the waves to take. Returns whether there are any.
-inline bool field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
-                        std::size_t parity, const std::array<bool, 4>& own, const double* parts, std::size_t from,
-                        std::size_t count, double* re, double* im) {
-    const std::size_t all = given.nodes();
-    const double* waves = given.waves_of(set, plane);
-    const double* z = set.term < 0 ? nullptr : given.terms + static_cast<std::size_t>(set.term) * all + from;
-    bool any = false;
+// One parity of the pupil function of a field at all nodes, of waves that have the parities `own`; `parts` as above.
+inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
+                        std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
+    const std::size_t nodes = given.nodes();
+    const double* z = set.term < 0 ? nullptr : given.terms + static_cast<std::size_t>(set.term) * nodes;
     dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
+        std::fill_n(re, nodes, 0.0);
+        std::fill_n(im, nodes, 0.0);
         for (std::size_t s = 0; s < given.shares.size(); ++s) {
             const FieldShare& share = given.shares[s];
             const std::size_t of = given.own_parity(share, set, parity);
             if (static_cast<std::size_t>(share.field) != field || !own[of]) {
                 continue;
             }
-            const double *const part = parts + 2 * static_cast<std::size_t>(share.part) * all + from, *const other = part + all;
-            const double* const factor = reinterpret_cast<const double*>(given.factors + s * all + from);
-            const double* const wave = waves + 2 * (of * all + from);
-            const auto each = [&](auto first) LOMMEL_INLINE_LAMBDA {
-                for (std::size_t k = 0; k < count; ++k) {
-                    const double a = part[k] * factor[2 * k] - other[k] * factor[2 * k + 1];
-                    const double b = part[k] * factor[2 * k + 1] + other[k] * factor[2 * k];
-                    const double c = a * wave[2 * k] - b * wave[2 * k + 1], d = a * wave[2 * k + 1] + b * wave[2 * k];
-                    re[k] = decltype(first)::value ? c : re[k] + c;
-                    im[k] = decltype(first)::value ? d : im[k] + d;
-                }
-            };
-            any ? each(std::false_type{}) : each(std::true_type{});
-            any = true;
+            const double *const part = parts + 2 * static_cast<std::size_t>(share.part) * nodes, *const other = part + nodes;
+            const auto* const factor = reinterpret_cast<const double*>(given.factors + s * nodes);
+            const double* const wave = given.waves_of(set, plane) + 2 * of * nodes;
+            for (std::size_t k = 0; k < nodes; ++k) {
+                const double a = part[k] * factor[2 * k] - other[k] * factor[2 * k + 1];
+                const double b = part[k] * factor[2 * k + 1] + other[k] * factor[2 * k];
+                re[k] += a * wave[2 * k] - b * wave[2 * k + 1];
+                im[k] += a * wave[2 * k + 1] + b * wave[2 * k];
+            }
         }
-        for (std::size_t k = 0; k < count && any && z; ++k) {
+        for (std::size_t k = 0; k < nodes && z; ++k) {
             const double turned = -im[k] * z[k];
             im[k] = re[k] * z[k];
             re[k] = turned;
         }
     });
-    return any;
 }
 
-// The pupil function of one field in a lane, at a pair of chords: [even, odd in y][node][even, odd in x][re, im].
+// The pupil function of one field in a lane, at a pair of chords: [even, odd in y][node][even, odd in x][re, im]. `parts` as above.
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
-    const std::size_t within = given.count.half_nodes();
-    double *const re = room, *const im = room + within;
-    for (std::size_t parity = 0; parity < 4; ++parity) {
-        if (!field_nodes(level, given, plane, set, field, parity, {true, true, true, true}, parts, chord * within, within, re,
-                         im)) {
-            std::fill_n(room, 2 * within, 0.0);
+    const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
+    const double* waves = given.waves_of(set, plane);
+    std::fill_n(room, 8 * within, 0.0);
+    dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
+        double *const re = room + 8 * within, *const im = re + within;
+        for (std::size_t s = 0; s < given.shares.size(); ++s) {
+            const FieldShare& share = given.shares[s];
+            if (static_cast<std::size_t>(share.field) != field) {
+                continue;
+            }
+            const double *const part = parts + 2 * static_cast<std::size_t>(share.part) * all + from, *const other = part + all;
+            const auto* factor = reinterpret_cast<const double*>(given.factors + s * all + from);
+            for (std::size_t k = 0; k < within; ++k) {
+                re[k] = part[k] * factor[2 * k] - other[k] * factor[2 * k + 1];
+                im[k] = part[k] * factor[2 * k + 1] + other[k] * factor[2 * k];
+            }
+            std::size_t parity = static_cast<std::size_t>(share.parity);
+            if (set.term >= 0) {
+                const double* z = given.terms + static_cast<std::size_t>(set.term) * all + from;
+                parity ^= static_cast<std::size_t>(given.term_parity[set.term]);
+                for (std::size_t k = 0; k < within; ++k) {
+                    const double turned = -im[k] * z[k];
+                    im[k] = re[k] * z[k];
+                    re[k] = turned;
+                }
+            }
+            for (std::size_t own = 0; own < 4; ++own) {
+                const double* wave = waves + 2 * (own * all + from);
+                double *const a = room + 2 * (parity ^ own) * within, *const b = a + within;
+                for (std::size_t k = 0; k < within; ++k) {
+                    a[k] += re[k] * wave[2 * k] - im[k] * wave[2 * k + 1];
+                    b[k] += re[k] * wave[2 * k + 1] + im[k] * wave[2 * k];
+                }
+            }
         }
+    });
+    for (std::size_t parity = 0; parity < 4; ++parity) {
         double* to = nodes + (parity % 2 * within * 4 + parity / 2 * 2) * lanes;
         for (std::size_t k = 0; k < within; ++k, to += 4 * lanes) {
-            to[0] = re[k];
-            to[lanes] = im[k];
+            to[0] = room[2 * parity * within + k];
+            to[lanes] = room[(2 * parity + 1) * within + k];
         }
     }
+}
+
+// Which parities waves have, [kind][wave]: those of wavefronts that are even along an axis have half of them.
+using Parities = std::vector<std::array<bool, 4>>;
+
+inline Parities wave_parities(const NodeSeries& given) {
+    std::size_t kinds = 0;
+    for (const FieldSet& set : given.sets) {
+        kinds = std::max(kinds, static_cast<std::size_t>(set.kind) + 1);
+    }
+    Parities waves(kinds * given.wave_count);
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        for (std::size_t parity = 0; parity < 4; ++parity) {
+            const std::complex<double>* from = given.waves + (4 * i + parity) * given.nodes();
+            waves[i][parity] = std::any_of(from, from + given.nodes(), [](std::complex<double> w) { return w != 0.0; });
+        }
+    }
+    return waves;
 }
 
 // One parity of a field in one plane.
@@ -223,46 +271,42 @@ struct FieldPart {
     std::size_t plane, set, field, parity;
 };
 
-// Those that are not zero everywhere, of one parity after the other, in batches that fill the lanes of a vector.
+// Those of some planes that are not zero everywhere, of one parity after the other, in batches that fill the lanes of a vector.
 struct FieldParts {
     static constexpr std::size_t none = WindowAxis::none;
-    std::vector<std::array<bool, 4>> waves;  // [kind][wave], parities that are not zero everywhere
+    const Parities& waves;
+    std::size_t first, planes;
     std::vector<FieldPart> list;
-    std::vector<std::size_t> begin;  // of each batch, and the end
+    struct Batch {
+        std::size_t first, count;
+    };
+    std::vector<Batch> batches;
     std::vector<std::size_t> place;  // [plane][set][field][parity]
 
-    FieldParts(const NodeSeries& given, std::size_t lanes) : place(given.jobs() * 4, none) {
-        std::size_t kinds = 0;
-        for (const FieldSet& set : given.sets) {
-            kinds = std::max(kinds, static_cast<std::size_t>(set.kind) + 1);
-        }
-        waves.resize(kinds * given.wave_count);
-        for (std::size_t i = 0; i < waves.size(); ++i) {
-            for (std::size_t parity = 0; parity < 4; ++parity) {
-                const std::complex<double>* from = given.waves + (4 * i + parity) * given.nodes();
-                waves[i][parity] = std::any_of(from, from + given.nodes(), [](std::complex<double> w) { return w != 0.0; });
-            }
-        }
+    FieldParts(const NodeSeries& given, const Parities& all, std::size_t begin, std::size_t count, std::size_t lanes)
+        : waves(all), first(begin), planes(count), place(count * given.sets.size() * given.fields * 4, none) {
         for (std::size_t parity = 0; parity < 4; ++parity) {
-            const std::size_t first = list.size();
-            for (std::size_t plane = 0; plane < given.planes; ++plane) {
+            std::size_t room = 0;  // in the last batch
+            for (std::size_t plane = 0; plane < planes; ++plane) {
                 for (std::size_t set = 0; set < given.sets.size(); ++set) {
-                    const std::array<bool, 4>& has = waves_of(given, given.sets[set], plane);
+                    const std::array<bool, 4>& has = waves_of(given, given.sets[set], first + plane);
                     for (const FieldShare& share : given.shares) {
                         const auto field = static_cast<std::size_t>(share.field);
                         std::size_t& at = place[((plane * given.sets.size() + set) * given.fields + field) * 4 + parity];
                         if (at == none && has[given.own_parity(share, given.sets[set], parity)]) {
-                            if ((list.size() - first) % lanes == 0) {
-                                begin.push_back(list.size());
+                            if (room == 0) {
+                                batches.push_back({list.size(), 0});
+                                room = lanes;
                             }
+                            ++batches.back().count;
+                            --room;
                             at = list.size();
-                            list.push_back({plane, set, field, parity});
+                            list.push_back({first + plane, set, field, parity});
                         }
                     }
                 }
             }
         }
-        begin.push_back(list.size());
     }
     const std::array<bool, 4>& waves_of(const NodeSeries& given, const FieldSet& set, std::size_t plane) const {
         return waves[static_cast<std::size_t>(set.kind) * given.wave_count + static_cast<std::size_t>(given.wave[plane])];
@@ -281,10 +325,11 @@ inline void part_fields(Level level, const NodeSeries& given, const FieldParts& 
     for (const FieldSet& set : given.sets) {
         series = std::max(series, static_cast<std::size_t>(set.series) + 1);
     }
-    const Doubles amplitudes = all_parts(level, given, series, threads);
-    parallel_for(wanted.begin.size() - 1, threads, [&](std::size_t, std::size_t b) {
+    const Doubles amplitudes = all_parts(level, given, series, wanted.first, wanted.planes, threads);
+    parallel_for(wanted.batches.size(), threads, [&](std::size_t, std::size_t b) {
         thread_local Doubles own, at, chords, row;
-        const std::size_t first = wanted.begin[b], here = wanted.begin[b + 1] - first, parity = wanted.list[first].parity;
+        const auto [first, here] = wanted.batches[b];
+        const std::size_t parity = wanted.list[first].parity;
         const std::size_t lanes = Kernels::lanes(level), nodes = given.nodes(), half = given.count.half_chords();
         const std::size_t each = given.count.half_nodes() * 2 * lanes, line = half * 2 * lanes;
         own.resize(2 * lanes * nodes);
@@ -295,10 +340,10 @@ inline void part_fields(Level level, const NodeSeries& given, const FieldParts& 
             look();
             const FieldPart& part = wanted.list[first + lane];
             const FieldSet& set = given.sets[part.set];
-            const std::size_t from = static_cast<std::size_t>(set.series) * given.planes + part.plane;
+            const std::size_t from = static_cast<std::size_t>(set.series) * wanted.planes + part.plane - wanted.first;
             double* re = own.data() + 2 * lane * nodes;
             field_nodes(level, given, part.plane, set, part.field, parity, wanted.waves_of(given, set, part.plane),
-                        amplitudes.data() + from * given.parts_size(), 0, nodes, re, re + nodes);
+                        amplitudes.data() + from * given.parts_size(), re, re + nodes);
         }
         std::fill(own.begin() + static_cast<std::ptrdiff_t>(2 * here * nodes), own.end(), 0.0);
         dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -376,32 +421,33 @@ struct PlaneLight {
     }
     // Adds up the light along a row, and raises squares[set][field][lane] to the largest where `there` is 1.
     template <class I>
-    LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* squares, double* light) const {
+    LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
+                           double* light) const {
         using V = typename I::pack;
         constexpr std::size_t lanes = I::lanes;
         const std::size_t width = padded(columns), fields = given.fields, sets = given.sets.size();
         std::fill_n(light, sets * width, 0.0);
         for (std::size_t c = 0; c < fields; ++c) {
-            Share own[4], others[4];
-            const std::size_t count = shares(c, y, below, left, own);
             for (std::size_t set = 0; set < sets; ++set) {
-                const std::size_t more = shares(set * fields + c, y, below, left, others);
+                Share own[4];
+                const std::size_t count = shares(set * fields + c, y, below, left, own);
                 double *to = light + set * width, *const square = squares + (set * fields + c) * row_lanes;
                 V top = load<V>(square);
                 for (std::size_t x = 0; x < width; x += lanes) {
-                    V e[2] = {}, f[2] = {};
-                    const auto add = [x](const Share& share, V(&sum)[2]) LOMMEL_INLINE_LAMBDA {
-                        sum[0] = sum[0] + splat<V>(share.by_re) * load<V>(share.re + x);
-                        sum[1] = sum[1] + splat<V>(share.by_im) * load<V>(share.im + x);
-                    };
+                    V re = splat<V>(0.0), im = re;
                     for (std::size_t s = 0; s < count; ++s) {
-                        add(own[s], e);
+                        re = re + splat<V>(own[s].by_re) * load<V>(own[s].re + x);
+                        im = im + splat<V>(own[s].by_im) * load<V>(own[s].im + x);
                     }
-                    for (std::size_t s = 0; s < more; ++s) {
-                        add(others[s], f);
+                    const V size = re * re + im * im;
+                    top = larger(top, size * load<V>(there + x));
+                    if (set == 0) {
+                        store(first + x, re), store(first + width + x, im);
+                        store(to + x, load<V>(to + x) + size);
+                    } else {
+                        const V product = load<V>(first + x) * re + load<V>(first + width + x) * im;
+                        store(to + x, load<V>(to + x) + splat<V>(2.0) * product);
                     }
-                    top = larger(top, (f[0] * f[0] + f[1] * f[1]) * load<V>(there + x));
-                    store(to + x, load<V>(to + x) + splat<V>(set == 0 ? 1.0 : 2.0) * (e[0] * f[0] + e[1] * f[1]));
                 }
                 store(square, top);
             }
@@ -412,8 +458,9 @@ struct PlaneLight {
         const std::size_t width = padded(columns), sets = given.sets.size(), pixels = rows.count * columns.count;
         const std::size_t each = sets * width, all = sets * given.fields;
         const bool same[2] = {alike(1), alike(2)};
-        room.assign(4 * each + 2 * width + all * row_lanes, 0.0);
-        double *const light = room.data(), *const there = light + 4 * each, *const squares = there + 2 * width;
+        room.assign(4 * each + 4 * width + all * row_lanes, 0.0);
+        double *const light = room.data(), *const there = light + 4 * each, *const first = there + 2 * width;
+        double* const squares = first + 2 * width;
         for (std::size_t x = 0; x < columns.at.size(); ++x) {
             there[x] = 1.0;
             there[width + x] = columns.minus[x] == WindowAxis::none ? 0.0 : 1.0;
@@ -428,7 +475,7 @@ struct PlaneLight {
                     }
                     const std::size_t like = (below && !same[0] ? 2 : 0) + (left && !same[1] ? 1 : 0);
                     if (like == side) {
-                        row(isa, y, below, left, there + (left ? width : 0), squares, light + side * each);
+                        row(isa, y, below, left, there + (left ? width : 0), first, squares, light + side * each);
                     }
                     const std::vector<std::size_t>& places = left ? columns.minus : columns.plus;
                     for (std::size_t set = 0; set < sets; ++set) {
@@ -451,22 +498,107 @@ struct PlaneLight {
     }
 };
 
+// The same where fields have all parities, which are summed together.
+inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
+    using Kernels = ChordKernels<double>;
+    const Level level = processor_level();
+    const std::size_t lanes = Kernels::lanes(level), pixels = window.height * window.width;
+    const std::size_t sets = given.sets.size(), fields = given.fields, jobs = given.jobs(), each = given.parts_size();
+    const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
+    const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
+    std::size_t series = 0;
+    for (const FieldSet& set : given.sets) {
+        series = std::max(series, static_cast<std::size_t>(set.series) + 1);
+    }
+    const Doubles parts = all_parts(level, given, series, 0, given.planes, threads);
+    // Of all fields of a plane, [plane][set][field].
+    thread_local Doubles scratch;
+    scratch.resize(2 * jobs * pixels);
+    double* const u = scratch.data();  // of this thread, whoever computes them
+    parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {
+        thread_local Doubles at, room, chords, row;
+        const std::size_t first = b * lanes, here = std::min(lanes, jobs - first), line = given.count.half_chords() * 4 * lanes;
+        at.assign(given.count.half_nodes() * 8 * lanes, 0.0);
+        room.resize(given.count.half_nodes() * 10);
+        chords.resize(rows.count * line);
+        row.resize(columns.count * 2 * lanes);
+        for (std::size_t i = 0; i < given.count.half_chords(); ++i) {
+            look();
+            for (std::size_t lane = 0; lane < here; ++lane) {
+                const std::size_t job = first + lane, plane = job / (sets * fields);
+                const FieldSet& set = given.sets[job / fields % sets];
+                const double* from = parts.data() + (static_cast<std::size_t>(set.series) * given.planes + plane) * each;
+                place_field(level, given, plane, set, job % fields, from, i, lanes, room.data(), at.data() + lane);
+            }
+            Kernels::rows(level, *kernel, i, at.data(), chords.data());
+        }
+        for (std::size_t y = 0; y < rows.count; ++y) {
+            look();
+            Kernels::columns(level, *kernel, chords.data() + y * line, row.data());
+            for (std::size_t lane = 0; lane < here; ++lane) {
+                double* to = u + 2 * ((first + lane) * pixels + y * window.width);
+                for (std::size_t x = 0; x < 2 * window.width; ++x) {
+                    to[x] = row[x * lanes + lane];
+                }
+            }
+        }
+    });
+    parallel_for(given.planes, threads, [&](std::size_t, std::size_t plane) {
+        const double* own = u + 2 * plane * sets * fields * pixels;
+        dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t set = 0; set < sets; ++set) {
+                double* to = values + (set * given.planes + plane) * pixels;
+                std::fill_n(to, pixels, 0.0);
+                for (std::size_t c = 0; c < fields; ++c) {
+                    const double* e = own + 2 * c * pixels;
+                    const double* f = own + 2 * (set * fields + c) * pixels;
+                    const double by = set == 0 ? 1.0 : 2.0;
+                    double top = 0.0;
+                    for (std::size_t q = 0; q < pixels; ++q) {
+                        const double square = f[2 * q] * f[2 * q] + f[2 * q + 1] * f[2 * q + 1];
+                        top = square > top ? square : top;
+                        to[q] += by * (e[2 * q] * f[2 * q] + e[2 * q + 1] * f[2 * q + 1]);
+                    }
+                    largest[(set * given.planes + plane) * fields + c] = std::sqrt(top);
+                }
+            }
+        });
+    });
+}
+
 // values[set][plane][row][column]: the sum of squares of the first set of fields, then its derivatives; largest[set][plane][field] is
 // the largest |E| or |F| in the window.
 inline void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     const Level level = processor_level();
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
-    const FieldParts wanted(given, ChordKernels<double>::lanes(level));
+    const Parities waves = wave_parities(given);
+    std::size_t count = 0;
+    for (const std::array<bool, 4>& has : waves) {
+        count += static_cast<std::size_t>(std::count(has.begin(), has.end(), true));
+    }
+    if (count > 2 * waves.size()) {
+        return full_light(given, window, threads, values, largest);
+    }
     thread_local Doubles scratch;
-    scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));
-    const double* const parts = scratch.data();  // of this thread, whoever computes them
-    part_fields(level, given, wanted, *kernel, threads, scratch.data());
-    parallel_for(given.planes, threads, [&](std::size_t, std::size_t plane) {
-        const std::size_t* place = wanted.place.data() + plane * given.sets.size() * given.fields * 4;
-        PlaneLight{
-            given, rows, columns, parts, place, values + plane * window.height * window.width, largest + plane * given.fields}
-            .run(level);
+    // Few planes at once, whose fields stay in a cache.
+    for_tiles(given.planes, 8, [&](std::size_t first, std::size_t planes) {
+        const FieldParts wanted(given, waves, first, planes, ChordKernels<double>::lanes(level));
+        scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));
+        const double* const parts = scratch.data();  // of this thread, whoever computes them
+        part_fields(level, given, wanted, *kernel, threads, scratch.data());
+        parallel_for(planes, threads, [&](std::size_t, std::size_t p) {
+            const std::size_t* place = wanted.place.data() + p * given.sets.size() * given.fields * 4;
+            const std::size_t plane = first + p;
+            PlaneLight{given,
+                       rows,
+                       columns,
+                       parts,
+                       place,
+                       values + plane * window.height * window.width,
+                       largest + plane * given.fields}
+                .run(level);
+        });
     });
 }
 

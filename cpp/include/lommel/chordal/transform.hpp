@@ -29,6 +29,26 @@ LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t cou
     }
 }
 
+// The same of two tables.
+template <std::size_t R, std::size_t C, class V, class Real>
+LOMMEL_INLINE void multiply_both(const Real* table, const Real* other, const Real* data, std::size_t count, V (&sum)[R][C],
+                                 V (&more)[R][C]) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+    for (std::size_t k = 0; k < count; ++k, table += R, other += R, data += C * lanes) {
+        V d[C];
+        for (std::size_t c = 0; c < C; ++c) {
+            d[c] = load<V>(data + c * lanes);
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            const V t = splat<V>(table[r]), u = splat<V>(other[r]);
+            for (std::size_t c = 0; c < C; ++c) {
+                sum[r][c] = sum[r][c] + t * d[c];
+                more[r][c] = more[r][c] + u * d[c];
+            }
+        }
+    }
+}
+
 template <std::size_t N>
 struct Size {
     static constexpr std::size_t value = N;
@@ -314,15 +334,34 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
     const std::size_t rows = kernel.rows.at.size(), within = kernel.count.half_nodes(), line = kernel.vectors() * 2 * lanes;
-    const Real* table = (odd ? kernel.row_sin : kernel.row_cos).data();
+    const Real* table = (odd ? kernel.row_sin : kernel.row_cos).data() + chord * rows * within;
+    const auto put = [&](std::size_t row, const V(&sum)[2]) LOMMEL_INLINE_LAMBDA {
+        Real* to = chords + row * line + chord * 2 * lanes;
+        store(to, sum[0]);
+        store(to + lanes, sum[1]);
+    };
+    // Tiles of which there are two of one size are taken together, for more chains of sums.
+    std::size_t held = WindowAxis::none;
     for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
+        if (held == WindowAxis::none && R == row_tile && rows % row_tile == 0 && first + 2 * R <= rows) {
+            held = first;
+            return;
+        }
+        if (held != WindowAxis::none) {
+            V a[R][2] = {}, b[R][2] = {};
+            multiply_both<R, 2>(table + held * within, table + first * within, nodes, within, a, b);
+            for (std::size_t r = 0; r < R; ++r) {
+                put(held + r, a[r]);
+                put(first + r, b[r]);
+            }
+            held = WindowAxis::none;
+            return;
+        }
         V a[R][2] = {};
-        multiply<R, 2>(table + (chord * rows + first) * within, nodes, within, a);
+        multiply<R, 2>(table + first * within, nodes, within, a);
         for (std::size_t r = 0; r < R; ++r) {
-            Real* to = chords + (first + r) * line + chord * 2 * lanes;
-            store(to, a[r][0]);
-            store(to + lanes, a[r][1]);
+            put(first + r, a[r]);
         }
     });
 }

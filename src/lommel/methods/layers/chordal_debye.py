@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -19,8 +18,10 @@ from lommel.core.engine import (
     NodeTerms,
     NodeWaves,
     Window,
+    chordal_field_errors,
     chordal_series_gradient,
     chordal_series_light,
+    chordal_series_sizes,
     folded_waves,
 )
 from lommel.methods.layers.debye_rings import squares
@@ -39,6 +40,7 @@ from lommel.special.legendre import gauss_legendre
 
 _B = np.geomspace(0.03, 2.7, 64)  # how far curves are from the real angles, each of which proves a bound
 _SINH = np.sinh(_B)
+_QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
 _TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # the weight of chords on curves over its mean
@@ -108,45 +110,45 @@ class ChordalDebye(AberratedMethod):
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
-    ) -> tuple[Images, Array, Array]:
+    ) -> tuple[Images, Array, Array, Array]:
         """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and derivatives `by` parameters.
 
-        These are those of I, (k, n, height, width), with bounds, (k, n), and not held to `tol`. Raises ToleranceError
-        and ValueError as ``images``.
+        These are those of I, (k, n, height, width), and not held to `tol`; then bounds on their errors, and on the
+        largest of each in modulus, (k, n). Raises ToleranceError and ValueError as ``images``.
         """
         n = pupil.depth.size
-        values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
         if not grid.stack:
-            return self._refined(pupil, grid, tol, wanted._replace(out=values), by)
+            return self._refined(pupil, grid, tol, wanted, by)
+        values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
         scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
-        numbers, slopes, off = np.empty((3, n)), None, None
+        numbers, slopes, off = np.empty((3, n)), None, np.empty(0)
         for these, planes, around in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
             one = wanted._replace(scale=None if scales is None else scales[these], out=None)
-            made, each, error = self._refined(planes, around, tol, one, by)
+            made, each, *more = self._refined(planes, around, tol, one, by)
             values[these] = made.values
             numbers[:, these] = made.scale, made.bound, made.brightest
-            if slopes is None or off is None:
-                slopes, off = np.empty((len(each), n, *grid.shape)), np.empty((len(each), n))
-            slopes[:, these], off[:, these] = each, error
+            if slopes is None:
+                slopes, off = np.empty((len(each), n, *grid.shape)), np.empty((2, len(each), n))
+            slopes[:, these], off[:, :, these] = each, more
         assert slopes is not None
-        assert off is not None
-        return Images(values, numbers[0], numbers[1], None, numbers[2]), slopes, off
+        return Images(values, numbers[0], numbers[1], None, numbers[2]), slopes, off[0], off[1]
 
     def _refined(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
-    ) -> tuple[Images, Array, Array]:
+    ) -> tuple[Images, Array, Array, Array]:
         """Return the same around one axis, I being within `tol` of its largest value."""
 
-        def made(field: float) -> tuple[tuple[Array, Array], Array, Array]:
-            values, error = intensities(pupil, grid, field, wanted.threads, by)
-            return (values, error), values[0].reshape(len(values[0]), -1).max(axis=1), error[0]
+        def made(field: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
+            found = intensities(pupil, grid, field, wanted.threads, by)
+            return found, found[2][0], found[1][0]
 
-        (values, error), top, relative = self._proven(pupil, tol, wanted, made)
-        scales = 1.0 / top if wanted.scale is None else np.array(np.broadcast_to(wanted.scale, top.shape))
+        (values, error, largest), top, relative = self._proven(pupil, tol, wanted, made)
+        scales = np.empty(top.shape)
+        scales[:] = 1.0 / top if wanted.scale is None else wanted.scale
         out = np.empty(values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
         np.multiply(values[0], scales[:, None, None], out=out, casting="same_kind")
         least = top - error[0]
-        return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:]
+        return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
 
     def _proven(
         self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Made, Array, Array]]
@@ -163,7 +165,7 @@ class ChordalDebye(AberratedMethod):
             field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
             found, top, error = made(field)
             least = top - error
-            relative = np.divide(error, least, out=np.full(least.shape, np.inf), where=least > 0.0)
+            relative: Array = np.where(least > 0.0, error / np.where(least > 0.0, least, 1.0), np.inf)
             if wanted.scale is None:
                 relative = normalized_error(relative)
             if (worst := float(stored(relative, wanted.dtype).max())) <= tol:
@@ -249,7 +251,7 @@ class ChordalDebyeIfCheaper(ChordalDebye):
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
-    ) -> tuple[Images, Array, Array]:
+    ) -> tuple[Images, Array, Array, Array]:
         """Return I at the centres of pixels and its derivatives."""
         planes, samples = pupil.depth.size, pupil.depth.size * math.prod(grid.shape)
         plain = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
@@ -276,8 +278,9 @@ class Fields(NamedTuple):
     """What the core makes the fields of some planes of, and what these are off by."""
 
     given: tuple[NodeTables, Complex, NodeWaves, Window]
+    sets: NDArray[np.int32]  # those of :func:`all_sets`
     terms: NodeTerms
-    wrong: Array  # (sets, planes, fields), of all sets of :func:`all_sets`
+    wrong: Array  # (sets, planes, fields)
     turns: tuple[float, float]  # what the two sets of derivatives by ln k are divided by, the second that of W
 
 
@@ -296,9 +299,10 @@ class _Case:
     largest: float  # W, where it is a factor
     own: NDArray[np.int32] | None  # the wave of each plane, where these differ
     sizes: Growth  # of each set, (sets, b)
-    chosen: tuple[Array, Array]  # what numbers of chords and nodes are chosen by, (b,)
-    powers: Array  # of each term on the curves, (terms, parts * b)
-    summed: Array  # 1 for each term of a part, (terms, parts)
+    chosen: Array  # what numbers of chords and nodes are chosen by, (2, b)
+    powers: Array  # of each term on the curves, (terms, b)
+    ends: NDArray[np.int32]  # of the terms of each part
+    series: NDArray[np.int32]  # of each set
     left: Array  # what terms of higher degree add to each set of fields, (sets,)
     lost: Array  # by rounding, but for what the counts of the rule add, (sets,)
     rules: dict[Rule, _Ruled]
@@ -311,9 +315,9 @@ class _Case:
             weight = quadrant(rule.chords, rule.nodes).weight
             waves = folded_waves(of_phases, self.wavefront.edge, weight, self.largest)
             tables = node_tables(rule, self.orders, self.emitter)
-            found = _Ruled(
-                tables, waves, node_terms(rule.chords, rule.nodes, self.by.terms), curves(self.sizes, rule)
-            )
+            rounding = _ROUNDING * (2.0 * (rule.chords + rule.nodes) + self.lost)
+            terms = node_terms(rule.chords, rule.nodes, self.by.terms)
+            found = _Ruled(tables, waves, terms, curves(self.sizes, rule), rounding)
             if len(self.rules) < _MOST_RULES and waves.nbytes <= _MOST_BYTES:
                 self.rules[rule] = found
         return found
@@ -326,6 +330,7 @@ class _Ruled(NamedTuple):
     waves: NDArray[np.complex128]
     terms: NodeTerms
     curves: tuple[Array, Array]
+    rounding: Array  # of the moduli of amplitudes, (sets,)
 
 
 _MOST_RULES, _MOST_BYTES = 8, 2**20  # that are kept, and of their waves
@@ -361,19 +366,17 @@ def _case(
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
     counts = [projection.degrees(q, degree).size for q in model.orders]
-    powers, summed = np.zeros((sum(counts), len(counts), _B.size)), np.zeros((sum(counts), len(counts)))
-    for part, end in enumerate(itertools.accumulate(counts)):
-        rows = slice(end - counts[part], end)
-        powers[rows, part], summed[rows, part] = _powers(model.orders[part], degree), 1.0
-    chosen = tuple(
-        (each - math.log(share * field)) / (4.0 * _B)
+    powers = np.concatenate([_powers(q, degree) for q in model.orders])
+    chosen = [
+        (each - math.log(share * field)) * _QUARTER
         for each, share in zip((size.around + _OVER_CHORDS, size.along + _OVER_NODES), _SHARES[1:], strict=True)
-    )
+    ]
     planes = len(wavefront.edge)
     return _Case(
         wavefront, window, model.orders, emitter, by, np.array(sets, dtype=np.int32), degree, norm, largest,
-        np.arange(planes, dtype=np.int32) if planes > 1 else None, sizes, (chosen[0], chosen[1]),
-        powers.reshape(len(powers), -1), summed, left, lost + np.array(more), {},
+        np.arange(planes, dtype=np.int32) if planes > 1 else None, sizes, np.array(chosen), powers,
+        np.cumsum(counts, dtype=np.int32), np.array([k for k, _, _ in sets], dtype=np.int32), left,
+        lost + np.array(more), {},
     )  # fmt: skip
 
 
@@ -382,49 +385,35 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
     window = Window(grid.shape, grid.axis, grid.step(pupil))
     case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
     found = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
-    parts, planes = len(case.orders), pupil.depth.size
-    moduli: Array = np.abs(found.coefficients)
-    # Bounds on the amplitudes of each part on the curves, (1 + rates, planes, parts, b).
-    series = (moduli.reshape(-1, moduli.shape[-1]) @ case.powers).reshape(len(moduli), planes, parts, _B.size)
-    most = np.log(series.max(axis=(0, 1, 2)) + 1e-300) / (4.0 * _B)
-    chords, nodes = (_even(most + each) for each in case.chosen)
-    ruled = case.ruled(Rule(chords, nodes, case.degree))
     # Weights sum to 1, so that an amplitude is at most the sum of the moduli of its terms.
-    light = (moduli.reshape(-1, moduli.shape[-1]) @ case.summed).reshape(len(moduli), planes, parts)
-    which = case.sets[:, 0]
-    off = sums_error(series[which], (ruled.curves[0][:, None, None], ruled.curves[1][:, None, None]))
-    off += case.left[:, None, None]
-    off += (_ROUNDING * (2.0 * (chords + nodes) + case.lost))[:, None, None] * light[which]
-    sizes = _shares(pupil.emitter)
-    wrong = off @ sizes.T + sizes.sum(axis=1) * found.error
-    own = np.zeros(planes, dtype=np.int32) if case.own is None else case.own
+    sizes, chords, nodes = chordal_series_sizes(found.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
+    ruled = case.ruled(Rule(_even(chords), _even(nodes), case.degree))
+    shares = _shares(pupil.emitter)
+    wrong = chordal_field_errors(sizes, case.series, ruled.curves, case.left, ruled.rounding, shares, found.error)
+    own = np.zeros(pupil.depth.size, dtype=np.int32) if case.own is None else case.own
     given = ruled.tables, found.coefficients, NodeWaves(ruled.waves, own), window
-    return Fields(given, ruled.terms, wrong, (found.steepest, case.largest))
+    return Fields(given, case.sets, ruled.terms, wrong, (found.steepest, case.largest))
 
 
-def intensities(pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE) -> tuple[Array, Array]:
-    """Return I at the centres of pixels around one axis and its derivatives, (1 + k, n, height, width), and bounds.
+def intensities(
+    pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE
+) -> tuple[Array, Array, Array]:
+    """Return I at the centres of pixels around one axis and its derivatives, (1 + k, n, height, width).
 
-    By fields that are off by about `field`.
+    By fields that are off by about `field`. Then bounds on errors, and on the largest in modulus, (1 + k, n).
     """
     made = fields(pupil, grid, field, by)
     of_layers, measured = made.turns
-    turned = measured > 0.0
-    sets = np.array(all_sets(by, turned=turned), dtype=np.int32)
-    values, largest = chordal_series_light(*made.given, sets, made.terms, threads)
-    off = made.wrong
-    error = 2.0 * (off[0] * largest + off * largest[0] + off[0] * off).sum(axis=2)
-    error[0] = error_of_light(off[0], largest[0])
-    error[1:] += 16.0 * _ROUNDING * 2.0 * (largest[0] * largest[1:]).sum(axis=2)
+    found = chordal_series_light(*made.given, made.sets, made.terms, made.wrong, pupil.power, threads)
     if projection.WAVENUMBER in by.rates:
         at = 1 + by.rates.index(projection.WAVENUMBER)
-        for each in (values, error):
+        for each in found:
             each[at] *= of_layers
-            if turned:
+            if measured > 0.0:
                 each[at] += measured * each[-1]
-        values, error = (each[: len(sets) - turned] for each in (values, error))
-    values /= pupil.power[:, None, None]
-    return values, error / pupil.power * (1.0 + 1e-12)
+        values, error, largest = (each[: 1 + len(by.rates) + len(by.terms)] for each in found)
+        return values, error, largest
+    return found
 
 
 def sums(
@@ -552,9 +541,9 @@ def degree_for(size: Array, norm: float, error: float) -> int:
     return degree
 
 
-def _even(halved: Array) -> int:
+def _even(halved: float) -> int:
     """Return the least even number of chords or nodes that is proven to be enough."""
-    needed = 2 * max(2, math.ceil(float(halved.min())))
+    needed = 2 * max(2, math.ceil(halved))
     if needed > _MOST_NODES:
         raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
     return needed
@@ -564,12 +553,6 @@ def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
     """Return what bounds on amplitudes on the curves are multiplied by, those of chords and of nodes."""
     of_chords, of_nodes = _falling(rule.chords, rule.nodes)
     return np.exp(np.minimum(size.around + of_chords, 600.0)), np.exp(np.minimum(size.along + of_nodes, 600.0))
-
-
-def sums_error(series: Array, each: tuple[Array, Array]) -> Array:
-    """Bound the errors of fields, (...,), of amplitudes within `series` (..., b), by what `curves` make of these."""
-    with np.errstate(over="ignore"):
-        return np.asarray((series * each[0]).min(axis=-1) + (series * each[1]).min(axis=-1))
 
 
 @lru_cache(maxsize=64)

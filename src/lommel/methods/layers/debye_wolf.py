@@ -27,8 +27,9 @@ BRIGHT_RING = 1.8412  # the maximum of J1 in v: light that is dark on the axis i
 def likely_peak(pupil: ObjectivePupil) -> float:
     """Return about what light is at its peak in the darkest plane, spread over where paraxial rays arrive."""
     layers = pupil.layers
-    away = np.abs(pupil.focus - (layers.immersion / layers.sample) * pupil.depth).max()
-    blur = layers.wavenumber * float(away) * layers.NA**2 / layers.immersion
+    off = pupil.focus - (layers.immersion / layers.sample) * pupil.depth
+    away = abs(off.item()) if off.size == 1 else float(np.abs(off).max())
+    blur = layers.wavenumber * away * layers.NA**2 / layers.immersion
     return min(0.25, 2.0 / (1.0 + blur**2))
 
 

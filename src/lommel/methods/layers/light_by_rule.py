@@ -101,16 +101,19 @@ def light(
     which = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
     own = chordal_debye.node_terms(rule.chords, rule.nodes, by)
     sets = [(0, -1, 0)] + [(1, -1, 0)] * by_focus + [(0, k, 0) for k in range(len(by))]
-    values, _ = chordal_series_light(
+    exact = np.zeros((len(sets), count, int(tables.shares[:, 0].max()) + 1))
+    values, _, _ = chordal_series_light(
         tables,
         coefficients,
         NodeWaves(waves, which),
         samples.window,
         np.array(sets, dtype=np.int32),
         own,
+        exact,
+        np.ones(count),
         threads,
     )
-    return np.asarray(values)
+    return values
 
 
 def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:

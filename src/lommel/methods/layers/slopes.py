@@ -67,7 +67,7 @@ def sampled_slopes(
             if pupil.aberrations is not None:
                 most = (*most[:2], most[2] + sum(pupil.aberrations.flattened().amplitudes().values()))
     # What derivatives are divided by, so that their transfer functions are at most twice that of the aperture.
-    sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * float(np.abs(one.own).max(initial=0.0)) for one in by]
+    sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * _largest(one.own) for one in by]
     sizes += [1.0] * len(terms)
 
     def sample(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
@@ -91,6 +91,10 @@ def sampled_slopes(
         each *= size
     error *= np.abs(sizes)[:, None]
     return made._replace(slopes=Slopes(values, error))
+
+
+def _largest(values: Array | float) -> float:
+    return float(np.abs(values).max(initial=0.0)) if isinstance(values, np.ndarray) else abs(values)
 
 
 def engine_slopes(
@@ -167,18 +171,18 @@ def _by_chords(
 ) -> Images:
     """Return samples by ChordalDebye, with derivatives over a size each, those by Zernike terms last."""
     by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
-    made, raw, wrong = method.differentiated(pupil, grid, tol, wanted, by)
+    made, raw, wrong, largest = method.differentiated(pupil, grid, tol, wanted, by)
     steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
     shares = np.ones(len(raw))
     shares[: len(each)] = [one.factor * steep[min(one.which, 2)] / size for one, size in each]
     raw *= (shares[:, None] * made.scale)[:, :, None, None]
-    error = np.abs(shares)[:, None] * wrong
+    error, largest = (np.abs(shares)[:, None] * each for each in (wrong, largest))
     for k, (one, size) in enumerate(each):
-        own = np.asarray(one.own) / size
-        if own.any():
+        if _largest(one.own) > 0.0:
+            own = np.asarray(one.own) / size
             raw[k] += np.broadcast_to(own, made.scale.shape)[:, None, None] * made.values
             error[k] += np.abs(own) * (made.bound + 1e-12) * made.brightest
-    largest = np.maximum(raw.max(axis=(2, 3)), -raw.min(axis=(2, 3))) / made.scale
+            largest[k] += np.abs(own) * (1.0 + 2.0 * made.bound) * made.brightest
     error += (storing(wanted.dtype) + 2.0**-48) * largest
     error /= made.brightest
     return made._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))

@@ -38,7 +38,11 @@ class Rule(NamedTuple):
     def waves(self, depth: Array, focus: Array) -> Complex:
         """Return ``exp(i psi)`` for each plane and angle, shape ``(planes, q)``."""
         fixed, by_depth, by_focus = self.rates
-        return np.asarray(np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))))
+        phases = depth[:, None] * by_depth
+        phases += focus[:, None] * by_focus
+        phases += fixed
+        phases *= 1j
+        return np.asarray(np.exp(phases, out=phases))
 
 
 def rule(

@@ -159,10 +159,10 @@ def _integrals(
 def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return a range of depths and one of focus less that of paraxial rays, widened so that others share them."""
     off = focus - layers.immersion / layers.sample * depth
+    return _widened(depth, _LEAST_DEPTH), _widened(off, _LEAST_FOCUS)
 
-    def widened(values: Array, least: float) -> tuple[float, float]:
-        low, high = float(values.min()), float(values.max())
-        step = 0.25 * 2.0 ** math.ceil(math.log2(max(-low, high, least)))
-        return step * math.floor(low / step), step * math.ceil(high / step)
 
-    return widened(depth, _LEAST_DEPTH), widened(off, _LEAST_FOCUS)
+def _widened(values: Array, least: float) -> tuple[float, float]:
+    low, high = (values.item(),) * 2 if values.size == 1 else (float(values.min()), float(values.max()))
+    step = 0.25 * 2.0 ** math.ceil(math.log2(max(-low, high, least)))
+    return step * math.floor(low / step), step * math.ceil(high / step)

@@ -23,6 +23,14 @@ def test_every_integer_comes_back_as_it_was(encoding, kind, dtype):
     assert np.array_equal(back, WHOLE[kind])
 
 
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16])
+def test_images_of_more_values_than_levels_are_decoded_like_small_ones(kind):
+    values = np.random.default_rng(0).integers(0, np.iinfo(kind).max + 1, (300, 300), dtype=kind)
+    whole = to_light("image", values, "srgb", np.float32)
+    rows = [to_light("image", values[0, k : k + 50], "srgb", np.float32) for k in range(0, 300, 50)]
+    assert np.array_equal(whole[0], np.concatenate(rows))
+
+
 @pytest.mark.parametrize(("kind", "allowed"), [(np.float16, 1e-3), (np.float32, 1e-6), (np.float64, 1e-14)])
 @pytest.mark.parametrize("encoding", ["srgb", "linear"])
 def test_floats_come_back_in_their_type_even_brighter_than_white(kind, allowed, encoding):

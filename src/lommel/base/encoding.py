@@ -40,7 +40,11 @@ def to_light(name: str, values: NDArray[np.generic], encoding: str, dtype: DType
     validation.choice("encoding", encoding, ENCODINGS)
     validation.kind("dtype", dtype, np.float32, np.float64)
     if values.dtype.kind == "u":
-        light = values.astype(dtype) / np.asarray(np.iinfo(str(values.dtype)).max, dtype=dtype)
+        most = int(np.iinfo(str(values.dtype)).max)
+        if values.size > most + 1:  # of each level once
+            levels = np.arange(most + 1, dtype=values.dtype)
+            return np.asarray(to_light(name, levels, encoding, dtype)[values])
+        light = values.astype(dtype) / np.asarray(most, dtype=dtype)
     elif values.dtype.kind == "f":
         with np.errstate(over="ignore", invalid="ignore"):
             light = values.astype(dtype)

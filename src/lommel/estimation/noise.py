@@ -99,7 +99,12 @@ class Noise(EqualByContent):
         """
         mean = validation.real_array("electrons", electrons, least=0.0)
         draw = random_numbers(seed)
-        return self.image(draw.poisson(mean) + draw.normal(0.0, 1.0, mean.shape) * self._for("read", mean.shape))
+        photons, made = draw.poisson(mean), np.asarray(draw.standard_normal(mean.shape))
+        made *= self._for("read", mean.shape)
+        made += photons
+        made /= self._for("white", mean.shape)
+        made += self._for("offset", mean.shape)
+        return made
 
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:
         """Return a number, or the values for each pixel if images have this shape."""

@@ -29,7 +29,7 @@ from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import fill_missing
 from lommel.imaging.settings import Keywords, Settings
-from lommel.io.photos import PhotoError, png_of_16_bits, read_depth, read_photo, write_tiff
+from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_depth, read_photo, write_tiff
 from lommel.optics.lens import Lens
 from lommel.optics.wavefront.wavefront import Wavefront
 
@@ -514,11 +514,11 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     blur = DepthBlur(metres, lens, pixel, channels=channels, **job.settings.of_blur)
     seen = (Occlusion(blur) if job.settings.occlusion else blur).forward(light)
     if job.noise is not None:
-        white = np.asarray(job.noise.white)
-        seen = job.noise.record(np.maximum(seen, 0.0).astype(np.float64) * white, random).astype(seen.dtype)
+        electrons = np.multiply(np.maximum(seen, 0.0), np.asarray(job.noise.white), dtype=np.float64)
+        seen = job.noise.record(electrons, random).astype(seen.dtype)
     files = {
         f"image.{job.form}": _encoded(job.form, seen, picture.encoding),
-        f"sharp.{job.form}": _encoded(job.form, light, picture.encoding),
+        f"sharp.{job.form}": _sharp(job.form, picture, light),
         "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
     }
     if job.psfs:
@@ -558,6 +558,15 @@ def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
         for number, radians in enumerate(defocus):
             table[number, channel, inside, inside] = bank.window(float(radians))
     return defocus, index, table
+
+
+def _sharp(form: str, picture: Picture, light: Values) -> bytes:
+    """Return the photo as a file."""
+    stored = picture.values
+    if form != "png" or stored.dtype.kind != "u" or stored.dtype.itemsize > 2:
+        return _encoded(form, light, picture.encoding)
+    # 255 and 65535 are white.
+    return png_of_16_bits(stored.astype(np.uint16) * np.uint16(257 if stored.itemsize == 1 else 1), None, 1)
 
 
 def _encoded(form: str, light: Values, encoding: str) -> bytes:

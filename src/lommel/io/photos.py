@@ -93,6 +93,9 @@ class Exif:
         return _FILM_DIAGONAL * self.focal_length / self.film_focal_length / math.hypot(*shape[:2])
 
 
+_SAMPLE = 2**17  # bytes that say how to compress the others
+
+
 @dataclass(frozen=True, eq=False)
 class Picture:
     """A photograph as it is stored, upright.
@@ -449,9 +452,22 @@ def png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int
     chunks = [(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 2 if values.ndim == 3 else 0, 0, 0, 0))]
     if profile is not None:
         chunks.append((b"iCCP", b"ICC Profile\0\0" + zlib.compress(profile)))
-    chunks += [(b"IDAT", zlib.compress(lines.tobytes(), level)), (b"IEND", b"")]
+    packed = _packed(lines.tobytes(), level)
+    chunks += [(b"IDAT", packed), (b"IEND", b"")]
     parts = [struct.pack(">I", len(d)) + name + d + struct.pack(">I", zlib.crc32(name + d)) for name, d in chunks]
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
+
+
+def _packed(data: bytes, level: int) -> bytes:
+    """Return data compressed, at level 1 without a search for strings where a sample, as of noise, has none."""
+    part = data[len(data) // 2 :][:_SAMPLE]
+
+    def pressed(what: bytes, strategy: int) -> bytes:
+        found = zlib.compressobj(level, strategy=strategy)
+        return found.compress(what) + found.flush()
+
+    plain = level != 1 or len(pressed(part, zlib.Z_DEFAULT_STRATEGY)) < len(pressed(part, zlib.Z_RLE))
+    return pressed(data, zlib.Z_DEFAULT_STRATEGY if plain else zlib.Z_RLE)
 
 
 def _tiff(data: bytes) -> Values:

@@ -216,9 +216,10 @@ test: fetch build env lint ## build, lint, check the types and run the tests
 # UV_TORCH_BACKEND=cpu make test-torch takes it from its own index, which has one without; TORCH=... a wheel that is there.
 TORCH ?= torch
 test-torch: build ## run the tests of differentiable functions in PyTorch, in .tools/torch
-	@$(call environment,torch,$(everything) --extra torch "$(TORCH)")
+	@$(call environment,torch,$(everything) --extra torch "$(TORCH)" deepinv)
 	$(call installed,torch)
-	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/traced
+	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/traced \
+		tests/imaging/test_traced_blur.py tests/imaging/test_traced_sensor.py tests/adapters/test_deepinv.py
 
 # Needs a virtual display (on Debian and Ubuntu the packages xvfb and xauth, and the libraries of Qt: libegl1, libxkbcommon-x11-0,
 # libxcb-cursor0 and others).

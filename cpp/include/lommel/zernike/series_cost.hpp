@@ -14,7 +14,8 @@ namespace lommel {
 
 // Nanoseconds of one processor, all tables at hand; benchmarks/choice.py fits them.
 struct SeriesCost {
-    static constexpr double least = 38700.0;  // of any image
+    static constexpr double least = 38700.0;   // of any image
+    static constexpr double circles = 4e-9;  // errors of interpolation between circles in double precision, of no dim image
 
     // Of one image.
     static double nanoseconds(const DiskStack& stack, const DiskWindow& window, std::size_t pupil, double tol) {
@@ -44,7 +45,7 @@ struct SeriesCost {
             cost.expand(inner, stack.obscuration * reach, ZernikeBudget::inner * error / area);
         }
         const bool single = tol >= 1e-6;
-        if (PolarImage::pays(reach, cost.orders_, cost.degrees_, pixels)) {
+        if (PolarImage::pays(reach, cost.orders_, cost.degrees_, pixels) && circles * dimness(outer) <= tol) {
             return cost.again(outer, tol) * (cost.sum_ + (single ? 4.5 : 14.4) * pixels + 5.9 * reach * cost.orders_);
         }
         // Eight pixels at once where the axis is in the window.
@@ -55,13 +56,18 @@ struct SeriesCost {
     }
 
    private:
-    // How often it is done, for roundings may be beyond the tolerance or near to it, of dim images above all.
-    double again(const ZernikePhase& phase, double tol) const {
+    // How much larger U is at the peak of an image without aberration, likely.
+    static double dimness(const ZernikePhase& phase) {
         double variance = 0.0;
         phase.amplitudes([&](double amplitude, std::size_t n, std::size_t m) {
             variance += amplitude * amplitude / (static_cast<double>(n + 1) * (m > 0 ? 2.0 : 1.0));
         });
-        const double share = unit_roundoff * (phase.sensitivity() + rounding_) * std::sqrt(1.0 + variance) / tol;
+        return std::sqrt(1.0 + variance);
+    }
+
+    // How often it is done, for roundings may be beyond the tolerance or near to it, of dim images above all.
+    double again(const ZernikePhase& phase, double tol) const {
+        const double share = unit_roundoff * (phase.sensitivity() + rounding_) * dimness(phase) / tol;
         return share > 0.25 ? 20.0 : 1.0 + 12.0 * share;
     }
 

@@ -16,7 +16,7 @@ import lommel as lm
 import rendering
 from lommel import _core
 from lommel.core.answers import Intensities
-from pixel_tables import Table, U, Window, interpolation, lebesgue
+from pixel_tables import Table, U, Window, lebesgue
 
 WIDER = _core.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
 SINGLE = mp.mpf(2) ** -24
@@ -107,7 +107,7 @@ class Pieces(NamedTuple):
     def table(self) -> Table:
         points = np.cos(np.pi * (np.arange(8) + 0.5) / 8)
         sizes = np.abs(np.linalg.inv(np.vander(points))).sum()
-        # |d^8 f / d(r^2)^8| from those by r: the coefficients of Bessel's polynomials, r at least where squares begin.
+        # The eighth derivative by r^2 from those by r: coefficients of Bessel's polynomials, r where squares begin.
         reach = self.equal * self.width
         squares = sum(
             mp.factorial(7 + j) / (mp.factorial(j) * mp.factorial(7 - j)) / (4 * reach) ** j for j in range(8)

@@ -275,12 +275,15 @@ def test_errors_of_fields_become_those_of_intensities_and_slopes(monkeypatch):
     chordal_debye._case.cache_clear()
     monkeypatch.setattr(chordal_debye, "left_out", lambda *_: 0.0)
     monkeypatch.setattr(chordal_debye, "chordal_field_errors", lambda *_: np.full((3, 1, 1), d))
-    values, error, largest = chordal_debye.intensities(pupil, grid, 1e-9, 1, chordal_debye.By((1,), ((2, 2),)))
+    by = chordal_debye.By((1,), ((2, 2),))
+    values, error, largest = chordal_debye.intensities(pupil, grid, 1e-9, 1, by)
+    _, _, of_sums = chordal_debye.sums(pupil, grid, 1e-9, np.ones((1, 7, 7)), 1, by)
     chordal_debye._case.cache_clear()
     power = float(pupil.power[0])
     assert largest[:, 0] == pytest.approx(np.abs(values).max(axis=(1, 2, 3)), rel=1e-15)
     largest = np.sqrt(values[0].max() * power)
-    assert error[0] * power == pytest.approx(d * (2.0 * largest + d), rel=1e-6)
+    for each in (error[0], of_sums):
+        assert each * power == pytest.approx(d * (2.0 * largest + d), rel=1e-6)
     for slope in (1, 2):
         of_slope = np.abs(values[slope]).max() * power / (2.0 * largest)  # at most the largest F
         assert error[slope] * power >= 2.0 * d * (largest + of_slope + d) * (1.0 - 1e-6)

@@ -47,7 +47,12 @@ LESS = {
         ("(3, 65, 65)", "(3, 17, 17)"),
         ("[:160, :240]", "[:100, :160]"),
     ],
-    "training": [("= 300, 8, 40, 12", "= 2, 2, 40, 2")],
+    "training": [
+        ("= 300, 8, 40, 12", "= 2, 2, 40, 2"),
+        ("(BATCH, 12,", "(BATCH, 2,"),
+        ("range(12)", "range(2)"),
+        ("(WIDTH, 1), (WIDTH, WIDTH), (WIDTH, WIDTH)", "(WIDTH, 1)"),
+    ],
     "start-depth": [("(72, 128)", "(48, 128)")],
 }
 
@@ -201,6 +206,7 @@ def interrupted(_: object) -> None:
     raise KeyboardInterrupt
 
 
+HASTY = ("differentiable", "training")  # pages whose programs run once or twice
 CODE = [path for path in PAGES if blocks(path, "python") and path not in drawn.TUTORIALS]
 
 
@@ -216,7 +222,7 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(path, folder, capsys):
             continue
         for much, little in less.items():
             code = code.replace(much, little)
-        with warnings.catch_warnings(), hasty_programs() if path.stem == "differentiable" else nullcontext():
+        with warnings.catch_warnings(), hasty_programs() if path.stem in HASTY else nullcontext():
             if any(name in code for name in ELSEWHERE):
                 warnings.simplefilter("ignore")  # what they warn of is not ours
             exec(compile(code, where, "exec"), names)

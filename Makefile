@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env uv build psf photo fetch test test-torch test-napari test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist clean FORCE
+.PHONY: help env uv build psf photo fetch test test-torch test-napari test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist release clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -400,6 +400,11 @@ wheel: page ## build a wheel in dist
 sdist: page ## pack the sources, with the live page, in dist
 	@$(find_uv)
 	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --sdist --no-build-isolation --python .venv/bin/python --out-dir dist
+
+# Of what is committed. FLAGS="--arm FOLDER" adds a wheel for 64-bit ARM; see docs/releasing.md.
+release: page .tools/maintain.stamp ## make dist/release, all that a maintainer uploads: a quarter of an hour of two processors
+	@$(find_uv)
+	UV="$$uv" .venv/bin/python release/build.py $(FLAGS)
 
 clean: ## remove all that make made
 	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new web/requirements.lock.new

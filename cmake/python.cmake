@@ -48,6 +48,6 @@ install(TARGETS _core LIBRARY DESTINATION lommel)
 
 # The examples stand at the top of the sources, where an editable installation finds them; wheels have them within.
 if(NOT SKBUILD_STATE STREQUAL "editable")
-  install(DIRECTORY examples/lenses examples/objectives examples/cameras examples/class DESTINATION lommel/examples
+  install(DIRECTORY examples/lenses examples/objectives examples/cameras examples/class examples/notebooks DESTINATION lommel/examples
           FILES_MATCHING PATTERN "*.toml" PATTERN "*.ipynb")
 endif()

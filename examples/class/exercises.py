@@ -1,5 +1,5 @@
-# The source of exercises.ipynb and exercises-solutions.ipynb, which notebooks.py writes. Cells tagged "exercise" or
-# "solution" are in one of them only.
+# The source of exercises.ipynb and exercises-solutions.ipynb, which ../notebooks.py writes. Cells tagged "exercise"
+# or "solution" are in one of them only.
 
 # %% [markdown] tags=["exercise"]
 # # Exercises: PSF, Strehl ratio, MTF

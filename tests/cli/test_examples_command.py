@@ -15,6 +15,7 @@ KINDS = {
     "objectives": ("objective", ".toml"),
     "cameras": ("camera", ".toml"),
     "class": ("notebook", ".ipynb"),
+    "notebooks": ("notebook", ".ipynb"),
 }
 THERE = {path.stem: path for kind, (_, end) in KINDS.items() for path in (ROOT / kind).glob(f"*{end}")}
 

@@ -35,7 +35,7 @@ from lommel.lensfiles.example_files import KINDS, example_files
 def examples(names: tuple[str, ...], folder: Path, everything: bool, text: str | None) -> Report:
     """List or copy example files of lenses, objectives, cameras.
 
-    NAMES are the names of the files to copy. Exercises are notebooks; the other files describe real instruments and
+    NAMES are the names of the files to copy. Notebooks are for Jupyter; the other files describe real instruments and
     state the source of their numbers. Cameras need no copy: --camera takes their names. Existing files are not
     overwritten: unchanged copies are left alone, and files that differ are refused.
 
@@ -45,6 +45,7 @@ def examples(names: tuple[str, ...], folder: Path, everything: bool, text: str |
       lommel examples --find "nikon oil"   # those with both words
       lommel examples phone                # copy phone.toml to the current folder
       lommel examples exercises            # a Jupyter notebook for class
+      lommel examples first-psf            # a notebook to start with
       lommel examples --all -o lenses
     """
     there = example_files()

@@ -1,4 +1,4 @@
-"""The example files of lenses, objectives and cameras, and the exercises."""
+"""The example files of lenses, objectives and cameras, and the notebooks."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ KINDS = {
     "objectives": ("objective", "*.toml"),
     "cameras": ("camera", "*.toml"),
     "class": ("notebook", "*.ipynb"),
+    "notebooks": ("notebook", "*.ipynb"),
 }
 """What the files of each folder describe, and how their names end."""
 

@@ -18,6 +18,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.base.units import format_length
+from lommel.cli import lens_report
 from lommel.cli.main import commands, main
 from lommel.lensfiles.example_files import example_files
 from lommel.methods import METHODS
@@ -411,14 +412,20 @@ def test_a_lens_without_such_terms_has_no_table_of_them(call_lommel, lenses, tmp
     assert "Zernike" not in shown
 
 
-def test_another_model_that_changes_nothing_has_no_row_and_one_out_of_reach_a_short_one(call_lommel, tmp_path):
+def test_another_model_that_changes_nothing_has_no_row_and_one_out_of_reach_a_short_one(
+    call_lommel, tmp_path, monkeypatch
+):
     lens = '[lens]\nfocal_length = "50 mm"\nf_number = 8\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\n'
     (tmp_path / "sharp.toml").write_text(lens, encoding="utf-8")
     assert "other model" not in call_lommel("info", "sharp.toml", folder=tmp_path).stdout
-    close = call_lommel("info", "sharp.toml", "--object-distance", "15 mm", folder=tmp_path).stdout
-    assert dict(LINE.findall(close))["other model"] == "aplanatic: cannot be computed to the tolerance"
     near = call_lommel("info", "sharp.toml", "--object-distance", "0.5 m", folder=tmp_path).stdout
     assert "aplanatic for the object: PSF differs by" in dict(LINE.findall(near))["other model"]
+    close = dataclasses.replace(lm.load_instrument(tmp_path / "sharp.toml"), object_distance=15e-3)
+    told = lens_report.other_model(close)
+    assert told["reason"] == "cannot be computed to the tolerance"
+    monkeypatch.setattr(lens_report, "other_model", lambda instrument: told)
+    near = call_lommel("info", "sharp.toml", "--object-distance", "0.5 m", folder=tmp_path).stdout
+    assert dict(LINE.findall(near))["other model"] == "aplanatic: cannot be computed to the tolerance"
 
 
 def test_a_command_is_refused_without_what_others_need():

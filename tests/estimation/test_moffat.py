@@ -123,13 +123,14 @@ def test_a_gaussian_says_so():
 
 # Stars of which the window determines flux, exponent and background only together.
 DIM = [((2e3, 16.3, 15.8, 11.0, 4.765, 50.0), 33), ((1e4, 16.3, 15.8, 14.0, 4.765, 500.0), 33)]
+STARS = 16
 
 
 @pytest.mark.parametrize(("truth", "side"), DIM)
 def test_dim_stars_are_found_where_the_exponent_and_the_background_are_held(truth, side):
     clean, refused = _model(np.array(truth), (side, side))[0], []
     pulls = []
-    for seed in range(40):
+    for seed in range(STARS):
         image = lm.Noise(read=3.0).record(clean, seed=seed)
         try:
             lm.fit_moffat(image, lm.Noise(read=3.0))
@@ -145,10 +146,10 @@ def test_dim_stars_are_found_where_the_exponent_and_the_background_are_held(trut
         pulls.append([(getattr(fits[0], n) - truth[NAMES.index(n)]) / fits[0].deviations[n] for n in names])
     assert len(pulls[0]) == 4
     # Five standard errors: the logarithm of the width of dim stars is skewed.
-    assert np.abs(np.mean(pulls, axis=0)).max() < 5.0 / math.sqrt(40.0)
-    assert np.abs(np.std(pulls, axis=0) - 1.0).max() < 5.0 / math.sqrt(80.0)
+    assert np.abs(np.mean(pulls, axis=0)).max() < 5.0 / math.sqrt(STARS)
+    assert np.abs(np.std(pulls, axis=0) - 1.0).max() < 5.0 / math.sqrt(2 * STARS)
     # Others say what to hold.
-    assert len(refused) > 3
+    assert len(refused) > 1
     assert all(error.endswith("Give beta= (4.765 of seeing) or background= to hold it, or take a larger window")
                for error in refused)  # fmt: skip
     assert max(map(len, refused)) < 300

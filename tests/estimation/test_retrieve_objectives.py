@@ -22,8 +22,10 @@ def recorded(true, photons, seed, emitter="isotropic"):
     return NOISE.record(photons * light + 5.0, seed=seed), center
 
 
-@pytest.mark.parametrize("seed", range(6))
-@pytest.mark.parametrize("emitter", ["isotropic", lm.Dipole(0.9, 0.3)], ids=repr)
+@pytest.mark.parametrize(
+    ("seed", "emitter"),
+    [*((seed, "isotropic") for seed in range(4)), *((seed, lm.Dipole(0.9, 0.3)) for seed in (4, 5))],
+)
 def test_the_aberrations_of_a_stack_are_found_within_their_standard_errors(seed, emitter):
     rng = np.random.default_rng(100 + seed)
     given = rng.normal(size=6)

@@ -667,6 +667,7 @@ def _maximum(axis: _Axis, start: float, step: float) -> float:
     return at
 
 
+@lru_cache(maxsize=4096)
 def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
     """Return the lateral full width at half maximum of a freely rotating dipole, metres: the first crossing."""
     from scipy.optimize import brentq

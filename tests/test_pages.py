@@ -47,21 +47,17 @@ LESS = {
         ("(3, 65, 65)", "(3, 17, 17)"),
         ("[:160, :240]", "[:100, :160]"),
     ],
-<<<<<<< HEAD
     "training": [
         ("= 300, 8, 40, 12", "= 2, 2, 40, 2"),
         ("(BATCH, 12,", "(BATCH, 2,"),
         ("range(12)", "range(2)"),
         ("(WIDTH, 1), (WIDTH, WIDTH), (WIDTH, WIDTH)", "(WIDTH, 1)"),
     ],
-=======
     "deconvolve": [
         ("microscope, depth=6e-6)", "microscope, depth=6e-6, psf_shape=(11, 15))"),
         ("steps=5", "steps=2"),
         ('"method": way}', '"method": way, "psf_shape": (11, 15)}'),
     ],
-    "training": [("= 300, 8, 40, 12", "= 2, 2, 40, 2")],
->>>>>>> bb056028 (Tests: cheaper stars, stacks and pages; widths of foci kept)
     "start-depth": [("(72, 128)", "(48, 128)")],
 }
 

@@ -13,8 +13,10 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from benchmarks import (
     apertures,
+    beads,
     costs,
     features,
+    fields,
     fresh,
     instructions,
     limits,
@@ -44,6 +46,8 @@ TABLES: dict[str, Callable[[Settings], Table]] = {
     "seeing": seeing.seeing,
     "microscopes": microscopes.microscopes,
     "localization": localization.localization,
+    "beads": beads.table,
+    "fields": fields.table,
     "threads": sweeps.threads,
     "instructions": instructions.limited,
     "cold": fresh.cold,

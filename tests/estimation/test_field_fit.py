@@ -118,6 +118,10 @@ def test_two_foci_tell_the_sign():
     assert fit.converged, fit.message
     assert fit.twin is None
     assert 0.5 < over_bound(fit, places, true) < 1.6
+    values, errors = fit.at(*position(places))
+    off = np.abs((values - true) / errors)
+    for reach, least, most in ((1.0, 0.45, 0.9), (2.0, 0.85, 1.0), (3.0, 0.97, 1.0)):
+        assert least < (off < reach).mean() <= most
     assert fit.blur.shape == (2,)
     np.testing.assert_allclose(fit.blur, 0.6, atol=0.02)
 

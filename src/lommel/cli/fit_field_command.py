@@ -99,9 +99,8 @@ def fit_field(
 
     Examples
     --------
-      lommel fit-field stars.fits lens.toml --read 2 --degree 3 -o field.csv --twin twin.csv --plot field.png
-      lommel fit-field inside.fits outside.fits lens.toml --defocus -3 3 --read 2 -o field.csv
-      lommel fit-field donuts.fits telescope.toml --defocus 5 --degree 1 --read 2 --plot collimation.png
+      lommel fit-field stars.fits nifty-fifty.toml --read 2 --degree 3 -o field.csv --plot field.png
+      lommel fit-field inside.fits outside.fits nifty-fifty.toml --defocus -3 3 --read 2 -o field.csv
     """
     for name, path in (("--output", output), ("--twin", twin)):
         if path is not None and path.suffix.lower() != ".csv":

@@ -14,8 +14,7 @@ from lommel.base.arrays import Array, Values
 from lommel.core import engine
 from lommel.estimation.pixel_transfer import transfer_of_windows
 from lommel.methods.bounds import growth, quadrature_nodes
-from lommel.methods.choice import of_profiles
-from lommel.methods.hankel import Hankel
+from lommel.methods.choice import of_large_phases, of_profiles
 from lommel.methods.pixels.rule import local_rule, pixel_rule, quarters, sums_of_windows
 from lommel.optics.aperture.shapes import Segments
 from lommel.optics.lens import Lens
@@ -23,7 +22,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
 _METHOD = of_profiles(1e-7)
-_QUADRATURE = Hankel(1e-13)
+_QUADRATURE = of_large_phases(1e-13)
 _LOCAL = 600.0  # half widths in v from which sparse rules are faster than dense ones
 
 

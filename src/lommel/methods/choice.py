@@ -16,6 +16,7 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 
 if TYPE_CHECKING:
+    from lommel.methods.hankel import Hankel
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 _LOOKS = 8  # pupils that stand for a stack
@@ -178,6 +179,13 @@ def settled(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Met
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:
     """Return the method for profiles of radial pupils, and for integrals of these."""
     return NijboerZernike(tol)
+
+
+def of_large_phases(tol: float) -> "Hankel":
+    """Return the method for values of many radial pupils of large phases at the same radii."""
+    from lommel.methods.hankel import Hankel
+
+    return Hankel(tol)
 
 
 def reference(pupil: BasePupil) -> Method:

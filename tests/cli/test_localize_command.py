@@ -139,13 +139,14 @@ def test_fits_at_the_range_of_z_and_beyond_the_reach_are_counted_apart(folder, c
     )
     assert f"not written: {count} at an end of the range of z (--z), {len(ended) - count} farther from" in text
     assert "farther from the middle of their box than --reach" in text
+    assert f"{count} of {facts['spots']} spots are at an end of the range of z: a wider --z may hold them." in text
 
 
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        (["--gain", 0.1], "is far from 0: the gain or the offset may be wrong: check --gain and --offset."),
-        (["--gain", 2], "is far from 0: the PSF, the gain or the offset may be wrong."),
+        (["--gain", 0.1], "the gain or the offset may be wrong: check --gain and --offset."),
+        (["--gain", 2], "indices, wavelength), the gain or the offset may be wrong."),
         (["--offset", 150], "of the counts of the first frames are below the offset: check --offset."),
         (["--offset", "offset.npy"], "of the counts of the first frames are below the offset: check --offset."),
         (["--pixel", "0.1um", "--block", 8, "--width", 2], "A pixel is 1.59 nm in the sample, far below Nyquist's "

@@ -93,6 +93,30 @@ def test_every_molecule_is_found_in_the_middle_of_its_box():
     assert repr(found) == f"<Spots: 48 in boxes of 15 x 15; {left}>"
 
 
+@pytest.mark.parametrize("value", [0, 65535])
+def test_molecules_beside_defects_are_found_and_fitted_as_without_them(value):
+    """One in the image of a molecule and a cluster beside others, told by the map of the read noise."""
+    molecules = simulated.spread(4, 64, each=4, apart=20, seed=3)
+    counts = simulated.recorded(
+        simulated.light(molecules, 4, 64, 8.0), lm.Noise(white=0.46, read=1.6, offset=100.0), 4
+    )
+    read = np.full((64, 64), 1.6)
+    at = np.round([molecules.row[0], molecules.column[0]]).astype(int)
+    read[at[0] + 1, at[1] - 1] = read[30:33, 30:33] = 1e3
+    noise = lm.Noise(white=0.46, read=read, offset=100.0)
+    whole, broken = find(counts, noise=noise), np.where(read < 1e3, counts, value).astype(np.uint16)
+    found = find(broken, noise=noise)
+    for name in ("frame", "row", "column", "score"):
+        np.testing.assert_array_equal(getattr(found, name), getattr(whole, name))
+    assert len(found) == molecules.frame.size
+    table = lm.localize.Table(simulated.pupil(), shape=15, pixel=6.5e-6, z=(-0.7e-6, 0.7e-6), reach=3.0)
+    fits = [lm.localize.fit(table, one.images, noise=noise, corners=one.corners) for one in (whole, found)]
+    np.testing.assert_array_equal(fits[0].z, fits[1].z)
+    assert np.abs(fits[1].discrepancy).max() < 5.0
+    with pytest.raises(ValueError, match="read must be below 1000 electrons within a few pixels of each defect"):
+        find(broken, noise=lm.Noise(read=np.full((64, 64), 1e3)))
+
+
 def test_maps_of_the_camera_are_used():
     draw = np.random.default_rng(9)
     shape = (40, 50)

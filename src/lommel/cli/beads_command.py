@@ -139,7 +139,7 @@ def beads(
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
     if output is not None:
-        source = f"{microscope.source} Fitted to beads: {found.message}."
+        source = f"{microscope.source} Fitted to beads: {found.message}.".lstrip()
         named = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
         named.fitted(found).save(output)
     if figure is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -206,15 +207,23 @@ def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
         )
     if dark > _DARK:
         notes.append(f"{100 * dark:.0f} % of the counts of the first frames are below the offset: check --offset.")
+    ends = facts["border_fits"]["z"]
+    if ends > _MANY * facts["spots"]:
+        notes.append(f"{ends} of {facts['spots']} spots are at an end of the range of z: a wider --z may hold them.")
     value = facts["medians"]["discrepancy"]
-    if value is not None and abs(value) > _DISCREPANT:
+    if value is not None and abs(value) > max(_DISCREPANT, 4.0 * _error_of_median(facts)):
         why = (
             "the gain or the offset may be wrong: check --gain and --offset"
             if value < 0.0
-            else "the PSF, the gain or the offset may be wrong"
+            else "the PSF (sign of the astigmatism, depth, indices, wavelength), the gain or the offset may be wrong"
         )
-        notes.append(f"The median discrepancy, {value:.2g}, is far from 0: {why}.")
+        notes.append(f"The median discrepancy, {value:.2g}, is not 0 within its error: {why}.")
     return notes
+
+
+def _error_of_median(facts: Facts) -> float:
+    """Return the standard error of the median discrepancy, each being normal of unit variance."""
+    return math.sqrt(0.5 * math.pi / max(1, facts["written"]))
 
 
 def _facts(found: Localizations, table: Table, ends: int, seconds: float) -> Facts:
@@ -271,7 +280,7 @@ def _parts(facts: Facts, noise: Noise) -> list[RenderableType]:
         ("spots", f"{facts['spots']}; {left}"),
         ("localised", f"{facts['written']}{f'; not written: {others}' if others else ''}"),
         ("z", f"{low} to {high}, {what}"),
-        *_of_medians(facts["medians"]),
+        *_of_medians(facts["medians"], _error_of_median(facts)),
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
         ("time", f"{facts['seconds']:.3g} s"),
     ]
@@ -283,7 +292,8 @@ _LEAST_SIDE = 5  # pixels of a box
 _BORDER = STATES.index("border")
 _FINE = 0.1  # of Nyquist's pixel
 _DARK = 0.75  # of the counts: half are below where there is no light
-_DISCREPANT = 3.0
+_DISCREPANT = 0.3  # smaller ones are of imperfections that every PSF has
+_MANY = 0.1  # of the spots
 _PLAIN = "The file of the objective has no section [aberrations.zernike]"
 _ODD = "The wavefront of the objective has no even term besides defocus, such as astigmatism"
 _ALIKE = "images above and below focus are nearly alike, and z may have the wrong sign."
@@ -295,12 +305,12 @@ _OTHERS = {
 }
 
 
-def _of_medians(medians: dict[str, float | None]) -> list[tuple[str, str]]:
+def _of_medians(medians: dict[str, float | None], error: float) -> list[tuple[str, str]]:
     if any(value is None for value in medians.values()):
         return []
     x, y, z = (format_length(medians[f"{name}_deviation"] or 0.0, digits=3) for name in "xyz")
     return [
         ("median light", f"{medians['photons']:.4g} photons, background {medians['background']:.3g} a pixel"),
         ("median precision", f"x {x}, y {y}, z {z} (Cramer-Rao bound)"),
-        ("median discrepancy", f"{medians['discrepancy']:.2g} (0 +- 1 where PSF and noise are right)"),
+        ("median discrepancy", f"{medians['discrepancy']:.2g} (0 +- {error:.1g} where PSF and noise are right)"),
     ]

@@ -35,6 +35,7 @@ from lommel.localize.movies import not_finite
 
 _LEAST = 1e-3  # electrons a pixel, of a background that is 0
 _REACH = 4.0  # standard deviations after which kernels end
+DEFECT = 1e3  # electrons of read noise, from which on a pixel tells nothing
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +101,8 @@ def find(
         Rows and columns of the boxes.
     noise : Noise, optional
         Gain, offset and read noise of the camera, each a number or a map of the frame. By default frames are in
-        electrons without read noise. The excess noise of electron multiplication is not part of it.
+        electrons without read noise. The excess noise of electron multiplication is not part of it. Pixels of a read
+        noise of 1000 electrons or more are defects: their values are not looked at.
     threshold : float, default 6.0
         Least height of a spot in standard deviations of the background noise, at least 3.
     width : float, default 2.0
@@ -153,6 +155,8 @@ def find(
             f"read, of shape {read.shape}, must have a value for each pixel, got frames of {light.shape}"
         )
     wide = min(rows, columns) / 3.0
+    if not isinstance(read, float) and (defects := read >= DEFECT).any():
+        light, read = _mended(light, defects, narrow), np.where(defects, np.median(read[~defects]), read)
     kernel = Kernel(light.shape[1:], narrow, wide)
     variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
     found = side_by_side(lambda one: kernel.maxima(one, variance, level), list(light), count)
@@ -186,6 +190,20 @@ def _stack(frames: ArrayLike, rows: int, columns: int) -> Values:
         shape = f"(frames, rows, columns), at least the box of {rows} x {columns}"
         raise ValueError(f"frames must have the shape {shape}, got {found.shape}")
     return found.reshape(-1, *found.shape[-2:])
+
+
+def _mended(light: Values, defects: NDArray[np.bool_], sigma: float) -> Values:
+    """Return frames with the means of what is around in the place of defects, weighted by a Gaussian."""
+    light = np.where(defects, 0.0, light)
+    while defects.any():
+        weight = smoothed((~defects).astype(float), sigma)
+        near = defects & (weight > 0.01)
+        if not near.any():
+            raise ValueError(f"read must be below {DEFECT:g} electrons within a few pixels of each defect")
+        for frame in light:
+            frame[near] = smoothed(frame, sigma)[near] / weight[near]
+        defects = defects & ~near
+    return light
 
 
 class Kernel:

@@ -17,6 +17,7 @@ from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.estimation.noise import Noise
+from lommel.localize.detection import DEFECT
 from lommel.localize.table import Table
 
 STATES = ("converged", "border", "steps", "undetermined")
@@ -190,7 +191,8 @@ def fit(
         width).
     noise : Noise or sequence of Noise, optional
         White, offset and read noise of the camera, or of the camera of each channel; by default images are in
-        electrons, without read noise. Maps are of the whole camera, of which `corners` chooses boxes.
+        electrons, without read noise. Maps are of the whole camera, of which `corners` chooses boxes; pixels of a
+        read noise of 1000 electrons or more do not count.
     corners : array_like, shape (n, 2) or (channels, n, 2), optional
         Row and column of the first pixel of each box on the camera, whole numbers. Needed for maps, and for channels
         with transforms other than shifts of whole pixels; rows and columns of the estimates are then the camera's.
@@ -395,7 +397,10 @@ def _in_electrons(box: NDArray[Any], camera: Noise, corners: Array | None) -> tu
                 raise ValueError(f"corners must be of boxes within the camera, {part.shape} pixels by {name}")
             parts[name] = part[rows[:, :, None], columns[:, None, :]]
     white = 1.0 if parts["white"] is None else parts["white"]
-    return _floats((box - parts["offset"]) * white), _variance(parts["read"], box.shape)
+    light = (box - parts["offset"]) * white
+    if not isinstance(parts["read"], float):
+        light = np.where(parts["read"] < DEFECT, light, np.nan)
+    return _floats(light), _variance(parts["read"], box.shape)
 
 
 def _floats(values: NDArray[Any]) -> NDArray[np.float32]:

@@ -67,7 +67,9 @@ class Movie:
         (self._series,) = series
         axes, shape = self._series.axes, self._series.shape
         if "S" in axes or axes[-2:] != "YX" or len(axes) > 3:
-            self._refuse(f"its axes are {axes} ({' x '.join(map(str, shape))}), not frames, rows and columns in grey")
+            way = "write it with photometric='minisblack'" if "S" in axes else "save one channel and plane as a movie"
+            sizes = " x ".join(map(str, shape))
+            self._refuse(f"its axes are {axes} ({sizes}), not frames, rows and columns in grey: {way}")
         self.dtype = np.dtype(self._series.dtype).newbyteorder("=")
         if self.dtype.kind not in "iuf":
             self._refuse(f"it holds {self.dtype}, neither integers nor floats")

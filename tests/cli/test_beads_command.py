@@ -11,25 +11,8 @@ from click.testing import CliRunner
 
 import lommel as lm
 from lommel.cli.main import main
-from objectives import OIL
+from objectives import OIL, OIL_FILE
 
-FILE = """name = "mine"
-[objective]
-NA = 1.4
-magnification = 63
-working_distance = "0.19 mm"
-immersion = 1.518
-[coverslip]
-index = 1.5255
-thickness = "170 um"
-[sample]
-index = 1.33
-depth = "2 um"
-[emission]
-wavelength = "600 nm"
-[sensor]
-pixel = "6.5 um"
-"""
 Z = (np.arange(9) - 4) * 200e-9
 
 
@@ -40,7 +23,7 @@ def run(*words):
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "objective.toml").write_text(FILE, encoding="utf-8")
+    (tmp_path / "objective.toml").write_text(OIL_FILE, encoding="utf-8")
     wave = lm.Wavefront.zernike({5: 0.4, 8: -0.3}, order="noll")
     pupil = OIL.pupil(depth=50e-9, z=Z, wavelength=600e-9, aberrations=wave)
     bead = lm.psf(pupil, 19, 6.5e-6, method=lm.methods.Bead(0.1e-6, 1e-4), integrate=True).values.astype(float)

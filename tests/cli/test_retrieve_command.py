@@ -9,6 +9,7 @@ import pytest
 import tifffile
 
 import lommel as lm
+from objectives import OIL_FILE
 
 LENS = """
 [lens]
@@ -179,27 +180,8 @@ def test_mistakes_are_told_in_a_line(words, said, folder, call_lommel):
     assert not (folder / "wave.json").exists()
 
 
-OBJECTIVE = """
-[objective]
-NA = 1.4
-magnification = 63
-working_distance = "0.19 mm"
-immersion = 1.518
-[coverslip]
-index = 1.5255
-thickness = "170 um"
-[sample]
-index = 1.33
-depth = "2 um"
-[emission]
-wavelength = "600 nm"
-[sensor]
-pixel = "6.5 um"
-"""
-
-
 def test_a_stack_of_a_bead_gives_the_aberrations_of_an_objective(tmp_path, call_lommel):
-    (tmp_path / "objective.toml").write_text(OBJECTIVE, encoding="utf-8")
+    (tmp_path / "objective.toml").write_text(OIL_FILE, encoding="utf-8")
     true = lm.Wavefront.zernike({6: 0.5, 7: -0.2}, order="noll")
     objective = lm.load_microscope(tmp_path / "objective.toml").objective
     pupil = objective.pupil(depth=1e-7, z=np.arange(-2, 3) * 3e-7, wavelength=600e-9, aberrations=true)
@@ -215,7 +197,7 @@ def test_a_stack_of_a_bead_gives_the_aberrations_of_an_objective(tmp_path, call_
     names = list(found["coefficients"])
     for name, exact in zip(names, [0.0, 0.0, 0.5, -0.2, 0.0], strict=True):
         assert found["coefficients"][name] == pytest.approx(exact, abs=5.0 * found["deviation"][name])
-    again = OBJECTIVE + '[aberrations.zernike]\nfile = "wave.json"\n'
+    again = OIL_FILE + '[aberrations.zernike]\nfile = "wave.json"\n'
     (tmp_path / "again.toml").write_text(again, encoding="utf-8")
     kept = lm.load_microscope(tmp_path / "again.toml").aberrations.to_zernike(order="noll")
     assert float(kept[6]) == pytest.approx(0.5, abs=0.05)

@@ -21,6 +21,23 @@ def oil(**more: Any) -> lm.Objective:
 
 
 OIL = oil()
+OIL_FILE = """name = "mine"
+[objective]
+NA = 1.4
+magnification = 63
+working_distance = "0.19 mm"
+immersion = 1.518
+[coverslip]
+index = 1.5255
+thickness = "170 um"
+[sample]
+index = 1.33
+depth = "2 um"
+[emission]
+wavelength = "600 nm"
+[sensor]
+pixel = "6.5 um"
+"""
 OIL_60X = lm.Objective(
     NA=1.3,
     magnification=60,

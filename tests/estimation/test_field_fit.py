@@ -163,6 +163,13 @@ def test_corners_of_a_checkerboard_tell_the_field():
     assert abs(fit.blur[0] - 0.4) < 5.0 * fit.blur_deviation[0]
     np.testing.assert_allclose(fit.stars.flux, 4500.0, rtol=0.02)
     np.testing.assert_allclose(fit.stars.background, 2750.0, rtol=0.01)
+    # Of so few pixels noise explains a chi2 of 1.15, and none of 1.25.
+    for chi2, converged in ((1.15, True), (1.25, False)):
+        noisy = fit.model[:, 0] + (images - fit.model[:, 0]) * np.sqrt(chi2 / fit.chi2)
+        again = fitted(noisy, places, **more, start=fit.field)
+        assert abs(again.chi2 - chi2) < 0.02
+        assert again.converged is converged
+        assert ("noise alone exceeds this chi2 in" if converged else "noise alone stays below 1.1") in again.message
 
 
 def test_doubles_and_defects_are_rejected():

@@ -11,6 +11,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
+from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import (
     CONSTANTS,
     BeadImages,
@@ -22,7 +23,7 @@ from lommel.estimation.bead_images import (
     likelihood,
     part_of,
 )
-from lommel.estimation.star_images import MOST, SURE
+from lommel.estimation.goodness_of_fit import SURE
 
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
@@ -275,8 +276,9 @@ class BeadModel:
 
     def _over(self, total: float, expected: float, spread: float) -> tuple[float, float]:
         pixels = self.tested + self.size + 2 * sum(len(s.z) for s in self.stacks)
-        most = max(expected * max(self.tested, 1) / pixels, 1.0)
-        return total / most, math.sqrt(spread) / most
+        share = max(self.tested, 1) / pixels
+        most = max(expected * share, 1.0)
+        return total / most, math.sqrt(spread * share) / most
 
 
 class Climbed(NamedTuple):
@@ -340,7 +342,7 @@ class Search:
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
         scores = np.array([model.alone(k).chi2_of(one.normal.parts) for k, one in enumerate(singles)])
         middle = float(np.median(scores[:, 0]))
-        used = [bool(chi2 < _LEFT * middle or chi2 < 1.0 + MOST * spread) for chi2, spread in scores]
+        used = [bool(chi2 < _LEFT * middle or chi2 < goodness_of_fit.most(spread)) for chi2, spread in scores]
         kept = [k for k in range(count) if used[k]]
         joint = model.having(kept)
         if count == 1 and not model.priors and "depth" not in model.own:
@@ -359,7 +361,7 @@ class Search:
             if best is None or found.deviance < best.deviance:
                 best = found
             chi2, spread = model.chi2_of(best.normal.parts)
-            if self.interrupted or (best.settled and (alike or chi2 < 1.0 + SURE * spread)):
+            if self.interrupted or (best.settled and (alike or chi2 < goodness_of_fit.most(spread, SURE))):
                 break
             share = 0.0
         assert best is not None

@@ -14,6 +14,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
+from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, light_of
 from lommel.estimation.bead_search import (
     DRIFT,
@@ -30,7 +31,6 @@ from lommel.estimation.bead_search import (
 )
 from lommel.estimation.noise import Noise
 from lommel.estimation.phase_retrieval import label, recorded
-from lommel.estimation.star_images import MOST
 from lommel.methods.derivative_names import SHIFTS, Term, checked, term_of
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective import Objective
@@ -634,7 +634,7 @@ def _fitted(
     chi2, spread = joint.chi2_of(normal.parts)
     beads = _beads(model, joint, state, normal, inverse, used, values, noise)
     visible = max(part.visible for part in normal.parts)
-    limit = 1.0 + MOST * spread
+    limit = float(goodness_of_fit.most(spread))
     error = _model_error(joint, state)
     misfit = chi2 >= limit
     worst = suspects[0] if suspects else None
@@ -655,12 +655,16 @@ def _fitted(
     elif search.interrupted:
         message = f"interrupted, the best so far: {work}"
     elif misfit:
-        message = f"misfit: {work}; pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
+        message = (
+            f"misfit: {work}, noise alone stays below {limit:.4g}; pixel, noise, z or the objective are wrong, "
+            "terms are missing, or beads overlap"
+        )
     elif not found.settled:
         message = f"the steps did not settle: {work}"
     else:
         message = f"converged{', but constants are suspected' if suspected else ''}: {work}"
-    if chi2 < 1.0 - MOST * spread and converged:
+        message += goodness_of_fit.remark(chi2, spread)
+    if chi2 < goodness_of_fit.least(spread) and converged:
         message += "; the images are less noisy than gain, read noise and offset state"
     if suspected and not backwards and visible >= _VISIBLE:
         named = ", ".join(map(str, [one for one in suspects if abs(one.sigmas) > 0.5 * _SUSPECT][:3]))
@@ -878,7 +882,7 @@ def _backwards(search: Search, joint: BeadModel, best: float, chi2: float) -> st
     except (Declined, ValueError):
         return ""
     turned_chi2, spread = other.chi2_of(there.normal.parts)
-    well = turned_chi2 < 1.0 + MOST * spread or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
+    well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
     if there.deviance > best - _REVERSED or not well:
         return ""
     return (

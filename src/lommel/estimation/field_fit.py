@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
+from lommel.estimation import goodness_of_fit
 from lommel.estimation.field_search import Found, Search
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import FieldStars, WholeField
@@ -645,7 +646,8 @@ def _answer(
     used = np.zeros(stars.count, dtype=bool)
     used[found.model.chosen] = True
     chi2 = float(found.scores.chi2[0])
-    limit = float(found.model.limit(found.scores)[0])
+    spread = float(found.scores.spread[0])
+    limit = float(goodness_of_fit.most(spread))
     held_out = float(state.get("held_out", math.nan))
     settled = found.settled and chi2 < limit
     work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} stars, degree {degree}"
@@ -657,12 +659,13 @@ def _answer(
         message = f"interrupted: {work}"
     elif chi2 >= limit:
         message = (
-            f"misfit: {work}; pupil, pixel, noise or defocus are wrong, the degree is too low, or terms are missing"
+            f"misfit: {work}, noise alone stays below {limit:.4g}; pupil, pixel, noise or "
+            "defocus are wrong, the degree is too low, or terms are missing"
         )
     elif not found.settled:
         message = f"the steps did not settle: {work}"
     else:
-        message = f"converged: {work}"
+        message = f"converged: {work}{goodness_of_fit.remark(chi2, spread)}"
     noise, valid = camera
     pad = tuple(one.terms)
 

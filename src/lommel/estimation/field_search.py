@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation import goodness_of_fit
 from lommel.estimation.field_signs import candidates, monomials, robust
 from lommel.estimation.field_stars import FieldStars, SingleStars, WholeField
+from lommel.estimation.goodness_of_fit import SURE
 from lommel.estimation.star_images import Scores, climb
 from lommel.methods.derivative_names import SHIFTS
 
@@ -98,7 +100,7 @@ class Search:
                 self.taken += taken
                 better = scores.chi2 < chi2[open_]
                 best[open_[better]], chi2[open_[better]] = x[better], scores.chi2[better]
-                fits = scores.chi2 < np.maximum(model.limit(scores, 3.0), 1.02)
+                fits = scores.chi2 < np.maximum(goodness_of_fit.most(scores.spread, SURE), 1.02)
                 open_ = open_[~fits]
             if open_.size == 0:
                 break

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.engine import star_likelihood
-from lommel.estimation.star_images import MOST, Scores, StarImages, Unknowns, carrying, covariance, damped
+from lommel.estimation.star_images import Scores, StarImages, Unknowns, carrying, covariance, damped
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.methods.derivative_names import SHIFTS, Name
@@ -189,9 +189,10 @@ class FieldStars:
         """Return the quality of single stars, each with so many parameters of its own."""
         (deviance, total, spread), found, square = self.likelihood(stars, images, light)
         pixels = self.star[3][stars].sum(axis=(1, 2))
-        expected = np.maximum(total * np.maximum(1.0 - unknown / pixels, 0.1), 1.0)
+        share = np.maximum(1.0 - unknown / pixels, 0.1)
+        expected = np.maximum(total * share, 1.0)
         chi2 = square / expected
-        return Scores(deviance, found[:, :, -1], found[:, :, :-1], chi2, np.sqrt(spread) / expected)
+        return Scores(deviance, found[:, :, -1], found[:, :, :-1], chi2, np.sqrt(spread * share) / expected)
 
     def light(self, stars: NDArray[np.intp], values: Array) -> Array:
         """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs."""
@@ -328,10 +329,6 @@ class SingleStars:
         """Return damped steps and what they promise."""
         return damped(scores, damping)
 
-    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
-        """Return the largest chi2 of each row."""
-        return 1.0 + deviations * scores.spread
-
 
 @dataclass(frozen=True, eq=False)
 class Blocks:
@@ -440,10 +437,11 @@ class WholeField:
         blocks = Blocks(np.empty((0, 0)), info[:, c:, c:], info[:, :c, c:], self.basis, self.waves, squares)
         blocks = replace(blocks, shared=blocks.outward(info[:, :c, :c]))
         whole = np.concatenate([blocks.gathered(slope[:, :c]), slope[:, c:].ravel()])
-        expected = max(total.sum() * (self.tested / self.pixels), 1.0)
+        share = self.tested / self.pixels
+        expected = max(total.sum() * share, 1.0)
         boxed = np.empty(1, dtype=object)
         boxed[0] = blocks
-        chi2, deviation = square.sum() / expected, math.sqrt(spread.sum()) / expected
+        chi2, deviation = square.sum() / expected, math.sqrt(spread.sum() * share) / expected
         made = Scores(np.array([deviance.sum()]), whole[None], boxed, np.array([chi2]), np.array([deviation]))
         if self.best is None or made.deviance[0] < self.best[1].deviance[0]:
             self.best = x.copy(), made
@@ -495,10 +493,6 @@ class WholeField:
         """Return the largest rms phase of a step of a star."""
         edge = self.parts(steps)[0] @ self.of.one.directions
         return np.array([math.sqrt(float(((edge * edge) @ self.of.one.mean_squares).max(initial=0.0)))])
-
-    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
-        """Return the largest chi2 within so many standard deviations of its expectation."""
-        return 1.0 + deviations * scores.spread
 
     def covariance(self, scores: Scores) -> Array:
         """Return the covariance (s, s) of shared parameters, places and light of stars being nuisance parameters."""

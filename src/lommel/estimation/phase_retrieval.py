@@ -15,9 +15,10 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
 from lommel.base.units import LENGTHS
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation import goodness_of_fit
+from lommel.estimation.goodness_of_fit import SURE
 from lommel.estimation.noise import Noise, random_numbers
 from lommel.estimation.star_images import (
-    SURE,
     Scores,
     StarImages,
     Unknowns,
@@ -369,13 +370,13 @@ def retrieve(
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
         tries, taken = tries + at_once, taken + steps_taken
-        if settled[k] and scores.chi2[k] < model.limit(scores, SURE)[k]:
+        if settled[k] and scores.chi2[k] < goodness_of_fit.most(scores.spread[k], SURE):
             break
         # Noise alone makes a chi2 beyond SURE now and then; starts that agree within the standard errors settle it.
         ends = np.concatenate([ends, model.nearest(x[settled])])
         away = ends - lowest
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
-        if fits and best.chi2[0] < model.limit(best)[0] and agreeing.sum() >= _AGREEING:
+        if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
             break
     lowest, best, settled, more = climb(model, lowest, most if fits else 0, lambda *_: None, fast=False)
     return _retrieval(model, lowest, best, fits and bool(settled[0]), values, noise, (taken + more, tries))
@@ -517,17 +518,19 @@ def _retrieval(
         center[:, ("row", "column").index(place)] += own[j] / per_pixel
         own_errors[place] = own_errors[place] / per_pixel
     wavefront = model.wavefront(x[0])
-    chi2, limit = float(scores.chi2[0]), float(model.limit(scores)[0])
+    chi2, spread = float(scores.chi2[0]), float(scores.spread[0])
+    limit = float(goodness_of_fit.most(spread))
     visible = own[-2] / own_errors["flux"]
     converged = bool(settled and chi2 < limit and visible.min() >= _VISIBLE)
     quiet = ""
-    if chi2 < 2.0 - limit:
+    if chi2 < goodness_of_fit.least(spread):
         quiet = "the images are less noisy than white, read and offset state, so that standard errors do not hold"
     doubt = (quiet or _doubt(model, x, inverse)) if converged else ""
     work = f"chi2 {chi2:.3g} per degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
     if chi2 >= limit:
         message = (
-            f"misfit: {work}; pupil, pixel, noise or {_between(model.pupil)} are wrong, terms are missing, or all "
+            f"misfit: {work}, noise alone stays below {limit:.3g}; pupil, pixel, noise or "
+            f"{_between(model.pupil)} are wrong, terms are missing, or all "
             "starts converged to local minima"
         )
     elif visible.min() < _VISIBLE:
@@ -536,6 +539,7 @@ def _retrieval(
         message = f"the steps did not settle: {work}"
     else:
         message = f"converged, but {doubt}; {work}" if doubt else f"converged: {work}"
+        message += goodness_of_fit.remark(chi2, spread)
     if quiet and not converged:
         message += f"; {quiet}"
     if model.sign_ambiguous:

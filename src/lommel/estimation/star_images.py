@@ -19,6 +19,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, Pixels, ToleranceError
 from lommel.core.engine import star_likelihood
+from lommel.estimation import goodness_of_fit
+from lommel.estimation.goodness_of_fit import SURE
 from lommel.methods.derivative_names import POWERS, SHIFTS, Name, Term, checked, parts
 from lommel.methods.derivatives import Slope, translated
 from lommel.methods.question import Asked, asked_about, output_type
@@ -132,9 +134,6 @@ def _point_symmetric(pupil: Pupil | ObjectivePupil) -> bool:
     return alike and (pupil.mask is None or np.allclose(pupil.mask.values, pupil.mask.values[::-1, ::-1], atol=1e-6))
 
 
-# Standard deviations of chi2: a fit within the first ends the search, one beyond the second is a misfit.
-SURE, MOST = 3.0, 6.0
-
 _PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images far from the answer
 _LEAST = 0.05  # electrons squared: the smallest variance of reading
 
@@ -180,9 +179,6 @@ class Searched(Protocol):
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return damped steps and the gain in deviance that their slopes promise."""
-
-    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
-        """Return the largest chi2 within so many standard deviations of its expectation."""
 
 
 class StarImages:
@@ -358,11 +354,8 @@ class StarImages:
         chain = self._chain * factors
         found = (chain @ products @ chain.swapaxes(-1, -2)).sum(axis=1)
         chi2 = found[:, -1, -1] / expected
-        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], chi2, np.sqrt(spread) / expected)
-
-    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
-        """Return the largest chi2 within so many standard deviations of its expectation."""
-        return 1.0 + deviations * scores.spread
+        width = np.sqrt(spread * (self.tested / (self.tested + self.size))) / expected
+        return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], chi2, width)
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
         """Return damped steps (s, p) and the gain in deviance that their slopes promise."""
@@ -437,7 +430,7 @@ def climb(
         done = (promised < (_NEARLY if fast else _SETTLED)) & (damping[at] <= 1.0)
         settled[at] = done
         moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)
-        fitting = model.alternatives and (done & (there.chi2 < model.limit(there, SURE))).any()
+        fitting = model.alternatives and (done & (there.chi2 < goodness_of_fit.most(there.spread, SURE))).any()
         if turn == most or not moving.any() or fitting:
             if fast and done.any():  # the last step is worth taking, but not its scores
                 last = at[done]
@@ -460,7 +453,7 @@ def climb(
         stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
         damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
         np.maximum(damping, _DAMPING[1], out=damping)
-        slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - model.limit(now)[at]))
+        slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - goodness_of_fit.most(now.spread[at])))
         idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))
         if new is None:
             continue

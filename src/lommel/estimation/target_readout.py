@@ -29,6 +29,8 @@ _FINE = 0.285  # the same of objects
 _MARGIN = 8.0  # lambda*N of samples of PSFs beyond the outer pixels
 _PAD = 5.0  # lambda*N that what is cut off at the edge of the transforms needs to ring down
 _ALIAS = 12.0  # minus the logarithm of what the Gaussian leaves where copies of the spectrum begin
+_APART = 12.0  # standard deviations of the Gaussian: lines farther apart do not touch
+_FLAT = 6.5  # of them: beyond, an edge is flat
 _TURNS = 90  # directions, of half a turn, in which a crossing is looked for
 
 
@@ -91,10 +93,21 @@ class TargetReadout:
         p = self._x * math.cos(angle) + self._y * math.sin(angle)
         along = self._y * math.cos(angle) - self._x * math.sin(angle)
         pitch = self.target.size * self.pixel
-        most = 0 if math.isinf(pitch) else math.ceil(1.5 * float(np.abs(p).max()) / pitch)
+        if not pitch <= _APART * self._width:  # at each point the nearest line, for the others are straight edges
+            k = np.rint(p / pitch) if math.isfinite(pitch) else np.zeros(p.shape)
+            at = (p - k * pitch if math.isfinite(pitch) else p) / self._width
+            sign = 1.0 - 2.0 * (k - 2.0 * np.floor(0.5 * k))
+            even, density, first = np.copysign(sign, sign * at), np.zeros(p.shape), np.zeros(p.shape)
+            near = np.abs(at) < _FLAT
+            inside, sign = at[near], sign[near]
+            bell = np.exp(-0.5 * inside * inside) * (sign / math.sqrt(2.0 * math.pi))
+            even[near] = sign * special.erf(inside * math.sqrt(0.5))
+            density[near], first[near] = bell, inside * bell
+            return even, density, first, along / self._width
+        most = math.ceil(1.5 * float(np.abs(p).max()) / pitch)
         even, density, first = np.zeros(p.shape), np.zeros(p.shape), np.zeros(p.shape)
         for k in range(-most, most + 1):
-            at = (p - k * pitch if k else p) / self._width
+            at = (p - k * pitch) / self._width
             sign = -1.0 if k % 2 else 1.0
             even += sign * special.erf(at * math.sqrt(0.5))
             bell = np.exp(-0.5 * at * at) * (sign / math.sqrt(2.0 * math.pi))

@@ -159,8 +159,44 @@ def test_a_wrong_camera_is_told(options, told, folder, call_lommel):
     facts = json.loads(call_lommel("localize", *arguments, "--json", folder=folder).stdout)
     assert any(note.endswith(told) for note in facts["notes"])
     result = call_lommel("localize", *arguments, folder=folder)
-    assert result.returncode == 0
+    assert result.returncode == (0 if facts["written"] else 3)
     assert told in " ".join(result.stdout.split())
+
+
+def test_the_opposite_astigmatism_a_hot_pixel_and_a_missing_offset_are_told(folder, call_lommel):
+    """Each in a sentence, and the first by the exit code too; none of them of a movie that is right."""
+    counts = np.tile(tifffile.imread(folder / "movie.tif"), (3, 1, 1))
+    text = EXAMPLE.read_text(encoding="utf-8")
+    (folder / "wrong.toml").write_text(text.replace("terms.6 = 0.15", "terms.6 = -0.15"), encoding="utf-8")
+    camera = 'name = "Some"\nsource = "None"\n\n[camera]\npixel = "6.5 um"\ngain = 0.46\nread = 1.6\n'
+    (folder / "camera.toml").write_text(camera, encoding="utf-8")
+    tifffile.imwrite(folder / "long.tif", counts, photometric="minisblack")
+    counts[:, 36, 40] += 3000
+    tifffile.imwrite(folder / "hot.tif", counts, photometric="minisblack")
+    told = (
+        "likelier with astigmatism of the opposite sign",
+        "row 36, column 40: a bead, or a hot pixel",
+        "offset is taken to be 0",
+    )
+
+    def notes(*arguments):
+        result = call_lommel("localize", *arguments, "-o", "a.csv", "--json", folder=folder)
+        facts = json.loads(result.stdout)
+        assert facts["opposite_astigmatism"]["molecules"] > 30
+        assert result.returncode == (3 if facts["opposite_astigmatism"]["log_likelihood"] > 0.0 else 0)
+        return [any(one in note for note in facts["notes"]) for one in told]
+
+    assert notes("long.tif", "objective.toml", *NOISE) == [False, False, False]
+    assert notes("long.tif", "wrong.toml", *NOISE) == [True, False, False]
+    assert notes("hot.tif", "objective.toml", *NOISE) == [False, True, False]
+    assert notes("long.tif", "objective.toml", "--camera", "camera.toml") == [False, False, True]
+
+
+def test_a_movie_without_spots_is_told(folder, call_lommel):
+    tifffile.imwrite(folder / "dark.tif", np.full((3, 40, 40), 100, np.uint16), photometric="minisblack")
+    result = call_lommel("localize", "dark.tif", "objective.toml", *NOISE, "-o", "a.csv", folder=folder)
+    assert result.returncode == 3
+    assert "No spot is above --threshold" in result.stdout
 
 
 def test_maps_single_frames_and_lengths_are_said_in_plain_words(folder, call_lommel):
@@ -236,6 +272,8 @@ def test_an_objective_without_aberrations_is_told(folder, call_lommel):
          "Error: the order is MOVIE LENS, the movie first, got objective.toml and then movie.tif"),
         (["broken.tif", *GIVEN[1:], "-o", "a.csv"],
          "Error: broken.tif cannot be read as a movie: its values must be finite, got nan in frame 2, row 3"),
+        ([*GIVEN, "--read", "unknown.npy", "-o", "a.csv"],
+         "Error: --read must be finite, got nan at (1, 2) of unknown.npy; a read noise of 1000 electrons tells that"),
     ],
 )  # fmt: skip
 def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lommel):
@@ -243,6 +281,7 @@ def test_faults_are_one_line_and_leave_no_file(arguments, told, folder, call_lom
     broken[2, 3, 4] = np.nan
     tifffile.imwrite(folder / "broken.tif", broken, photometric="minisblack")
     (folder / "lens.toml").write_text((ROOT / "examples" / "lenses" / "phone.toml").read_text(encoding="utf-8"))
+    np.save(folder / "unknown.npy", np.where(np.arange(9).reshape(3, 3) == 5, np.nan, 1.6))
     before = sorted(path.name for path in folder.iterdir())
     result = call_lommel("localize", *arguments, folder=folder)
     assert result.returncode == 2

@@ -12,7 +12,7 @@ import tifffile
 import lommel as lm
 import simulated_movies as simulated
 from lommel.localize import Table, localize_blocks, localize_movie, open_movie, writer
-from lommel.localize.movie_fits import gaussian_widths
+from lommel.localize.movie_fits import Recurrence, gaussian_widths, likelier
 
 PIXEL = simulated.PIXEL / simulated.MAGNIFICATION
 CAMERA = lm.Noise(white=0.46, read=1.6, offset=100.0)
@@ -225,6 +225,51 @@ def test_gaussian_widths_are_those_of_gaussians_fitted_to_the_images(table):
     assert wide[-1] > 1.5 * tall[-1]
 
 
+@pytest.mark.parametrize("depth", [0.0, 1e-6])
+def test_the_right_sign_of_the_astigmatism_is_the_likelier(depth, tmp_path):
+    """Also of dim molecules on the cover glass, each of which alone cannot tell."""
+    draw = np.random.default_rng(7)
+    right, wrong = (
+        Table(simulated.pupil(depth=depth, aberrations=sign * simulated.ASTIGMATISM), 15, 6.5e-6, z=(-0.7e-6, 0.7e-6))
+        for sign in (1.0, -1.0)
+    )
+    frames = np.full((30, 100, 100), 8.0)
+    for frame in frames:
+        for row in range(20, 100, 20):
+            for column in range(20, 100, 20):
+                place = 7.0 + draw.uniform(-0.5, 0.5, 2)
+                frame[row - 7 : row + 8, column - 7 : column + 8] += 800.0 * right(*place, draw.uniform(-5e-7, 5e-7))
+    tifffile.imwrite(tmp_path / "movie.tif", draw.poisson(frames).astype(np.uint16), photometric="minisblack")
+    options = {"noise": lm.Noise(read=0.0), "threshold": 6.0, "width": None, "starts": 4, "block": 7, "threads": 1}
+    with lm.localize.open_movie(tmp_path / "movie.tif") as movie:
+        count, gain, deviation = likelier(movie, wrong, right, **options)
+        assert 300 < count <= 480
+        assert gain > 4.0 * deviation > 0.0
+        other_count, loss, other_deviation = likelier(movie, right, wrong, **options)
+    assert (other_count, loss, other_deviation) == pytest.approx((count, -gain, deviation))
+
+
+def test_spots_in_the_same_place_of_many_frames_are_counted(table):
+    """Where one pixel is bright in every frame, or in some, or in few; and nowhere in a short movie."""
+    frames = np.random.default_rng(0).poisson(5.0, (40, 70, 70)).astype(float)
+    frames[:, 20, 33] += 400.0
+    frames[::2, 50, 30] += 400.0
+    frames[::5, 50, 55] += 400.0
+
+    def places(of):
+        seen = Recurrence()
+        for part in lm.localize.localize_blocks(of, table, block=6):
+            seen.count(part)
+        return seen.places()
+
+    (one, other) = places(frames)
+    assert one[2] == 40
+    assert abs(np.subtract(one[:2], (20, 33))).max() <= 2
+    assert other[2] == 20
+    assert abs(np.subtract(other[:2], (50, 30))).max() <= 2
+    assert places(frames[:15]) == []
+
+
 def test_frames_without_molecules_have_none(table):
     found = localize_movie(np.random.default_rng(0).poisson(5.0, (4, 40, 40)), table)
     assert (len(found), found.spots) == (0, 0)
@@ -236,7 +281,7 @@ def test_frames_without_molecules_have_none(table):
     [
         ({"movie": np.zeros((40, 40))}, r"movie must have the shape \(frames, rows, columns\), got \(40, 40\)"),
         ({"movie": np.zeros((0, 40, 40))}, r"got \(0, 40, 40\)"),
-        ({"movie": np.zeros((2, 10, 40))}, "frames must have the shape"),
+        ({"movie": np.zeros((2, 10, 40))}, "movie must have frames of at least 15 x 15 pixels, the box, got 10 x 40"),
         ({"movie": "movie.png"}, "No such file"),
         ({"table": 5}, "table must be"),
         ({"block": 0}, "block must be"),

@@ -31,9 +31,11 @@ class Molecules(NamedTuple):
     photons: np.ndarray
 
 
-def pupil(z: np.ndarray | float = 0.0, depth: float = 1e-6) -> lm.ObjectivePupil:
+def pupil(
+    z: np.ndarray | float = 0.0, depth: float = 1e-6, aberrations: lm.Wavefront = ASTIGMATISM
+) -> lm.ObjectivePupil:
     """An oil objective with astigmatism, the molecules in water."""
-    return OBJECTIVE.pupil(depth=depth, z=z, wavelength=600e-9, aberrations=ASTIGMATISM)
+    return OBJECTIVE.pupil(depth=depth, z=z, wavelength=600e-9, aberrations=aberrations)
 
 
 def spread(frames: int, side: int, *, each: int, apart: float, seed: int, reach: float = 0.5e-6) -> Molecules:

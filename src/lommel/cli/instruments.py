@@ -47,7 +47,12 @@ def camera_map(text: str, name: str) -> float | Array:
     found = read_images([path])
     if len(found) != 1:
         raise ValueError(f"--{name} must be one image, got {len(found)} in {validation.line(path)}")
-    return np.asarray(found[0], np.float64)
+    values = np.asarray(found[0], np.float64)
+    if (bad := ~np.isfinite(values)).any():
+        place = ", ".join(map(str, np.argwhere(bad)[0]))
+        defect = "; a read noise of 1000 electrons tells that a pixel is a defect" if name == "read" else ""
+        raise ValueError(f"--{name} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
+    return values
 
 
 LENS = click.Argument(["lens"], type=FILE)

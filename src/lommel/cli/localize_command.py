@@ -6,7 +6,7 @@ import dataclasses
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import click
 import numpy as np
@@ -21,9 +21,12 @@ from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
 from lommel.io import registry
 from lommel.localize import Localizations, Movie, Table, find, fit, localize_blocks, open_movie, writer
+from lommel.localize.detection import DEFECT
 from lommel.localize.fitting import STATES
 from lommel.localize.localizations import joined
+from lommel.localize.movie_fits import Recurrence, likelier
 from lommel.localize.movies import BLOCK
+from lommel.optics.wavefront.wavefront import Wavefront
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -108,7 +111,8 @@ def localize(
     the stage at which a molecule at this depth would look so, positive towards the sample: molecules deeper in the
     sample have a smaller z. With --along depth it is the depth of the molecule below the cover glass, the stage at
     rest at the origin of the file. Fits that end at the range of z (--z) or beyond --reach, or do not converge, are
-    counted, not written. Drift is not corrected, and molecules seen in several frames are a row in each.
+    counted, not written. Drift is not corrected, and molecules seen in several frames are a row in each. The exit
+    code is 3 where no molecule is written, or where the opposite sign of the astigmatism is likelier.
 
     Examples
     --------
@@ -133,7 +137,7 @@ def localize(
     maps: Facts = {name: text and camera_map(text, flag) for name, (flag, text) in texts.items()}
     noise, begun = noise_of(maps, microscope.camera), time.perf_counter()
     parts: list[Localizations] = []
-    ends = 0
+    ends, seen = 0, Recurrence()
     with progress("table of images") as step, open_movie(movie) as frames:
         table = Table(
             dataclasses.replace(microscope, planes=1).pupil(),
@@ -153,8 +157,10 @@ def localize(
             for part in localize_blocks(frames, table, noise=noise, threads=threads, progress=done, **given):
                 write(part)
                 ends += _at_ends(part, table)
+                seen.count(part)
                 parts.append(part if figure is not None else _brief(part))
         dark = _below(frames, noise)
+        turned = _turned(frames, table, microscope, noise=noise, threads=threads, **given)
     found = joined(parts)
     if figure is not None:
         drawn: Any = found.plot().get_figure(root=True)
@@ -163,9 +169,14 @@ def localize(
     facts |= {"aberrations": microscope.aberrations is not None}
     facts |= {"camera": None if microscope.camera is None else microscope.camera.name}
     facts |= _facts(found, table, ends, time.perf_counter() - begun)
+    own = microscope.camera
+    values = {} if own is None else {"gain": (white, own.gain), "offset": (offset, own.offset)}
+    facts |= {"assumed": [name for name, pair in values.items() if pair == (None, None)]}
+    facts |= {"recurring": seen.places(), "opposite_astigmatism": turned}
     facts |= {"notes": _notes(facts, microscope, dark)}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
-    return Report(facts, _parts(facts, noise)) + written([*places, figure])
+    trusted = facts["written"] > 0 and not _is_opposite(turned)
+    return Report(facts, _parts(facts, noise), trusted) + written([*places, figure])
 
 
 _MEDIANS = ("photons", "background", "x_deviation", "y_deviation", "z_deviation", "discrepancy")
@@ -193,9 +204,41 @@ def _below(frames: Movie, noise: Noise) -> float:
     return float(np.mean(first < noise.offset))
 
 
+def _turned(
+    frames: Movie, table: Table, microscope: Microscope, *, block: int | None, **options: Any
+) -> Facts | None:
+    """Return by how much molecules of the first frames are likelier with astigmatism of the opposite sign."""
+    told = microscope.aberrations
+    if told is None or not any(abs(m) == 2 for _, m in told.amplitudes()):
+        return None
+    edge = {(n, m): -one if abs(m) == 2 else one for (n, m), one in zip(told.terms, told.edge.T, strict=True)}
+    opposite = dataclasses.replace(microscope, planes=1, aberrations=Wavefront.from_edge(edge, told.error))
+    made: Facts = {name: getattr(table, name) for name in ("z", "along", "reach", "tol")}
+    other = Table(opposite.pupil(), table.shape, table.pixel, **made)
+    count, gain, error = likelier(frames, table, other, block=block, **options)
+    if count < _LEAST_TRIED:
+        return None
+    return {"molecules": count, "log_likelihood": gain, "deviation": error}
+
+
+def _is_opposite(turned: Facts | None) -> TypeGuard[Facts]:
+    """Return whether the opposite sign is likelier beyond doubt."""
+    return turned is not None and turned["log_likelihood"] > max(_LIKELIER, 4.0 * turned["deviation"])
+
+
 def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
     """Return what is likely to be wrong, in sentences."""
     notes, told = [], microscope.aberrations
+    if not facts["spots"]:
+        notes.append("No spot is above --threshold: check --offset, --gain and --read, or lower it.")
+    if places := facts["recurring"]:
+        row, column, count = places[0]
+        many = "A spot is" if len(places) == 1 else f"{len(places)} spots are"
+        notes.append(
+            f"{many} in the same place in many frames, the first in {count} of {facts['frames']} at row {row}, "
+            f"column {column}: a bead, or a hot pixel, which a map by --read with {DEFECT:g} electrons there leaves "
+            "out."
+        )
     if not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in ({} if told is None else told.amplitudes())):
         notes.append(f"{_PLAIN if told is None else _ODD}: {_ALIKE}")
     finest = microscope.objective.nyquist(wavelength=microscope.wavelength).lateral
@@ -207,6 +250,14 @@ def _notes(facts: Facts, microscope: Microscope, dark: float) -> list[str]:
         )
     if dark > _DARK:
         notes.append(f"{100 * dark:.0f} % of the counts of the first frames are below the offset: check --offset.")
+    sources = "neither the option nor the file of the camera gives it"
+    notes += [f"The {name} is taken to be {_ASSUMED[name]}: {sources}." for name in facts["assumed"]]
+    if _is_opposite(turned := facts["opposite_astigmatism"]):
+        notes.append(
+            f"{turned['molecules']} molecules of the first frames are likelier with astigmatism of the opposite sign "
+            f"(log-likelihood {turned['log_likelihood']:.3g} +- {turned['deviation']:.2g} larger), and z is then "
+            "reversed: check the sign in [aberrations.zernike] and the direction of the movie's rows."
+        )
     ends = facts["border_fits"]["z"]
     if ends > _MANY * facts["spots"]:
         notes.append(f"{ends} of {facts['spots']} spots are at an end of the range of z: a wider --z may hold them.")
@@ -294,6 +345,9 @@ _FINE = 0.1  # of Nyquist's pixel
 _DARK = 0.75  # of the counts: half are below where there is no light
 _DISCREPANT = 0.3  # smaller ones are of imperfections that every PSF has
 _MANY = 0.1  # of the spots
+_ASSUMED = {"gain": "1 electron per count", "offset": "0 counts"}
+_LEAST_TRIED = 10  # molecules, of which the spread is known
+_LIKELIER = 10.0  # log-likelihood, by which one of two wavefronts must be the likelier to be spoken of
 _PLAIN = "The file of the objective has no section [aberrations.zernike]"
 _ODD = "The wavefront of the objective has no even term besides defocus, such as astigmatism"
 _ALIKE = "images above and below focus are nearly alike, and z may have the wrong sign."

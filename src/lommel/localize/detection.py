@@ -31,7 +31,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
 from lommel.estimation.noise import Noise
-from lommel.localize.movies import not_finite
+from lommel.localize.movies import WITHOUT, not_finite
 
 _LEAST = 1e-3  # electrons a pixel, of a background that is 0
 _REACH = 4.0  # standard deviations after which kernels end
@@ -148,7 +148,7 @@ def find(
     validation.optional("noise", noise, Noise)
     camera, stored = noise or Noise(read=0.0), _stack(frames, rows, columns)
     if place := not_finite(stored, start):
-        raise ValueError(f"frames must be finite, got {place}")
+        raise ValueError(f"frames must be finite, got {place}; {WITHOUT}")
     light, read = camera.electrons(stored), camera.read
     if not isinstance(read, float) and read.shape != light.shape[1:]:
         raise ValueError(
@@ -156,10 +156,12 @@ def find(
         )
     wide = min(rows, columns) / 3.0
     if not isinstance(read, float) and (defects := read >= DEFECT).any():
-        light, read = _mended(light, defects, narrow), np.where(defects, np.median(read[~defects]), read)
+        mended, read = _mending(defects, narrow), np.where(defects, np.median(read[~defects]), read)
+    else:
+        mended = []
     kernel = Kernel(light.shape[1:], narrow, wide)
     variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
-    found = side_by_side(lambda one: kernel.maxima(one, variance, level), list(light), count)
+    found = side_by_side(lambda one: kernel.maxima(_mended(one, mended, narrow), variance, level), list(light), count)
     frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
     row, column, score = (np.concatenate([part[k] for part in found] or [np.empty(0, int)]) for k in range(3))
     kept = _apart(frame, row / rows, column / columns, score)
@@ -192,18 +194,26 @@ def _stack(frames: ArrayLike, rows: int, columns: int) -> Values:
     return found.reshape(-1, *found.shape[-2:])
 
 
-def _mended(light: Values, defects: NDArray[np.bool_], sigma: float) -> Values:
-    """Return frames with the means of what is around in the place of defects, weighted by a Gaussian."""
-    light = np.where(defects, 0.0, light)
+def _mending(defects: NDArray[np.bool_], sigma: float) -> list[tuple[NDArray[np.bool_], Array]]:
+    """Return which defects are mended in turn, each those beside good pixels, and the weights of what is around."""
+    turns = []
     while defects.any():
         weight = smoothed((~defects).astype(float), sigma)
         near = defects & (weight > 0.01)
         if not near.any():
             raise ValueError(f"read must be below {DEFECT:g} electrons within a few pixels of each defect")
-        for frame in light:
-            frame[near] = smoothed(frame, sigma)[near] / weight[near]
+        turns.append((near, weight))
         defects = defects & ~near
-    return light
+    return turns
+
+
+def _mended(frame: Array, turns: list[tuple[NDArray[np.bool_], Array]], sigma: float) -> Array:
+    """Return a frame with the means of what is around in the place of defects, weighted by a Gaussian."""
+    if turns:
+        frame = np.where(np.any([near for near, _ in turns], axis=0), 0.0, frame)
+    for near, weight in turns:
+        frame[near] = (smoothed(frame, sigma) / weight)[near]
+    return frame
 
 
 class Kernel:

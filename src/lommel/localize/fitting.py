@@ -224,8 +224,9 @@ def fit(
     Poisson's with the mean ``mu + read**2``, shifted (Huang et al. 2013, doi:10.1038/nmeth.2488). Fisher scoring with
     damping (Smith et al. 2010, doi:10.1038/nmeth.1449) ends where no estimate would move by 0.01 of its standard
     deviation. It starts at the most similar of a bank of images all over z and 1.5 pixels to all sides: boxes
-    should be around molecules, not around the brightest part of their images. Systematic
-    errors due to the table are below 1e-3 of the deviation for 10^4 photons and ``tol=1e-4``; those of a wrong PSF
+    should be around molecules, not around the brightest part of their images. Pixels of a negative ``counts +
+    read**2``, as with a wrong offset, are not those of the model and make the `discrepancy` large. Systematic errors
+    due to the table are below 1e-3 of the deviation for 10^4 photons and ``tol=1e-4``; those of a wrong PSF
     are not known here: beads tell.
 
     Examples

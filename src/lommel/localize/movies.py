@@ -130,7 +130,7 @@ class Movie:
             for k in range(begin, end):
                 found[k - begin] = self._frame(k)
         if place := not_finite(found, begin):
-            self._refuse(f"its values must be finite, got {place}")
+            self._refuse(f"its values must be finite, got {place}; {WITHOUT}")
         return found
 
     def blocks(self, size: int | None = None) -> Iterator[Values]:
@@ -194,6 +194,9 @@ def not_finite(frames: Values, first: int) -> str:
         return ""
     frame, row, column = np.argwhere(~np.isfinite(frames))[0]
     return f"{frames[frame, row, column]} in frame {first + frame}, row {row}, column {column}, counted from 0"
+
+
+WITHOUT = "write 0 there, and leave the pixel out by a map of the read noise with 1000 electrons"
 
 
 def open_movie(path: str | PathLike[str]) -> Movie:

@@ -132,12 +132,11 @@ class Table:
         self.tol = validation.real("tol", tol, least=1e-5, most=0.1)
         ends = validation.real_array("z", z)
         if ends.shape != (2,) or not 1e-9 <= ends[1] - ends[0] <= 1e-4:
-            raise ValueError(
-                f"z must be (lowest, highest) in metres, 1 nm to 100 um apart, got {validation.shown(z)}"
-            )
+            given = " and ".join(map(format_length, ends.tolist())) if ends.shape == (2,) else validation.shown(z)
+            raise ValueError(f"z must be (lowest, highest) in metres, 1 nm to 100 um apart, got {given}")
         low, high = ends.tolist()
         if self.along == "depth" and low < 0.0:
-            raise ValueError(f"z must be depths >= 0 metres with along='depth', got {low:g}")
+            raise ValueError(f"z must be depths >= 0 metres with along='depth', got {format_length(low)}")
         self.z = (low, high)
         count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self._make(count)

@@ -211,7 +211,7 @@ def test_of_one_medium_aperture_and_index_say_all():
     # The light is that of the index matched throughout, so that it depends on no depth.
     elsewhere = lm.psf(plain.pupil(**planes | {"depth": 8e-6}), 15, 0.1e-6)
     assert found.values == pytest.approx(elsewhere.values, abs=1e-6 * float(found.values.max()))
-    with pytest.raises(ValueError, match=r"at most 0\.01 metres without a working_distance, got 0\.02"):
+    with pytest.raises(ValueError, match=r"at most 10 mm without a working_distance, got 20 mm"):
         plain.pupil(**planes | {"z": 0.02, "depth": 0.0})
 
 
@@ -309,8 +309,8 @@ PLANE = {"depth": 2e-6, "focus": 2e-6, "wavelength": WAVE}
             {"depth": [1e-6, 2e-6], "focus": [0.0, 0.0, 0.0]},
             r"depth and focus must broadcast, got shapes \(2,\) and \(3,\)",
         ),
-        ({"focus": 2.0}, r"focus, or where depth and z lead, must be at most 0.00019 metres, .* got 2"),
-        ({"focus": -1.0}, r"focus, or where depth and z lead, is in metres and must be at least -0.01, got -1"),
+        ({"focus": 2.0}, r"focus, or where depth and z lead, must be at most 190 um, .* got 2 m"),
+        ({"focus": -1.0}, r"focus, or where depth and z lead, must be at least -10 mm, got -1 m"),
         ({"focus": math.inf}, r"focus must be finite, got inf"),
         ({"focus": []}, r"radius, depth and focus must not be empty"),
         ({"radius": -1e-6}, r"radius must be finite and >= 0, got -1e-06"),
@@ -333,7 +333,7 @@ def test_fields_refuse_what_is_none_in_a_line(change, message):
     [
         (
             lambda: OBJECTIVE.focus(180e-6, wavelength=WAVE),
-            r"focus, or where depth and z lead, must be at most 0.00019",
+            r"focus, or where depth and z lead, must be at most 190 um",
         ),
         (lambda: OBJECTIVE.focus(math.nan, wavelength=WAVE), r"depth must be finite"),
         (

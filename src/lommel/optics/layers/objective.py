@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
+from lommel.base.units import format_length
 from lommel.optics.layers import azimuthal_orders, debye
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -302,9 +303,12 @@ class Objective:
         if f.size and f.max() > self._clearance:
             known = self.working_distance is not None
             where = ", where the objective touches the cover glass," if known else " without a working_distance,"
-            raise ValueError(f"{name} must be at most {self._clearance:.4g} metres{where} got {f.max():g}")
+            most, given = format_length(self._clearance), format_length(float(f.max()))
+            raise ValueError(f"{name} must be at most {most}{where} got {given}")
         if f.size and f.min() < -DEPTH_MOST:
-            raise ValueError(f"{name} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
+            raise ValueError(
+                f"{name} must be at least {format_length(-DEPTH_MOST)}, got {format_length(float(f.min()))}"
+            )
         return d.ravel(), f.ravel(), d.shape
 
     def _rates(self, rho: ArrayLike, wavelength: float) -> tuple[Values, Values, Values]:

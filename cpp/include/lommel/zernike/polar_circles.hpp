@@ -27,8 +27,20 @@ struct PolarCircle : GriddingTaps {
 
     PolarCircle(std::size_t points, std::size_t taps);
 
-    static constexpr std::size_t least_points = 48;  // an eighth of a turn is longer than half of any kernel
+    // An eighth of a turn is longer than half of the kernel.
+    static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
+    // What gains make of errors of all orders below `orders`, by Cauchy at most: the root of their mean square over every other
+    // order from the highest down, which is that of all degrees. Of signs of m there are two, but of m = 0 one.
+    double growth(std::size_t orders) const {
+        const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
+        double count = 1.0, squares = gains[lowest] * gains[lowest];
+        for (std::size_t m = lowest + 2; m <= highest; m += 2) {
+            count += 2.0;
+            squares += 2.0 * gains[m] * gains[m];
+        }
+        return std::sqrt(squares / count);
+    }
     const RowFft<float>& fft(float) const { return single; }
     const RowFft<double>& fft(double) const { return exact; }
 

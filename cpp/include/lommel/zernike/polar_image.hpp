@@ -236,7 +236,11 @@ void PolarImage::paint(double scale, T* image) {
             if (!lines.empty()) {
                 dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                     PaintedPart& part = parts_[i * zones_.size() + z];
-                    if (zone.style->doubles && zone.style->around == 10) {
+                    if (zone.style->around == 14) {
+                        pixels<14, 14, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else if (zone.style->around == 12) {
+                        pixels<12, 12, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else if (zone.style->doubles && zone.style->around == 10) {
                         pixels<10, 10, double>(isa, zone, list_[i], lines, scale, buffer, part);
                     } else if (zone.style->doubles) {
                         pixels<10, 8, double>(isa, zone, list_[i], lines, scale, buffer, part);

@@ -24,7 +24,9 @@ struct PolarStyle {
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
 // From the most exact one to that which costs least.
-inline constexpr std::array<PolarStyle, 10> polar_styles = {{{3.0, 10, 10, true, true},
+inline constexpr std::array<PolarStyle, 12> polar_styles = {{{2.0, 14, 14, true, true},
+                                                             {2.0, 12, 12, true, true},
+                                                             {3.0, 10, 10, true, true},
                                                              {2.0, 10, 10, true, true},
                                                              {2.0, 10, 8, true, true},
                                                              {3.0, 8, 8, false, true},
@@ -90,30 +92,36 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
+// Roundings of sums over degrees and of tables, in A_m or B_m of all orders together: cosines and sines, both by Cauchy, a chain
+// over every other degree, and what the table leaves out and, (n+1) F_n of it, is off by.
+inline double polar_rounding(const PolarPupil::Disk& disk, const PolarKernel& kernel, double each) {
+    const double degrees = static_cast<double>(disk.series->degrees), chain = unit_roundoff * (degrees + 8.0) * kernel.largest;
+    return 2.0 * std::abs(disk.weight) * (chain + PolarTable::rounding(each, degrees) + PolarTable::left_out);
+}
+
 // Their tables, of so many blocks.
 struct PolarTables {
     std::vector<std::shared_ptr<const PolarTable>> tables;
     std::vector<PolarDisk> disks;
-    double error = 0.0;  // of U, before it is transformed, by roundings of the sums over degrees and of the table
+    std::vector<double> errors;  // of U in each block, before it is transformed, by roundings
 
-    PolarTables(const PolarPupil& pupil, const PolarKernels& kernels, std::size_t blocks) {
+    PolarTables(const PolarPupil& pupil, const PolarKernels& kernels, std::size_t blocks) : errors(blocks, 0.0) {
         for (std::size_t i = 0; i < pupil.disks.size(); ++i) {
             const PolarPupil::Disk& disk = pupil.disks[i];
             const PolarKernel& k = *kernels.disks[i];
             tables.push_back(cache<PolarTable>.get(k.step, k.kernel.w, k.kernel.beta(), blocks, disk.series->degrees));
             const PolarTable& table = *tables.back();
             disks.push_back({disk.series, disk.parts.data(), table.values.data(), table.degrees, table.reached.data()});
-            // Cosines and sines, both by Cauchy: a chain over every other degree, and what the table leaves out and is off by.
-            const double chain = unit_roundoff * (static_cast<double>(disk.series->degrees) + 8.0);
-            error += 2.0 * std::abs(disk.weight) *
-                     (chain / k.kernel.transform(k.step) + table.rounding(blocks, disk.series->degrees) + PolarTable::left_out);
+            for (std::size_t b = 0; b < blocks; ++b) {
+                errors[b] += polar_rounding(disk, k, table.roundings[b]);
+            }
         }
     }
 };
 
-// Bound on the error of U between circles with these errors: `left` is what orders left out can add.
+// Bound on the error of U between circles of so many orders with these errors: `left` is what orders left out can add.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
-                          const PolarCircle& circle, double left, const PolarRowError& rows) {
+                          const PolarCircle& circle, std::size_t orders, double left, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
     const double weights = kernel.weight * circle.weight,
                  // With two roundings before it.
@@ -127,7 +135,7 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
     // A complex number is at most sqrt(2) times the larger one of its parts.
     return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +
-           weights * (circle.gains.back() * rows.sums + transform * rows.sum) +
+           weights * (circle.growth(orders) * rows.sums + transform * rows.sum) +
            1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernel.weight) * rows.largest;
 }
 

@@ -11,6 +11,7 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/limits.hpp"
 #include "lommel/special/bessel.hpp"
 #include "lommel/special/gridding.hpp"
 #include "lommel/special/sincos.hpp"
@@ -22,9 +23,17 @@ struct PolarKernel : GriddingTaps {
     double step;
     double aliases;  // what they can add to U
     double largest;  // 1 / transform
+    double shares;   // mean of 2 sin(a) / transform(step cos(a))
 
     PolarKernel(double apart, std::size_t taps, double beta)
-        : GriddingTaps({taps, beta}), step(apart), aliases(kernel.aliasing(step)), largest(1.0 / kernel.transform(step)) {}
+        : GriddingTaps({taps, beta}), step(apart), aliases(kernel.aliasing(step)), largest(1.0 / kernel.transform(step)),
+          shares(0.0) {
+        constexpr std::size_t nodes = 32;
+        for (std::size_t k = 0; k < nodes; ++k) {
+            const double a = 1.5707963267948966 * (static_cast<double>(k) + 0.5) / nodes;
+            shares += 2.0 * std::sin(a) / kernel.transform(step * std::cos(a)) / nodes;
+        }
+    }
 
     bool is(double apart, std::size_t taps, double beta) const {
         return step == apart && kernel.w == taps && kernel.beta() == beta;
@@ -45,18 +54,21 @@ struct PolarTable {
     std::size_t blocks, degrees;
     Doubles values;
     std::vector<std::size_t> reached;  // of each block, the degrees that matter; the others add less than `left_out`
+    std::vector<double> roundings;     // of each block, what roundings add to (n+1) F_n at most
 
     // What degrees that a block leaves out can add to U, whatever the pupil.
     static constexpr double left_out = 1e-13;
 
     PolarTable(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
         : step(apart), kernel(taps, beta), blocks((block_count + 3) / 4 * 4), degrees(grade(degree_count)),
-          values(blocks * degrees * block), reached(blocks) {
+          values(blocks * degrees * block), reached(blocks), roundings(blocks) {
         for (std::size_t b = 0; b < blocks; ++b) {
             look();
             const Rule rule(*this, b);
             reached[b] = rule.degrees;
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { fill(isa, b, rule); });
+            double shares = 0.0;
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { shares = fill(isa, b, rule); });
+            roundings[b] = rounding(shares, static_cast<double>(rule.half), farthest(b));
         }
     }
 
@@ -69,14 +81,13 @@ struct PolarTable {
         return made;
     }
 
-    // By Cauchy, as sum |beta|^2 / (n+1) is at most 1: the root of sum (n+1)^2 F_n^2 is at most 1 / t(h) by Parseval, t being least
-    // at the edge. What roundings do to it in the blocks before `end`: each of the nodes of the rule adds one, arguments, of up to
-    // v, are off by 12 units of v, and sines by as much.
-    double rounding(std::size_t end, std::size_t count) const {
-        const double v = farthest(end - 1);
-        return 2.3e-16 / kernel.transform(step) * std::sqrt(static_cast<double>(count)) *
-               (static_cast<double>(Rule(*this, end - 1).half) + 60.0 + 12.0 * v);
-    }
+    // What roundings add to (n+1) F_n at most, `shares` being the sum of what nodes count: each node adds one; sines of their
+    // angles are off by 3 units, which arguments, of up to v, have v times, with those of v and of the product; and 170 are for the
+    // transform of the kernel, the sines of arguments and the rest.
+    static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
+
+    // What those of so many degrees add to U: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
+    static double rounding(double each, double count) { return each * std::sqrt(count); }
 
     bool is(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
         return step == apart && kernel.w == taps && kernel.beta() == beta && blocks >= block_count &&
@@ -117,20 +128,31 @@ struct PolarTable {
         }
     };
 
+    // The sine of i / turn of a turn, of which eighths are whole numbers; off by less than 3 units, as the angle is small.
+    static double sine(std::size_t i, std::size_t turn) {
+        const std::size_t quarter = turn / 4, part = i % quarter, least = std::min(part, quarter - part);
+        const double angle = 6.283185307179586477 * static_cast<double>(least) / static_cast<double>(turn);
+        const double size = (i / quarter % 2 == 1) == (least == part) ? std::cos(angle) : std::sin(angle);
+        return i / quarter < 2 ? size : -size;
+    }
+
+    // Returns the sum of what nodes count.
     template <class I>
-    LOMMEL_INLINE void fill(I isa, std::size_t b, const Rule& rule) {
+    LOMMEL_INLINE double fill(I isa, std::size_t b, const Rule& rule) {
         using V = typename I::pack;
         constexpr std::size_t packs = block / I::lanes, together = 2;
         const std::size_t nodes = rule.half, count = rule.degrees;
         const std::size_t turn = 8 * nodes;  // in units of half an angle between nodes, a_k = (2k + 1) units
         std::vector<double> sines(turn);
         for (std::size_t i = 0; i < turn; ++i) {
-            sines[i] = std::sin(6.283185307179586477 * static_cast<double>(i) / static_cast<double>(turn));
+            sines[i] = sine(i, turn);
         }
         Doubles weights(nodes * count), waves(2 * nodes * block), places(nodes), shares(nodes);
+        double all = 0.0;
         for (std::size_t k = 0; k < nodes; ++k) {
             places[k] = sines[2 * nodes + 2 * k + 1];
             shares[k] = 2.0 * sines[2 * k + 1] / (static_cast<double>(nodes) * kernel.transform(step * places[k]));
+            all += shares[k];
             for (std::size_t n = 0, at = 2 * k + 1; n < count; ++n) {
                 weights[k * count + n] = sines[at] / static_cast<double>(n + 1);
                 at = at + 2 * k + 1 < turn ? at + 2 * k + 1 : at + 2 * k + 1 - turn;
@@ -174,6 +196,7 @@ struct PolarTable {
                 }
             }
         }
+        return all;
     }
 };
 

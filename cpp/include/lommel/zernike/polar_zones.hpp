@@ -60,7 +60,7 @@ class PolarZones {
     }
 
     static std::shared_ptr<const PolarCircle> circle(std::size_t orders, std::size_t taps) {
-        return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points, 4 * orders)), taps);
+        return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
     // The distance from which on a style does.
@@ -70,13 +70,23 @@ class PolarZones {
         constexpr std::size_t block = PolarLooks::block;
         std::array<PolarRowError, block> rows;
         std::shared_ptr<const PolarCircle> here;
+        std::size_t needed = 0;
         for (std::size_t i = looks.v.size(); i-- > 0;) {
             const double most = allowed(looks.brightest(looks.v[i], looks.v[i]));
             if (!here || i % block == block - 1) {
-                here = circle(orders.least(PolarBudget::orders * most, looks.v[i], kernels.growth), style.around);
+                needed = orders.least(PolarBudget::orders * most, looks.v[i], kernels.growth);
+                here = circle(needed, style.around);
                 looks.rows(i / block, kernels, *here, rows.data());
             }
-            if (polar_error(pupil, style, kernels, *here, PolarBudget::orders * most, rows[i % block]) >
+            PolarRowError& row = rows[i % block];
+            for (std::size_t d = 0; d < pupil.disks.size(); ++d) {
+                const PolarKernel& kernel = *kernels.disks[d];
+                // Of nodes the rule for the table takes about so many.
+                const double v = pupil.disks[d].shrunk * looks.v[i],
+                             nodes = v + static_cast<double>(pupil.disks[d].series->degrees) + 40.0;
+                row.sums += polar_rounding(pupil.disks[d], kernel, PolarTable::rounding(kernel.shares, nodes, v));
+            }
+            if (polar_error(pupil, style, kernels, *here, needed, PolarBudget::orders * most, row) >
                 PolarBudget::promise * most) {
                 return i + 2 < looks.v.size() ? looks.v[i + 2] : 1e300;
             }
@@ -95,8 +105,9 @@ class PolarZones {
             rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra, errors.data());
         });
         for (std::size_t k = 0; k < PolarTable::block; ++k) {
-            errors[k].sums = tables.error;
-            zone.errors[first + k] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.left, errors[k]);
+            errors[k].sums = tables.errors[zone.first + i];
+            zone.errors[first + k] =
+                polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.orders, zone.left, errors[k]);
         }
     }
 

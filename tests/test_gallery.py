@@ -24,6 +24,7 @@ HALF = "left, disparity = (a[:240, 160:500] for a in stereo_motorcycle()[::2])"
 # What takes seconds as the pages have it is run with less: fewer pixels, points, steps or methods.
 LESS = {
     "apertures": [("512, 768, 1024])", "512])"), ("shape=201", "shape=101")],
+    "checkerboard": [("165, 240, 33.0", "120, 155, 33.0"), ("(210e-6,", "(150e-6,")],
     "colour_fringes": [
         ("np.linspace(1.95, 2.05, 41)", "np.linspace(1.99, 2.01, 3)"),
         ("width=70e-9)", "width=70e-9, count=2)"),
@@ -53,6 +54,9 @@ LESS = {
         ("[20:170, 60:210]", "[5:55, 5:65]"),
     ],
     "seeing": [("shape=101", "shape=51")],
+    "star_field": [
+        ("side, window, pixel, count = 900, 25, 0.5, 36", "side, window, pixel, count = 900, 25, 0.5, 16")
+    ],
     "zernike_terms": [("range(1, 16)", "range(1, 6)"), ("subplots(6,", "subplots(2,")],
 }
 SCRIPT = pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)

@@ -21,6 +21,7 @@ import pytest
 import tifffile
 from astropy.io import fits
 from PIL import Image
+from scipy.signal import fftconvolve
 
 import api
 import drawn
@@ -185,6 +186,15 @@ def folder(tmp_path, monkeypatch) -> Path:
     for row, column in np.ndindex(3, 3):
         part = np.s_[:, 40 * row + 10 : 40 * row + 43, 40 * column + 10 : 40 * column + 43]
         sky[part] += 4e4 * np.stack([*stars[1:4], donut])
+    y, x = (np.arange(5 * (side + 32)) / 5.0 - 16.0 for side in (88, 112))
+    lines = [np.clip(5.0 * 26.0 / np.pi * np.sin(np.pi * (part - 9.0) / 26.0), -0.5, 0.5) for part in (y, x)]
+    board = 0.5 + 2.0 * np.outer(*lines)
+    blurred = lm.Pupil(lm.Wavefront(0.8), wavelength=light.wavelength, f_number=light.f_number)
+    seen = fftconvolve(board, lm.psf(blurred, 121, lens.pixel / 5.0).values, mode="same")[80:-80, 80:-80]
+    chart = 500.0 + 4500.0 * seen.reshape(88, 5, 112, 5).mean((1, 3))
+    tifffile.imwrite(
+        "chart.tif", lm.Noise(read=2.0).record(chart, seed=1).astype(np.float32), photometric="minisblack"
+    )
     names = "inside", "stars", "outside", "donuts"
     for name, exposure in zip(names, lm.Noise(read=2.0).record(sky, seed=2), strict=True):
         fits.PrimaryHDU(exposure.astype(np.float32)).writeto(f"{name}.fits")

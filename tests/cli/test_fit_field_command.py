@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+import simulated_fields as simulated
 from lommel.lensfiles.lens_files import load_instrument
 
 LENS = """
@@ -89,3 +90,62 @@ def test_json_has_the_terms_and_the_stars(night, call_lommel):
     assert found["stars"] == 16
     assert found["terms"][0] == "noll 4 defocus"
     assert len(found["waves"]["corner"]["deviation"]) == 3
+
+
+@pytest.fixture(scope="module")
+def chart(tmp_path_factory):
+    """Return a folder with a picture of a checkerboard by other code, its lens file, and the true wavefronts."""
+    folder = tmp_path_factory.mktemp("chart")
+
+    def waves(u, v):
+        return np.stack([0.6 + 0.4 * u, 0.3 * v, -0.3 + 0.2 * u], axis=-1)
+
+    options = {"pixel": 0.5, "sigma": 0.6, "pitch": 30.0, "vignetting": 0.4}
+    draw = np.random.default_rng(5)
+    image, _ = simulated.chart(draw, (110, 140), waves, simulated.Telescope(3, side=64), **options)
+    np.save(folder / "chart.npy", image.astype(np.float32))
+    np.save(folder / "blank.npy", np.full((110, 140), 900.0, np.float32))
+    (folder / "lens.toml").write_text(LENS, encoding="utf-8")
+    return folder, waves
+
+
+def test_a_picture_of_a_checkerboard_becomes_a_table(chart, call_lommel):
+    folder, waves = chart
+    options = ("--targets", "crossing", "--read", 2, "--degree", 1, "--terms", 3, "--saturation", 60000)
+    written = ("-o", "field.csv", "--twin", "twin.csv", "--spots", "spots.png", "--json")
+    found = json.loads(call_lommel("fit-field", "chart.npy", "lens.toml", *options, *written, folder=folder).stdout)
+    assert found["converged"], found["message"]
+    assert "crossings, degree 1" in found["message"]
+    assert found["stars"] >= 9
+    true = {"middle": waves(0.0, 0.0), "corner": waves(1.0, 1.0)}
+    for sign in (1.0, -1.0):
+        off = [
+            np.abs(sign * values - np.array(found["waves"][name]["coefficients"]) * 2.0 * np.pi)
+            / (np.array(found["waves"][name]["deviation"]) * 2.0 * np.pi)
+            for name, values in true.items()
+        ]
+        if np.max(off) < 4.0:
+            break
+    else:
+        pytest.fail(f"the terms are off: {found['waves']}")
+    assert (folder / "field.csv").read_text(encoding="utf-8").startswith("# converged: ")
+    assert (folder / "spots.png").stat().st_size > 5_000
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (
+            ("blank.npy", "--targets", "crossing"),
+            "0 crossings found; refused: none: squares must be larger than four",
+        ),
+        (("chart.npy", "--targets", "crossing", "--saturation", 3000), "17 saturated: expose less, below saturation"),
+        (("chart.npy", "--targets", "crossing", "--window", 61), "at least 4 crossings of a checkerboard; "),
+        (("chart.npy", "--targets", "pinhole"), "--size must be the diameter of the pinholes"),
+        (("chart.npy", "--size", "8um"), "--size must be left out for stars"),
+    ],
+)
+def test_charts_that_cannot_be_fitted_are_told(chart, call_lommel, options, message):
+    result = call_lommel("fit-field", options[0], "lens.toml", *options[1:], "--read", 2, folder=chart[0])
+    assert result.returncode == 2
+    assert message in " ".join((result.stdout + result.stderr).split())

@@ -160,3 +160,37 @@ def corners(draw, rows, columns, waves, telescope, *, side, pixel, sigma, pitch,
         mean = 0.5 * (white + black) + 0.5 * (white - black) * extended(drawn, telescope, one, pixel, side, sigma)
         images.append(draw.poisson(mean) + draw.normal(size=mean.shape) * 2.0)
     return places, np.array(images), true
+
+
+def chart(draw, shape, waves, telescope, *, pixel, sigma, pitch, angle=0.08, vignetting=0.0, light=(5000.0, 500.0)):
+    """Return the electrons of a checkerboard all over a sensor, and the true places (row, column) of its crossings.
+
+    Each crossing and the halves of squares around it are seen through the wavefront `waves(u, v)` at the crossing.
+    Light falls towards the corners by the share `vignetting`.
+    """
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    middle = (np.array(shape) - 1) / 2
+    reach = int(np.hypot(*shape) / pitch) + 1
+    steps = np.stack(np.meshgrid(*(np.arange(-reach, reach + 1),) * 2), axis=-1).reshape(-1, 2)
+    places = middle + pitch * (steps + 0.25) @ turn
+    half = int(np.ceil(0.75 * pitch))
+    inside = ((places > -half) & (places < np.array(shape) + half)).all(axis=1)
+    steps, places = steps[inside], places[inside]
+    row, column = (np.arange(side) for side in shape)
+    nearest = ((row[:, None, None] - places[:, 0]) ** 2 + (column[None, :, None] - places[:, 1]) ** 2).argmin(axis=-1)
+    mean, white, black = np.zeros(shape), *light
+    for k, (step, place) in enumerate(zip(steps, places, strict=True)):
+        own = nearest == k
+        if not own.any():
+            continue
+        at = np.rint(place).astype(int)
+        v, u = 2.0 * (np.clip(place, 0, np.array(shape) - 1) + 0.5) / shape - 1.0
+        drawn = board(place - at, (angle, angle + np.pi / 2), pitch)
+        tile = extended(drawn, telescope, waves(u, v), pixel, 2 * half + 1, sigma, over=5, reach=12.0)
+        tile *= (-1.0) ** (step.sum() % 2)
+        rows, columns = np.nonzero(own)
+        mean[rows, columns] = tile[rows - at[0] + half, columns - at[1] + half]
+    mean = 0.5 * (white + black) + 0.5 * (white - black) * mean
+    v, u = np.meshgrid(*(2.0 * (np.arange(side) + 0.5) / side - 1.0 for side in shape), indexing="ij")
+    mean *= 1.0 - 0.5 * vignetting * (u * u + v * v)
+    return draw.poisson(mean) + draw.normal(size=mean.shape) * 2.0, places

@@ -1,4 +1,4 @@
-"""The command ``lommel fit-field``: the wavefront over the field from stars."""
+"""The command ``lommel fit-field``: the wavefront over the field from stars, pinholes or a checkerboard."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import click
 import numpy as np
 
 from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
-from lommel.cli.options import FILE, JSON, Option, command, documented, plot_option, under
+from lommel.cli.options import FILE, JSON, MICROMETRES, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.cli.retrieve_command import SeveralNumbers, numbers_of
@@ -18,18 +18,28 @@ from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.noise import Noise
 from lommel.estimation.phase_retrieval import label
 from lommel.io.photos import read_images
+from lommel.localize.crossings import find_crossings
 from lommel.localize.point_sources import find_spots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from lommel.estimation.field_fit import FieldFit
+    from lommel.localize.crossings import Crossings
     from lommel.localize.point_sources import PointSources
+
+_MOST_CROSSINGS = 100
 
 
 @command(
     click.Argument(["images"], type=FILE, nargs=-1, required=True),
     LENS,
+    Option("--targets", type=click.Choice(("star", "pinhole", "crossing")), default="star",
+           help="What the images show: stars, round holes of one size, or a checkerboard, of which the crossings are "
+           "used."),
+    Option("--size", type=MICROMETRES,
+           help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
+           "measured by default."),
     Option("--degree", type=click.IntRange(0, 6), default=3, help="Degree of the polynomials of the position."),
     Option("--terms", type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on."),
     Option("--defocus", metavar="NUMBERS",
@@ -40,17 +50,20 @@ if TYPE_CHECKING:
     Option("-o", "--output", type=FILE, help="Table for `[field] file =` of the lens file: .csv."),
     Option("--twin", type=FILE, help="Table of the other sign of the even terms, which one focus leaves open: .csv."),
     plot_option("Figure of the terms over the sensor, stars, models and residuals"),
-    Option("--spots", type=FILE, help="Figure of the image with the windows used and the stars refused."),
+    Option("--spots", type=FILE, help="Figure of the image with the windows used and what was refused."),
     JSON,
     *under(
-        "Stars",
+        "Stars and crossings",
         Option("--window", type=click.IntRange(9, 401),
-               help="Side of the window around a star, pixels; by default 33, or more as --defocus needs."),
+               help="Side of the window around each, pixels; by default 33, or more as --defocus and --size need, "
+               "and 9 to 21 for crossings, as squares allow."),
         documented(find_spots, "threshold", type=float),
         Option("--width", type=float,
-               help="Standard deviation of the smoothing that finds stars, pixels; by default 2, or half the radius "
-               "of defocused stars (rings)."),
-        documented(find_spots, "most", type=int),
+               help="Standard deviation of the smoothing that finds them, pixels; by default 2, or half the radius "
+               "of defocused stars (rings) and pinholes."),
+        Option("--most", type=click.IntRange(1),
+               help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of "
+               "these."),
     ),
     *under(
         "Camera and noise",
@@ -68,6 +81,8 @@ if TYPE_CHECKING:
 def fit_field(
     images: tuple[Path, ...],
     lens: Path,
+    targets: str,
+    size: float | None,
     degree: int,
     terms: int,
     defocus: str | None,
@@ -85,14 +100,15 @@ def fit_field(
     saturation: float | None,
     **given: Any,
 ) -> Report:
-    """Estimate wavefronts over the field from images of stars.
+    """Estimate wavefronts over the field from images of stars or a chart.
 
-    IMAGES are exposures of one field of stars or pinholes (FITS, TIFF, NPY or 16-bit PNG, linear in light, the whole
-    sensor); LENS is a lens file with aperture, wavelength, f-number and pixel pitch. Isolated stars are found, and
-    fitted jointly: Zernike terms as polynomials of the position, the blur by seeing, and of each star the place, flux
-    and background. Several exposures need the --defocus of each. One focus leaves the common sign of all even terms
-    open (defocus, astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive
-    defocus in the mean; the other by --twin. One exposure well out of focus ("donuts") is enough to collimate.
+    IMAGES are exposures of one field of stars, or of one chart of pinholes or squares (FITS, TIFF, NPY or 16-bit PNG,
+    linear in light, the whole sensor, pixels of one colour); LENS is a lens file with aperture, wavelength, f-number
+    and pixel pitch. Isolated stars or crossings are found, and fitted jointly: Zernike terms as polynomials of the
+    position, the blur, and of each the place, flux and background, of crossings also the directions of both lines.
+    Several exposures need the --defocus of each. One focus leaves the common sign of all even terms open (defocus,
+    astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive defocus in the
+    mean; the other by --twin. One exposure well out of focus ("donuts") is enough to collimate.
 
     The table serves as file of the section [field], with unit = "waves". A misfit is said in the last line, by
     "converged" of --json, and by exit code 3.
@@ -101,30 +117,46 @@ def fit_field(
     --------
       lommel fit-field stars.fits nifty-fifty.toml --read 2 --degree 3 -o field.csv --plot field.png
       lommel fit-field inside.fits outside.fits nifty-fifty.toml --defocus -3 3 --read 2 -o field.csv
+      lommel fit-field chart.tif nifty-fifty.toml --targets crossing --white 0.5 --read 2 --saturation 60000
     """
     for name, path in (("--output", output), ("--twin", twin)):
         if path is not None and path.suffix.lower() != ".csv":
             raise ValueError(f"{name} must end in .csv, got {path.name}")
+    if targets == "star" and size is not None:
+        raise ValueError("--size must be left out for stars, which are points; choose --targets")
+    if targets == "pinhole" and size is None:
+        raise ValueError(
+            "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
+        )
     instrument = instrument_of(lens, object_distance=object_distance, pixel=pixel)
     noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
     with progress("reading") as started:
         exposures = read_images(list(images))
         if defocus is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
-        started("finding stars")
+        started(f"finding {targets}s")
         known = numbers_of(defocus or "0")
         pupil = instrument.pupil()
-        side, smoothing = _around(
-            float(np.abs(known).max()), float(min(np.atleast_1d(instrument.side)) / pupil.scale)
-        )
-        found = find_spots(
-            exposures, noise=noise, window=window or side, threshold=threshold, width=width or smoothing,
-            saturation=saturation, most=most,
-        )  # fmt: skip
+        pitch = float(min(np.atleast_1d(instrument.side)))
+        across = 0.0 if targets == "crossing" or size is None else size / pitch
+        side, smoothing = _around(float(np.abs(known).max()), pitch / pupil.scale, across)
+        found: PointSources | Crossings
+        if targets == "crossing":
+            found = find_crossings(
+                exposures, noise=noise, window=window, threshold=threshold, width=width or smoothing,
+                saturation=saturation, most=most or _MOST_CROSSINGS,
+            )  # fmt: skip
+            if size is None and math.isfinite(found.square):
+                size = found.square * pitch
+        else:
+            found = find_spots(
+                exposures, noise=noise, window=window or side, threshold=threshold, width=width or smoothing,
+                saturation=saturation, most=most,
+            )  # fmt: skip
         if spots is not None:
             save_figure(cast("Figure", found.plot().figure), spots)
         if len(found) < 4:
-            raise ValueError(f"images must show at least 4 isolated stars; {found.message}")
+            raise ValueError(_too_few(targets, found))
         started("fitting")
         made = fit(
             found.windows,
@@ -137,6 +169,8 @@ def fit_field(
             terms=terms,
             defocus=known,
             blur=True if known_blur is None else known_blur,
+            targets=targets,
+            size=size,
             saturation=saturation,
             integrate=instrument.integrate,
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
@@ -150,13 +184,26 @@ def fit_field(
     return Report(_facts(made, found), _parts(made, found), made.converged) + written([output, twin, figure, spots])
 
 
-def _around(defocus: float, pixel: float) -> tuple[int, float]:
-    """Return the window and the smoothing for stars at a defocus C_d, for pixels in lambda*N."""
-    radius = 4.0 * defocus / (math.pi * pixel)  # rays from the edge of the pupil; phase 2 C_d rho^2
+def _too_few(targets: str, found: PointSources | Crossings) -> str:
+    """Return why the images cannot be fitted."""
+    what = {"star": "isolated stars", "pinhole": "isolated pinholes", "crossing": "crossings of a checkerboard"}
+    said = f"images must show at least 4 {what[targets]}; {found.message}"
+    reasons = {each.reason for each in found.refused}
+    if "saturated" in reasons:
+        return f"{said}: expose less, below saturation"
+    if targets == "crossing" and not found.refused:
+        return f"{said}: squares must be larger than four times --width, and their contrast above --threshold"
+    return said
+
+
+def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, float]:
+    """Return window and smoothing for stars, or holes so many pixels across, at a defocus C_d; pixels in lambda*N."""
+    # Rays from the edge of the pupil; phase 2 C_d rho^2.
+    radius = 4.0 * defocus / (math.pi * pixel) + 0.5 * across
     return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1), max(2.0, 0.5 * radius)
 
 
-def _parts(made: FieldFit, found: PointSources) -> list[Any]:
+def _parts(made: FieldFit, found: PointSources | Crossings) -> list[Any]:
     """Return the table of terms in the middle and at corners, and the verdicts."""
     spots = _spots(made)
     rows = []
@@ -175,7 +222,7 @@ def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
     return {name: tuple(part / (2.0 * math.pi) for part in made.at(*at)) for name, at in places.items()}  # type: ignore[misc]
 
 
-def _facts(made: FieldFit, found: PointSources) -> Facts:
+def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
     """Return the results as JSON can hold them."""
     held_out = made.held_out if np.isfinite(made.held_out) else None
     return {

@@ -17,6 +17,7 @@ from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.estimation import goodness_of_fit
+from lommel.estimation.chart_light import relative_light
 from lommel.estimation.field_search import Found, Search
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import FieldStars, WholeField
@@ -367,7 +368,8 @@ def fit_field(
     (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Robust polynomials through these wavefronts are
     then fitted to all stars by Fisher scoring of the likelihood of :func:`lommel.retrieve`, with places and light of
     each star eliminated. Stars with a chi2 above the median by five standard deviations are left out. Blur is
-    computed from samples at most 0.45 lambda*N apart, not on the pixels of the camera.
+    computed from samples at most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be
+    even: windows of corners are divided by a polynomial of degree 4 at most through the white of all.
 
     One focus leaves the common sign of the even terms of the whole field open: `start` decides it, and without it the
     map with the smaller wavefront beside a known defocus is returned, or else the one whose first even term is
@@ -415,8 +417,14 @@ def fit_field(
     electrons, read = noise.electrons(images), noise.variance(np.zeros_like(images))
     plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
     x, y = chip.positions(at)
-    begun = given if start is None else _begun(start, given, x, y)
+    begun = given if start is None else _begun(start, given, chip, x, y)
     target = _target(targets, size, pitch)
+    lit = np.ones(1)
+    if targets == "crossing":
+        across = chip.relative(x[:, None] + pitch * (np.arange(width) - width // 2), y[:, None])[0]
+        down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
+        lit = relative_light(electrons, valid, across, down)
+        electrons, read = electrons / lit, read / lit**2
     stars = FieldStars(
         electrons, read, valid, begun, known, unknowns, pitch,
         blurred=blur is True, integrate=plan.grid(given).integrate, tol=plan.tol, threads=plan.threads,
@@ -439,7 +447,7 @@ def fit_field(
         if search.latest is None or search.latest.best is None:
             raise
         interrupted = True
-    return _answer(search, state, interrupted, given, start, chip, at, images, (noise, valid))
+    return _answer(search, state, interrupted, given, start, chip, at, images, (noise, valid, lit))
 
 
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:
@@ -496,12 +504,17 @@ def _single(pupil: Pupil) -> Pupil:
     return pupil
 
 
-def _begun(start: FieldMap, pupil: Pupil, x: Array, y: Array) -> Pupil:
+def _begun(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
     """Return the pupils of a map at the places of stars, in the aperture of the pupil."""
     if start.unit != pupil.unit:
         raise ValueError(f"start must have positions in {pupil.unit}, as the pupil has, got {start.unit}")
     if start.vignetting is not None:
         raise ValueError("start must be without vignetting: the aperture is that of the pupil all over the field")
+    across, down = np.meshgrid(*chip.grid(2))
+    try:
+        start.pupil(across, down)
+    except ValueError as error:
+        raise ValueError(f"start must reach the corners of the sensor: {error}") from None
     return pupil.carrying(start.pupil(x, y).wavefront, None)
 
 
@@ -582,7 +595,7 @@ def _answer(
     chip: Sensor,
     places: Array,
     images: Array,
-    camera: tuple[Noise, NDArray[np.bool_]],
+    camera: tuple[Noise, NDArray[np.bool_], Array],
 ) -> FieldFit:
     """Return the answer of a search."""
     stars, one = search.stars, search.stars.one
@@ -650,11 +663,13 @@ def _answer(
     limit = float(goodness_of_fit.most(spread))
     held_out = float(state.get("held_out", math.nan))
     settled = found.settled and chi2 < limit
-    work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} stars, degree {degree}"
+    noun = "star" if stars.target is None else stars.target.kind
+    work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} {noun}s, degree {degree}"
     if math.isfinite(held_out):
         work += f", held-out chi2 {held_out:.4g}"
     if len(lost):
-        work += f"; {len(lost)} star{'s' * (len(lost) > 1)} rejected (doubles, defects)"
+        why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
+        work += f"; {len(lost)} {noun}{'s' * (len(lost) > 1)} rejected ({why})"
     if interrupted:
         message = f"interrupted: {work}"
     elif chi2 >= limit:
@@ -666,7 +681,7 @@ def _answer(
         message = f"the steps did not settle: {work}"
     else:
         message = f"converged: {work}{goodness_of_fit.remark(chi2, spread)}"
-    noise, valid = camera
+    noise, valid, lit = camera
     pad = tuple(one.terms)
 
     def table(of: FieldMap, x: Array, y: Array) -> Array:
@@ -696,7 +711,7 @@ def _answer(
         degree=degree,
         stars=FittedStars(places, centers, own[:, 2].copy(), own[:, 3].copy(), each.chi2, used),
         images=np.where(valid, noise.electrons(images), np.nan),
-        model=model.reshape(images.shape),
+        model=model.reshape(images.shape) * lit,
         _sensor=chip,
         _table=(kept, table),
     )

@@ -152,7 +152,7 @@ class FieldStars:
         flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
         if isinstance(reader, TargetReadout):
             turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
-            return reader.read(flat, squares.ravel(), turned, blurred=self.blurred)
+            return reader.read(flat, squares.ravel(), turned, blurred=self.blurred, threads=self.threads)
         return reader.read(flat, squares, blurred=self.blurred)
 
     def likelihood(

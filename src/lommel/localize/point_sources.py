@@ -196,7 +196,7 @@ def find_spots(
         )
     if place := not_finite(planes, 0):
         raise ValueError(f"images must be finite, got {place}")
-    full = _saturated(planes, saturation)
+    full = saturated(planes, saturation)
     electrons = noise.electrons(planes)
     variance = noise.variance(np.zeros_like(electrons)).sum(axis=0)
     light = electrons.sum(axis=0)
@@ -230,7 +230,7 @@ def find_spots(
     )
 
 
-def _saturated(planes: Values, saturation: float | None) -> NDArray[np.bool_]:
+def saturated(planes: Values, saturation: float | None) -> NDArray[np.bool_]:
     """Return the pixels that are saturated in a plane."""
     full = np.zeros(planes.shape[1:], dtype=bool)
     if planes.dtype.kind in "iu":

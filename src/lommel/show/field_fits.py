@@ -35,6 +35,8 @@ def field(
     factor, name = (1e3, "mm") if length == "m" else (1.0, "lambda*N")
     rows = math.ceil((len(maps) + 1) / _ACROSS)
     figure: Figure = pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
+    # So that numbers beside bars are not cut.
+    figure.get_layout_engine().set(w_pad=0.15)  # type: ignore[union-attr, call-arg]
     upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
     panels: Any = upper.subplots(rows, _ACROSS, squeeze=False)
     extent = [factor * x[0], factor * x[-1], factor * y[-1], factor * y[0]]
@@ -59,7 +61,7 @@ def field(
     panel.set_title("stars, chi2", fontsize=8)
     upper.colorbar(shown, ax=panel, shrink=0.75).ax.tick_params(labelsize=7)
     for rest in panels.flat[len(maps) + 1 :]:
-        rest.set_axis_off()
+        rest.remove()
     upper.suptitle(f"Zernike terms over the sensor ({unit} rms), ± median standard error", fontsize=10)
     _stars(lower, images, (across, down, used))
     figure.suptitle("\n".join(_wrapped(title, 130)), fontsize=9)

@@ -1,0 +1,109 @@
+"""Crossings of checkerboards in images of charts, and the reasons why others are refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+
+import lommel as lm
+
+NOISE = lm.Noise(read=2.0)
+
+
+def board(shape=(180, 240), pitch=30.0, angle=0.1, sigma=0.8, perspective=0.0, squares=None):
+    """Return the electrons of a checkerboard, and the places of its crossings: lines p and q at whole numbers."""
+    fine = [(np.arange(4 * side) + 0.5) / 4 - 0.5 - (side - 1) / 2 for side in shape]
+    y, x = fine[0][:, None], fine[1][None]
+    scale = (1.0 + perspective * x / shape[1]) * pitch
+    p, q = (
+        (x * np.cos(angle) + y * np.sin(angle)) / scale + 0.3,
+        (y * np.cos(angle) - x * np.sin(angle)) / scale + 0.2,
+    )
+    white = (np.floor(p) + np.floor(q)) % 2 == 1
+    if squares:
+        white |= (np.abs(p) > squares) | (np.abs(q) > squares)
+    mean = np.where(white, 5000.0, 500.0).reshape(shape[0], 4, shape[1], 4).mean((1, 3))
+    steps = np.arange(-30, 31) if squares is None else np.arange(np.ceil(-squares), squares)
+    a, b = (part.ravel() for part in np.meshgrid(steps - 0.3, steps - 0.2))
+    u, v = pitch * (a * np.cos(angle) - b * np.sin(angle)), pitch * (a * np.sin(angle) + b * np.cos(angle))
+    u, v = (part / (1.0 - perspective * u / shape[1]) for part in (u, v))
+    places = np.column_stack([v + (shape[0] - 1) / 2, u + (shape[1] - 1) / 2])
+    return ndimage.gaussian_filter(mean, sigma), places
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.1, np.pi / 4, 2.0])
+@pytest.mark.parametrize("perspective", [0.0, 0.3])
+def test_all_crossings_are_found_where_lines_meet(angle, perspective):
+    mean, places = board(angle=angle, perspective=perspective)
+    found = lm.find_crossings(NOISE.record(mean, seed=1), noise=NOISE)
+    inside = ((places > 11) & (places < np.array(mean.shape) - 12)).all(axis=1)
+    distance = np.abs(places[inside][:, None] - found.centers).max(axis=-1)
+    assert (distance.min(axis=1) < 0.5).all()
+    assert (np.abs(places - found.centers[:, None]).max(axis=-1).min(axis=1) < 0.5).all()
+    assert abs(found.square - 30.0) < 4.0
+    np.testing.assert_allclose(np.median(found.contrast), 4500.0, rtol=0.15)
+    np.testing.assert_array_equal(np.abs(found.places - found.centers).max(axis=1) <= 0.5, True)
+    # Windows do not overlap.
+    apart = np.abs(found.places[:, None] - found.places[None]).max(axis=-1) + 1000 * np.eye(len(found))
+    assert apart.min() >= found.windows.shape[-1]
+
+
+def test_only_crossings_of_four_squares_are_taken():
+    mean, places = board(pitch=24.0, squares=2.5)
+    found = lm.find_crossings(NOISE.record(mean, seed=2), noise=NOISE)
+    assert len(found) == len(places) == 25
+    assert found.refused == ()
+    assert found.message == "25 crossings found, 24 pixels apart; refused: none"
+    many = lm.find_crossings(NOISE.record(mean, seed=2), noise=NOISE, most=4)
+    outer = places[np.abs(places - places.mean(axis=0)).sum(axis=1) > 55.0]
+    assert len(many) == 4
+    assert (np.abs(outer - many.centers[:, None]).max(axis=-1).min(axis=1) < 1.0).all()
+
+
+def test_reasons_of_refusal():
+    mean, _ = board()
+    image = NOISE.record(mean, seed=3)
+    whole = lm.find_crossings(image, noise=NOISE, window=21)
+    assert "edge" in {each.reason for each in whole.refused}
+    glare = image.copy()
+    row, column = whole.places[7]
+    glare[row + 9, column - 9] = 51_000.0
+    told = lm.find_crossings(glare, noise=NOISE, window=21, saturation=50_000)
+    assert [(row, column)] == [(each.row, each.column) for each in told.refused if each.reason == "saturated"]
+    close = lm.find_crossings(image, noise=NOISE, window=41)
+    assert "neighbor" in {each.reason for each in close.refused}
+    assert len(close) > 3
+    stack = lm.find_crossings(np.stack([image, image]), noise=NOISE, window=21)
+    assert stack.windows.shape == (len(whole), 2, 21, 21)
+    np.testing.assert_array_equal(stack.windows[:, 1], whole.windows)
+    assert stack.plot().get_title().replace("\n", " ") == stack.message
+
+
+def test_stars_edges_and_noise_are_no_crossings():
+    draw = np.random.default_rng(4)
+    stars = np.full((160, 160), 20.0)
+    stars[30::40, 30::40] += 4e4
+    slanted = np.where(np.mgrid[:160, :160].sum(axis=0) > 150, 4000.0, 400.0)
+    corner = np.full((160, 160), 400.0)
+    corner[40:90, 50:120] = 4000.0
+    for mean in (np.full((160, 160), 1000.0), ndimage.gaussian_filter(stars, 1.5), slanted, corner):
+        found = lm.find_crossings(NOISE.record(mean, seed=int(draw.integers(99))), noise=NOISE)
+        assert found.message == "0 crossings found; refused: none"
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"images": np.zeros((5, 5))}, "at least the window of 9 x 9"),
+        ({"images": np.full((40, 40), np.nan)}, "images must be finite"),
+        ({"window": 3}, "window must be at least 5 x 5"),
+        ({"width": 0.5}, "width must be"),
+        ({"noise": 2.0}, "noise must be"),
+        ({"most": 0}, "most must be"),
+    ],
+)
+def test_bad_input(change, message):
+    options = {"images": np.zeros((40, 40)), "noise": NOISE} | change
+    with pytest.raises((TypeError, ValueError), match=message):
+        lm.find_crossings(options.pop("images"), **options)

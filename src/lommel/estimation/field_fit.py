@@ -651,8 +651,8 @@ def _answer(
         own[lost] = search.placed(lost, polynomials, squares)
     whole = WholeField(stars, every, search.basis(every), held=True)
     row = whole.row(polynomials, squares, own[:, :2], own[:, 2:])
-    psf, slopes = whole.images(row)
-    each = stars.scores(every, [psf, *slopes], own[:, 2:], float(stars.own * stars.exposures))
+    psf = stars.images(every, *whole.parts(row), fast=False, slopes="none")[0]
+    each = stars.quality(every, psf, own[:, 2:], float(stars.own * stars.exposures))
     light = own[:, 2:, :, None]
     model = light[:, 0] * psf.reshape(stars.count, stars.exposures, -1) + light[:, 1]
     centers = own[:, :2].swapaxes(1, 2) / one.tilt_of_pixel + [images.shape[2] // 2, images.shape[3] // 2]

@@ -13,7 +13,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation import goodness_of_fit
 from lommel.estimation.field_signs import candidates, monomials, robust
-from lommel.estimation.field_stars import FieldStars, SingleStars, WholeField
+from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.estimation.goodness_of_fit import SURE
 from lommel.estimation.star_images import Scores, climb
 from lommel.methods.derivative_names import SHIFTS
@@ -48,7 +48,7 @@ class Found:
     def polynomials(self) -> Array:
         """Return the coefficients (k, m)."""
         k, m = self.model.waves, self.model.basis.shape[1]
-        return np.asarray(self.x[0, : k * m].reshape(k, m))
+        return self.x[0, : k * m].reshape(k, m).copy()
 
     def squares(self) -> Array:
         """Return the squared widths of the blur (e,)."""
@@ -273,12 +273,18 @@ class Search:
         """Return the fit of all stars from that of some, without stars that do not fit, and those."""
         every = np.arange(self.stars.count)
         basis, polynomials, squares = self.basis(every), found.polynomials(), found.squares()
-        own = self.placed(every, polynomials, squares)
-        held = WholeField(self.stars, every, basis, held=True)
-        bad = outliers(held.each(held.row(polynomials, squares, own[:, :2], own[:, 2:]), fast=True))
-        if bad.mean() > _MOST_LOST or (~bad).sum() <= basis.shape[1]:
-            bad[:] = False
-        wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
+        others = np.setdiff1d(every, found.model.chosen)
+        bad = np.zeros(len(every), dtype=bool)
+        wide: Found | None = None
+        if len(others):
+            own = np.empty((len(every), self.stars.own, self.stars.exposures))
+            own[found.model.chosen], own[others] = found.of_stars(), self.placed(others, polynomials, squares)
+            held = WholeField(self.stars, every, basis, held=True)
+            bad = outliers(held.each(held.row(polynomials, squares, own[:, :2], own[:, 2:]), fast=True))
+            if bad.mean() > _MOST_LOST or (~bad).sum() <= basis.shape[1]:
+                bad[:] = False
+            if not np.array_equal(every[~bad], found.model.chosen):
+                wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
         found, more = self.cleaned(wide or found, (0.85, 0.05))
         own, chosen = found.of_stars(), found.model.chosen
         last = self.refined(chosen, found.polynomials(), found.squares(), 20, (0.9, 0.05), own, fast=False)
@@ -303,7 +309,7 @@ class Search:
         return float(scores.chi2[0])
 
 
-def outliers(each: Scores) -> NDArray[np.bool_]:
+def outliers(each: Quality) -> NDArray[np.bool_]:
     """Return which stars have a chi2 that is too large beside those of the others."""
     middle = float(np.median(each.chi2))
     # Beside their own noise, stars of a model that is not quite right differ as they do.

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,13 @@ _SHARP = 0.02  # pixels^2: a blur that small may be none
 _ROOM = 0.75  # pixels by which blur may widen before samples are chosen anew
 _OWN = 4  # parameters of an image: row, column, flux, background; then angles
 _TURNED = 0.05  # radians: the longest step of an angle
+
+
+class Quality(NamedTuple):
+    """Chi2 of single stars, (r,), and its standard deviation where the model is right."""
+
+    chi2: Array
+    spread: Array
 
 
 class FieldStars:
@@ -93,19 +100,28 @@ class FieldStars:
         self.tested = int(tested.mean())
 
     def images(
-        self, stars: NDArray[np.intp], waves: Array, squares: Array, tilts: Array, rest: Array, *, fast: bool
+        self,
+        stars: NDArray[np.intp],
+        waves: Array,
+        squares: Array,
+        tilts: Array,
+        rest: Array,
+        *,
+        fast: bool,
+        slopes: str = "all",
     ) -> list[Array]:
         """Return images of rows (r,) of stars, slopes by edge terms and tilts, by the squares if blurred, by angles.
 
         `waves` is (r, k), `squares` (r, e), `tilts` (r, 2, e), `rest` light and angles (r, own - 2, e); each image
-        list is (r * e, height, width).
+        list is (r * e, height, width). `slopes` may be "own", by tilts and angles, those by the wavefront being 0, or
+        "none": values alone.
         """
         reader = self._readout(float(squares.max(initial=0.0)))
         lattice = self.shape if reader is None else reader.shape
         each = self.exposures * math.prod(lattice) * (len(self._slopes) + 2)
         block = max(1, int(_AT_ONCE / each))
         parts = [
-            self._block(reader, stars[s], waves[s], squares[s], tilts[s], rest[s, 2:], fast=fast)
+            self._block(reader, stars[s], waves[s], squares[s], tilts[s], rest[s, 2:], fast=fast, slopes=slopes)
             for s in (slice(first, first + block) for first in range(0, len(stars), block))
         ]
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
@@ -134,6 +150,7 @@ class FieldStars:
         angles: Array,
         *,
         fast: bool,
+        slopes: str,
     ) -> list[Array]:
         edge = self.base[stars] + (waves @ self.one.directions)[:, None]
         for j, column in enumerate(self.one.tilts):
@@ -145,15 +162,24 @@ class FieldStars:
         plan = Plan(shape, pitch * self._scale, tol=tol, integrate=False, threads=self.threads or None)
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = asked_about(pupil, light, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
-        _, made, slopes = asked.images(pupil, self._slopes)
-        samples = [made.values, *(slope.values for slope in slopes)]
+        by = {"all": self._slopes, "own": self._slopes[-2:], "none": ()}[slopes]
+        _, made, rates = asked.images(pupil, by)
+        samples = [made.values, *(slope.values for slope in rates)]
+        blurred = self.blurred and slopes == "all"
         if reader is None:
-            return [np.asarray(image).reshape(-1, *self.shape) for image in samples]
-        flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
-        if isinstance(reader, TargetReadout):
-            turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
-            return reader.read(flat, squares.ravel(), turned, blurred=self.blurred, threads=self.threads)
-        return reader.read(flat, squares, blurred=self.blurred)
+            found = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
+        else:
+            flat = [np.asarray(sample, np.float32).reshape(-1, *reader.shape) for sample in samples]
+            if isinstance(reader, TargetReadout):
+                turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
+                found = reader.read(flat, squares.ravel(), turned, blurred=blurred, threads=self.threads)
+            else:
+                found = reader.read(flat, squares, blurred=blurred, threads=self.threads)
+        if slopes == "own":
+            nothing = np.zeros_like(found[0])
+            held = [nothing] * (len(self._slopes) - 2)
+            found = [found[0], *held, *found[1:3], *([nothing] if self.blurred else []), *found[3:]]
+        return found
 
     def likelihood(
         self, stars: NDArray[np.intp], images: Sequence[Array], light: Array
@@ -184,6 +210,19 @@ class FieldStars:
         chain[:, :, -1, -1] = 1.0
         found = (chain @ products.reshape(r, e, d, d) @ chain.swapaxes(-1, -2)).sum(axis=1)
         return numbers.reshape(3, r, e).sum(axis=-1), found[:, :-1], found[:, -1, -1]
+
+    def quality(self, stars: NDArray[np.intp], values: Array, light: Array, unknown: float) -> Quality:
+        """Return chi2 of single stars, each with so many parameters of its own, from images alone."""
+        r, e = len(stars), self.exposures
+        own = np.ascontiguousarray(np.moveaxis(light[:, :2], 1, 0).reshape(1, 2, r * e))
+        numbers, products = star_likelihood(
+            [values], own, self.star[:, stars].reshape(4, r * e, self.pixels), self.threads
+        )
+        _, total, spread = numbers.reshape(3, r, e).sum(axis=-1)
+        square = products[0, :, -1, -1].reshape(r, e).sum(axis=-1)
+        share = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
+        expected = np.maximum(total * share, 1.0)
+        return Quality(square / expected, np.sqrt(spread * share) / expected)
 
     def scores(self, stars: NDArray[np.intp], images: Sequence[Array], light: Array, unknown: float) -> Scores:
         """Return the quality of single stars, each with so many parameters of its own."""
@@ -414,17 +453,17 @@ class WholeField:
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return images of all stars, and their slopes."""
-        found = self.of.images(self.chosen, *self.parts(x), fast=fast)
+        found = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes="own" if self.held else "all")
         return found[0], found[1:]
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
         """Return the quality of the fit."""
         return self.scores_of(x, *self.images(x, fast=fast))
 
-    def each(self, x: Array, *, fast: bool = False) -> Scores:
+    def each(self, x: Array, *, fast: bool = False) -> Quality:
         """Return the quality of each star."""
-        values, slopes = self.images(x, fast=fast)
-        return self.of.scores(self.chosen, [values, *slopes], self.parts(x)[3], self._each)
+        values = self.of.images(self.chosen, *self.parts(x), fast=fast, slopes="none")[0]
+        return self.of.quality(self.chosen, values, self.parts(x)[3], self._each)
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
         """Return the same from images and slopes."""

@@ -18,6 +18,7 @@ import numpy as np
 from scipy import special
 
 from lommel.base.arrays import Array, Values
+from lommel.core.engine import product
 from lommel.special.legendre import gauss_legendre
 
 STEP = 0.45  # lambda*N from sample to sample
@@ -63,28 +64,40 @@ class StarReadout:
         made: tuple[list[Array], list[Array]] = ([], [])
         for weights, place in zip((faded, faded * rate), made, strict=True):
             for (cos, sin), (along, across) in self._sides:
-                one = (cos * weights[:, None]) @ along.T
-                one += (sin * weights[:, None]) @ across.T
-                place.append(one.astype(np.float32))
+                one = _products(cos * weights[:, None], along, 0) + _products(sin * weights[:, None], across, 0)
+                place.append(one)
         return made
 
-    def read(self, samples: Sequence[Values], squares: Array, *, blurred: bool) -> list[Values]:
+    def read(self, samples: Sequence[Values], squares: Array, *, blurred: bool, threads: int = 0) -> list[Values]:
         """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e).
 
         And, if `blurred`, the slope by the squares.
         """
         one = bool((squares == squares[:1]).all())
-        (down, across), (down_slope, across_slope) = self.matrices((squares[:1] if one else squares).ravel())
-
-        def matched(part: Array) -> Array:
-            return np.tile(part, (len(squares), 1, 1)) if one and squares.shape[1] > 1 else part
-
-        down, across, down_slope, across_slope = map(matched, (down, across, down_slope, across_slope))
-        halves = [down @ image for image in samples]
-        turned = across.swapaxes(-1, -2)
-        found = [half @ turned for half in halves]
-        if blurred:
-            by_width = halves[0] @ across_slope.swapaxes(-1, -2)
-            by_width += (down_slope @ samples[0]) @ turned
-            found.append(by_width)
+        (down, across), slopes = self.matrices((squares[:1] if one else squares).ravel())
+        apart = len(down)  # images that many apart have the same blur
+        found: list[Values] = [
+            np.empty((len(samples[0]), down.shape[1], across.shape[1]), np.float32)
+            for _ in range(len(samples) + blurred)
+        ]
+        for k in range(apart):
+            halves = [_products(each[k::apart], across[k], threads) for each in samples]
+            for place, half in zip(found, halves, strict=False):
+                place[k::apart] = _down(half, down[k], threads)
+            if blurred:
+                found[-1][k::apart] = _down(halves[0], slopes[0][k], threads)
+                found[-1][k::apart] += _down(_products(samples[0][k::apart], slopes[1][k], threads), down[k], threads)
         return found
+
+
+def _products(images: Values, matrix: Array, threads: int) -> Array:
+    """Return the products (..., m) of the rows of images (..., n) with a matrix (m, n)."""
+    # By the core: of products this small, threads of BLAS wait for each other far longer than they take.
+    rows = np.ascontiguousarray(images, np.float64).reshape(-1, images.shape[-1])
+    made = product(rows, np.ascontiguousarray(matrix.T, np.float64), threads)
+    return np.asarray(made.reshape(*images.shape[:-1], len(matrix)))
+
+
+def _down(images: Array, matrix: Array, threads: int) -> Array:
+    """Return the same along the columns of images (r, n, width)."""
+    return _products(images.swapaxes(1, 2), matrix, threads).swapaxes(1, 2)

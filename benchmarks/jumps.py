@@ -1,6 +1,6 @@
 """The largest jumps of cost where one number of a random question changes by a fifth.
 
-    python benchmarks/jumps.py [--first 0] [--count 300]
+    python -m benchmarks.jumps [--first 0] [--count 300]
 
 Questions are those of benchmarks/choice.py. Of each one number is made a fifth larger: the side of the window, the
 pixel, the phase, the tolerance or the number of pupils. Prints quantiles of the ratio of processor times, over what
@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import lommel as lm
-from benchmarks.choice import seconds
+from benchmarks.choice import prepared, seconds
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "shared"))
 
@@ -63,17 +63,16 @@ def main() -> None:
         other = changed(question, what)
         if other is None:
             continue
-        before, after = seconds(question, None), seconds(other[0], None)
+        before, after = seconds([prepared(question, None), prepared(other[0], None)])
         if max(before, after) < math.inf:
             ratio = after / before / other[1]
-            found.append((max(ratio, 1.0 / (ratio * other[1])), what, before, after, question))
+            found.append((max(ratio, 1.0 / (ratio * other[1])), what, before, after, index, question))
     ratios = np.array([each[0] for each in found])
     print(f"{len(found)} questions; jumps of at most 2.5: {np.mean(ratios <= 2.5):.1%}")
     print("quantiles 50, 90, 95, 99 %, largest:", *np.round(np.quantile(ratios, [0.5, 0.9, 0.95, 0.99, 1.0]), 2))
-    for ratio, what, before, after, question in sorted(found, key=lambda each: -each[0])[:12]:
-        print(f"{ratio:6.2f}  {what}: {1e3 * before:.3g} ms, then {1e3 * after:.3g} ms: {question}")
+    for ratio, what, before, after, index, question in sorted(found, key=lambda each: -each[0])[:12]:
+        print(f"{ratio:6.2f}  {index}, {what}: {1e3 * before:.3g} ms, then {1e3 * after:.3g} ms: {question}")
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
     main()

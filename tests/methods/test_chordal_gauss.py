@@ -310,7 +310,7 @@ def test_what_is_refused_is_named():
         lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2000.0})), 9, 0.5, method=lm.ChordalGauss())
     with pytest.raises(ValueError, match=r"phases of 2e\+06 rad exceed the limit"):
         lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2e6})), 9, 0.5, method=lm.ChordalGauss())
-    with pytest.raises(ValueError, match="tables exceed the limit of 256 MiB"):
+    with pytest.raises(ValueError, match="tables exceed the limit of 384 MiB"):
         lm.psf(pupil, (6000, 1), 0.05, method=lm.ChordalGauss())
     with pytest.raises(lm.ToleranceError, match="cannot be met in double precision"):
         # Far in the dark.

@@ -36,7 +36,7 @@ class ChordalGauss(Method[Pupil]):
     Raises
     ------
     ValueError
-        If phase and window need more than 1024 chords or tables of more than 256 MiB.
+        If phase and window need more than 1024 chords or tables of more than 384 MiB.
 
     Notes
     -----

@@ -128,6 +128,19 @@ struct ChordGrowth {
         return std::exp(std::min(best, 690.0));
     }
 
+    // About the least n for which tail() is of this logarithm.
+    double fewest(double logarithm) const {
+        double least = 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            ChordCurves::Values degrees;
+            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+                degrees[k] = (size[k] + chord_curves.closed[k] - logarithm) * chord_curves.inverse[k];
+            }
+            least = degrees[least_at(degrees)];
+        });
+        return std::max(1.0, std::ceil(least));
+    }
+
     // Bound on the distance of the pupil function from a polynomial of degree d, everywhere on the disk: component n is
     // a mean of U_n(x . xi) b_n, at most (n+1)^(3/2) times its Chebyshev coefficient.
     double distance(std::size_t d) const {
@@ -182,6 +195,16 @@ class DiskBounds {
             degrees[k] = (share * chords_.size[k] + chord_curves.closed[k] - std::log(error)) * chord_curves.inverse[k];
         }
         return least_at(degrees);
+    }
+    // About what degrees(), orders() and degree() are, at a small part of their price.
+    double likely_degrees(double error) const { return chords_.fewest(std::log(error)); }
+    double likely_orders(double error) const { return turns_.fewest(std::log(0.5 * error)); }
+    double likely_degree(double error) const {
+        double n = chords_.fewest(std::log(error));
+        for (std::size_t i = 0; i < 2; ++i) {
+            n = chords_.fewest(std::log(error) - 1.5 * std::log(n + 2.0));
+        }
+        return n;
     }
     // Where it has been found that on a curve chords have so much less of the logarithm.
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }

@@ -28,7 +28,7 @@
 
 namespace lommel {
 
-constexpr double max_table_bytes = 268435456.0;  // of the kernel for one window
+constexpr double max_table_bytes = 402653184.0;  // of the kernel for one window
 
 // What the error of an image is spent on.
 struct ChordalBudget {
@@ -122,7 +122,7 @@ class ChordalRenderer {
         if (KernelTable<Real>::bytes(count, rows_.at.size()) > max_table_bytes) {
             throw LimitExceeded("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
                                 std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
-                                " nodes, whose tables exceed the limit of 256 MiB");
+                                " nodes, whose tables exceed the limit of 384 MiB");
         }
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
@@ -315,7 +315,7 @@ class ChordalRenderer {
         const bool weighed = weighed_;
         weighed_ = false;
         costs_.second = SeriesCost::least * count;
-        if (weighed && costs_.first <= costs_.second) {
+        if (weighed && costs_.first <= SeriesCost::declined + costs_.second) {
             return;
         }
         const DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
@@ -326,7 +326,7 @@ class ChordalRenderer {
             costs_.second +=
                 SeriesCost::nanoseconds(stack_, window, i * stack_.count / looks, tol_) * count / static_cast<double>(looks);
         }
-        if (weighed && costs_.first > costs_.second) {
+        if (weighed && costs_.first > SeriesCost::declined + costs_.second) {
             throw LimitExceeded("a series is likely to take less time than chords");
         }
     }

@@ -66,6 +66,11 @@ struct DiskRule {
 
     explicit DiskRule(std::size_t exact);
 
+    // Rounded up to what eight more rings allow, so that a little more aberration does not mean new tables.
+    static std::size_t rounded(std::size_t exact) { return (exact + 35) / 32 * 32 - 4; }
+    static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
+    static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
+
     // Where cos(m theta) and sin(m theta) are, at angle j.
     std::size_t turned(std::size_t m, std::size_t j) const { return m * (2 * j + 1) % (2 * fft.n); }
 
@@ -77,14 +82,12 @@ struct DiskRule {
     std::size_t bytes() const { return sizeof(double) * (8 * fft.n + 3 * rings); }
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-    // With the degree rounded up to what eight more rings allow, so that a little more aberration does not mean new tables.
-    static std::shared_ptr<const DiskRule> get(std::size_t exact) { return cache<DiskRule>.get((exact + 35) / 32 * 32 - 4); }
+    static std::shared_ptr<const DiskRule> get(std::size_t exact) { return cache<DiskRule>.get(rounded(exact)); }
 };
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE DiskRule::DiskRule(std::size_t exact)
-    : degree(exact), rings((exact / 4 + 1 + 7) / 8 * 8), fft(RowFft<double>::length(exact + 1)), t(rings), rho(rings),
-      weights(rings) {
+    : degree(exact), rings(rings_for(exact)), fft(points_for(exact)), t(rings), rho(rings), weights(rings) {
     std::vector<double> x(rings), w(rings);
     gauss_legendre(rings, x.data(), w.data());
     for (std::size_t k = 0; k < rings; ++k) {

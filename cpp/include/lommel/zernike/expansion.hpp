@@ -34,6 +34,8 @@ struct ZernikeBudget {
     // part of it, and on interpolation across rings; the rest serves single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
+    // Of the error that all pieces have, on interpolation across rings at least.
+    static constexpr double beside = 0.05;
     // Of the tolerance, on U, which counts twice in I, to begin with; on every piece; and what has more is done again. The rest
     // is a margin, for brightness is a guess.
     static constexpr double field = 0.1, image = 0.5, most = 0.7;
@@ -56,20 +58,40 @@ struct DiskExpansion {
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
-    // About how large it will be, without its samples and tables.
+    // About how large it will be, without its samples and tables; and the work of the samples, as GrowthTable has it.
     struct Size {
         std::size_t degrees, orders, exact;
+        double samples;
     };
     static Size likely(const ZernikePhase& phase, double reach, double error) {
         DiskExpansion plan;
         DiskBounds bounds = phase.bounds();
-        std::size_t exact = plan.count(bounds, reach, error);
+        const std::size_t by_window = disk_window_degrees(reach, ZernikeBudget::degrees * error);
+        const auto count = [&] {
+            const double by_phase = bounds.likely_degrees(ZernikeBudget::degrees * error);
+            plan.degrees = std::max<std::size_t>(2, std::min(static_cast<std::size_t>(std::min(by_phase, 1e9)), by_window));
+            plan.orders = static_cast<std::size_t>(
+                std::min(static_cast<double>(plan.degrees), bounds.likely_orders(ZernikeBudget::orders * error)));
+            const double degree = bounds.likely_degree(ZernikeBudget::quadrature * error);
+            return std::max(static_cast<std::size_t>(std::min(degree, 1e9)), plan.degrees) + plan.degrees;
+        };
+        std::size_t exact = count();
         const std::size_t at = bounds.likely(error, usual_share);
-        if (plan.work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, at)) {
-            bounds.lower(at, (1.0 - usual_share) * bounds.size(at));
-            exact = plan.count(bounds, reach, error);
+        double samples = GrowthTable::work(phase.list);
+        if (plan.work(exact) > 2.0 * samples && GrowthTable::serves(phase.list, at)) {
+            // Terms add up as if they were independent.
+            double squares = 0.0, sum = 0.0;
+            phase.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
+                const double most = amplitude * chord_curves.growth[n][at];
+                sum += most;
+                squares += most * most;
+            });
+            bounds.lower(at, sum - std::sqrt(squares));
+            exact = count();
+        } else {
+            samples = 0.0;
         }
-        return {plan.degrees, plan.orders, exact};
+        return {plan.degrees, plan.orders, exact, samples};
     }
 
     // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are

@@ -164,7 +164,9 @@ class ZernikeField {
         const double spare = std::max(0.0, error - base_);
         made.error = base_ + orders_.select(width_ * static_cast<double>(s), ZernikeBudget::own_orders * spare, made);
         std::size_t rings = 1;
-        while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > ZernikeBudget::rings * spare) {
+        // Where base() takes nearly all, less than a part of it is not worth more rings: what is asked for is no limit.
+        const double across = std::max(ZernikeBudget::rings * spare, ZernikeBudget::beside * base_);
+        while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > across) {
             ++rings;
         }
         // Rings are worth while where they hold vectors full of pixels.

@@ -16,6 +16,8 @@ constexpr std::size_t ring_degree = 8;  // coefficients of a ring, a part of a p
 
 // Bound on the error of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, as piece_error().
 inline double ring_error(double width) { return 2.0 * std::pow(0.25 * width, ring_degree) / 40320.0; }
+// The width for such an error.
+inline double ring_width(double error) { return 4.0 * std::pow(20160.0 * error, 1.0 / ring_degree); }
 
 // From values at the 8 Chebyshev points to coefficients, in double.
 struct RingMatrix {

@@ -14,8 +14,11 @@ namespace lommel {
 
 // Nanoseconds of one processor, all tables at hand; benchmarks/choice.py fits them.
 struct SeriesCost {
-    static constexpr double least = 38700.0;   // of any image
-    static constexpr double circles = 4e-9;  // errors of interpolation between circles in double precision, of no dim image
+    static constexpr double least = 32500.0;     // of any image
+    static constexpr double declined = 20000.0;  // of what chords have looked at before it is asked, and of their error
+    static constexpr double circles = 1.2e-10;  // errors of interpolation between circles, of no dim image
+    // Of the error that the tolerance allows, on roundings of the expansion: beyond, circles do not serve; and, perhaps, nothing.
+    static constexpr double rounded = 0.17, lost = 0.25;
 
     // Of one image.
     static double nanoseconds(const DiskStack& stack, const DiskWindow& window, std::size_t pupil, double tol) {
@@ -44,15 +47,23 @@ struct SeriesCost {
             const ZernikePhase inner{terms, stack.inner.data() + pupil * count, stack.amplitude.scaled(area)};
             cost.expand(inner, stack.obscuration * reach, ZernikeBudget::inner * error / area);
         }
-        const bool single = tol >= 1e-6;
-        if (PolarImage::pays(reach, cost.orders_, cost.degrees_, pixels) && circles * dimness(outer) <= tol) {
-            return cost.again(outer, tol) * (cost.sum_ + (single ? 4.5 : 14.4) * pixels + 5.9 * reach * cost.orders_);
-        }
+        const double dim = dimness(outer), rounding = unit_roundoff * (outer.sensitivity() + cost.rounding_) * dim / tol;
         // Eight pixels at once where the axis is in the window.
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
-        return cost.again(outer, tol) *
-               (cost.sum_ + (157.0 + 4.7 * cost.orders_) * reach + (1.4 + (single ? 0.94 : 1.8) * cost.orders_) * groups);
+        const double orders = cost.orders_, expansion = cost.sum_;
+        if (PolarImage::pays(reach, orders, cost.degrees_, pixels) && circles * dim <= tol && rounding <= rounded) {
+            // Taps, and their oversampling, are in number as the digits that are asked for.
+            const double digits = std::log10(std::max(10.0, dim / tol)), square = digits * digits;
+            return expansion + 29000.0 + 8.8 * orders * cost.degrees_ + 0.19 * square * reach * orders +
+                   (18.0 + 0.84 * square) * groups;
+        }
+        // Of an obscured pupil both disks are interpolated on every ring.
+        const double within = area > 1e-18 ? 75.0 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
+        const double each = tol >= 1e-6 ? 1.06 : 1.8;
+        const double image =
+            29000.0 + 16.0 * orders * cost.degrees_ + (10.0 + within) * reach * orders + (3.0 + each * orders) * groups;
+        return (expansion + image) * (rounding > lost ? 20.0 : 1.0);
     }
 
    private:
@@ -65,18 +76,14 @@ struct SeriesCost {
         return std::sqrt(1.0 + variance);
     }
 
-    // How often it is done, for roundings may be beyond the tolerance or near to it, of dim images above all.
-    double again(const ZernikePhase& phase, double tol) const {
-        const double share = unit_roundoff * (phase.sensitivity() + rounding_) * dimness(phase) / tol;
-        return share > 0.25 ? 20.0 : 1.0 + 12.0 * share;
-    }
-
     void expand(const ZernikePhase& phase, double reach, double error) {
         const DiskExpansion::Size size = DiskExpansion::likely(phase, reach, error);
+        const std::size_t exact = DiskRule::rounded(size.exact);
         const double degrees = static_cast<double>(size.degrees), orders = static_cast<double>(size.orders),
-                     exact = static_cast<double>(size.exact), rings = 0.25 * exact;
-        sum_ += least + 0.0091 * degrees * degrees * rings +
-                (3.2 + 0.016 * static_cast<double>(phase.list.pairs.size())) * rings * exact + 38.0 * degrees * orders;
+                     rings = static_cast<double>(DiskRule::rings_for(exact)),
+                     nodes = rings * static_cast<double>(DiskRule::points_for(exact));
+        sum_ += 3550.0 + 0.07 * degrees * degrees * rings + 4.75 * degrees * orders + 0.36 * size.samples +
+                (3.4 + 0.039 * static_cast<double>(phase.list.pairs.size())) * nodes;
         rounding_ = std::max(rounding_, 0.71 * degrees * (25.0 + rings + 4.0 * degrees));
         orders_ = std::max(orders_, orders);
         degrees_ = std::max(degrees_, degrees);

@@ -174,7 +174,7 @@ class FieldStars:
                 turned = angles.swapaxes(1, 2).reshape(len(flat[0]), -1)
                 found = reader.read(flat, squares.ravel(), turned, blurred=blurred, threads=self.threads)
             else:
-                found = reader.read(flat, squares, blurred=blurred, threads=self.threads)
+                found = reader.read(flat, squares, blurred=blurred)
         if slopes == "own":
             nothing = np.zeros_like(found[0])
             held = [nothing] * (len(self._slopes) - 2)

@@ -18,13 +18,13 @@ import numpy as np
 from scipy import special
 
 from lommel.base.arrays import Array, Values
-from lommel.core.engine import product
 from lommel.special.legendre import gauss_legendre
 
 STEP = 0.45  # lambda*N from sample to sample
 _MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
 _WIDTHS = 4.5  # standard deviations of blur beyond them
 _EDGE = 1.0 / STEP - 1.0
+_ALONE = 2**18  # multiplications up to which BLAS uses one thread
 _FALL = 2.2  # of the error function, in half the width of the fall of T
 
 
@@ -64,40 +64,47 @@ class StarReadout:
         made: tuple[list[Array], list[Array]] = ([], [])
         for weights, place in zip((faded, faded * rate), made, strict=True):
             for (cos, sin), (along, across) in self._sides:
-                one = _products(cos * weights[:, None], along, 0) + _products(sin * weights[:, None], across, 0)
-                place.append(one)
+                one = _products(cos * weights[:, None], along) + _products(sin * weights[:, None], across)
+                place.append(one.astype(np.float32))
         return made
 
-    def read(self, samples: Sequence[Values], squares: Array, *, blurred: bool, threads: int = 0) -> list[Values]:
+    def read(self, samples: Sequence[Values], squares: Array, *, blurred: bool) -> list[Values]:
         """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e).
 
         And, if `blurred`, the slope by the squares.
         """
         one = bool((squares == squares[:1]).all())
-        (down, across), slopes = self.matrices((squares[:1] if one else squares).ravel())
-        apart = len(down)  # images that many apart have the same blur
+        (down, across), (down_slope, across_slope) = self.matrices((squares[:1] if one else squares).ravel())
         found: list[Values] = [
             np.empty((len(samples[0]), down.shape[1], across.shape[1]), np.float32)
             for _ in range(len(samples) + blurred)
         ]
-        for k in range(apart):
-            halves = [_products(each[k::apart], across[k], threads) for each in samples]
+        if (apart := len(down)) == len(samples[0]):  # each image has a blur of its own
+            parts = [(slice(None), (down, across), (down_slope, across_slope))]
+        else:  # images that many apart have the same
+            parts = [
+                (slice(k, None, apart), (down[k], across[k]), (down_slope[k], across_slope[k])) for k in range(apart)
+            ]
+        for each, (rows, columns), (by_rows, by_columns) in parts:
+            halves = [_products(one[each], columns) for one in samples]
             for place, half in zip(found, halves, strict=False):
-                place[k::apart] = _down(half, down[k], threads)
+                place[each] = _down(half, rows)
             if blurred:
-                found[-1][k::apart] = _down(halves[0], slopes[0][k], threads)
-                found[-1][k::apart] += _down(_products(samples[0][k::apart], slopes[1][k], threads), down[k], threads)
+                found[-1][each] = _down(halves[0], by_rows)
+                found[-1][each] += _down(_products(samples[0][each], by_columns), rows)
         return found
 
 
-def _products(images: Values, matrix: Array, threads: int) -> Array:
-    """Return the products (..., m) of the rows of images (..., n) with a matrix (m, n)."""
-    # By the core: of products this small, threads of BLAS wait for each other far longer than they take.
-    rows = np.ascontiguousarray(images, np.float64).reshape(-1, images.shape[-1])
-    made = product(rows, np.ascontiguousarray(matrix.T, np.float64), threads)
-    return np.asarray(made.reshape(*images.shape[:-1], len(matrix)))
+def _products(images: Values, matrix: Array) -> Values:
+    """Return products (r, h, m) of the rows of images (r, h, n) with a matrix (m, n), or one for each (r, m, n)."""
+    # Of larger products that are still small, threads of BLAS wait for each other far longer than they take.
+    turned, rows = matrix.swapaxes(-1, -2).astype(images.dtype, copy=False), images.shape[-2]
+    many = max(1, _ALONE // max(turned.shape[-2] * turned.shape[-1], 1))
+    if many >= rows:
+        return np.asarray(images @ turned)
+    return np.concatenate([images[:, k : k + many] @ turned for k in range(0, rows, many)], axis=1)
 
 
-def _down(images: Array, matrix: Array, threads: int) -> Array:
+def _down(images: Values, matrix: Array) -> Values:
     """Return the same along the columns of images (r, n, width)."""
-    return _products(images.swapaxes(1, 2), matrix, threads).swapaxes(1, 2)
+    return _products(images.swapaxes(1, 2), matrix).swapaxes(1, 2)

@@ -234,6 +234,21 @@ def test_several_beads_share_the_microscope():
     assert [one.used for one in found.beads] == [True] * 2
 
 
+def test_a_bead_left_out_of_the_fit_tells_whether_its_answer_holds_for_others():
+    given = waves(7)
+    stacks = [recorded(30 + k, given, light=2e4)[0] for k in range(3)]
+    found = lm.fit_beads(stacks, OIL, **GIVEN, terms=TERMS, priors={})
+    assert found.converged
+    assert abs(found.held_out - 1.0) < 0.1
+    assert f"held-out bead {found.held_out:.4g}" in found.message
+    other = given + 0.15 * waves(11)
+    mixed = lm.fit_beads([*stacks[:2], recorded(33, other, light=2e4)[0]], OIL, **GIVEN, terms=TERMS, priors={})
+    assert mixed.held_out > max(1.2, mixed.chi2)
+    alone = lm.fit_beads(stacks[0], OIL, **GIVEN, terms=TERMS, priors={})
+    assert math.isnan(alone.held_out)
+    assert "held-out" not in alone.message
+
+
 def test_the_deviation_of_the_psf_elsewhere_is_what_fits_differ_by():
     given, truth = waves(8, 0.1), None
     z, off = np.array([-0.3e-6, 0.3e-6]), []
@@ -250,6 +265,20 @@ def test_the_deviation_of_the_psf_elsewhere_is_what_fits_differ_by():
         off.append((made - truth)[bright] / sd[bright])
     assert sd.shape == truth.shape
     assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.5
+
+
+def test_a_plane_that_moved_is_named():
+    given = waves(9, 0.1)
+    images, _ = recorded(70, given, size=17)
+    images[3] = np.roll(recorded(70, given, size=17)[0][3], 1, axis=1)  # by a pixel
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+    assert list(found.beads[0].moved) == [3]
+    row, column = found.beads[0].moved[3]
+    assert abs(row) < 0.3
+    assert 0.5 < column < 1.2
+    assert "moved: plane 3 of bead 0 by " in found.message
+    still = lm.fit_beads(recorded(70, given, size=17)[0], OIL, **GIVEN, terms=TERMS, priors={})
+    assert still.beads[0].moved == {}
 
 
 def test_drift_is_estimated():

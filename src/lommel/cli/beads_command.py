@@ -182,12 +182,18 @@ def _facts(found: BeadFit, corners: list[tuple[int, int]]) -> Facts:
         return {name if isinstance(name, str) else ",".join(map(str, name)): _plain(v) for name, v in values.items()}
 
     facts: Facts = {name: getattr(found, name) for name in ("converged", "reliable", "message", "chi2", "steps")}
+    facts["held_out"] = _plain(found.held_out)
     facts |= {name: named(getattr(found, name)) for name in ("coefficients", "deviation")}
     facts["suspects"] = [dict(each._asdict()) for each in found.suspects]
     facts["places"] = [
         {"row": one.row + corner[0], "column": one.column + corner[1]}
         | {name: getattr(one, name) for name in ("z", "depth", "chi2", "used")}
-        | {"deviation": one.deviation, "flux": one.flux.tolist(), "background": one.background.tolist()}
+        | {
+            "moved": {str(plane): list(by) for plane, by in one.moved.items()},
+            "deviation": one.deviation,
+            "flux": one.flux.tolist(),
+            "background": one.background.tolist(),
+        }
         | {f"{name}_deviation": _numbers(getattr(one, f"{name}_deviation")) for name in ("flux", "background")}
         for one, corner in zip(found.beads, corners, strict=False)
     ]

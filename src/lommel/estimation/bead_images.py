@@ -186,6 +186,11 @@ class BeadImages:
         self._others = np.array([*self.fixed.values()])
         self.threads = threads
 
+    def without_terms(self, waves: Array) -> BeadImages:
+        """Return the images with these coefficients of all terms, which are no longer parameters."""
+        edge = dict(zip(self.solved, (waves * self.factors).tolist(), strict=True))
+        return BeadImages((), self.fixed | edge, self.threads)
+
     def values(self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool = True) -> Array:
         """Return the share of all light in each pixel, (planes, height, width).
 
@@ -334,6 +339,23 @@ def likelihood(values: Array, stack: Stack, light: Array, threads: int) -> tuple
     numbers, products = star_likelihood([values], light[None], stack.star, threads)
     deviance, expected, spread = numbers.sum(axis=(-1, -2))
     return float(deviance), float(products[0, :, -1, -1].sum()), float(expected), float(spread)
+
+
+def shifts_of(values: Array, slopes: Array, stack: Stack, light: Array, threads: int) -> tuple[Array, Array]:
+    """Return how far each plane is off along rows and columns (planes, 2), all else held, in pixels and in sigmas.
+
+    `slopes` (2, planes, height, width) are derivatives by row and column; photons and background are eliminated. The
+    second are distances (planes,) in standard deviations.
+    """
+    _, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
+    each, flux = products[0], light[0][:, None, None]
+    inner = each[:, 2:4, 2:4] + 1e-12 * np.trace(each[:, 2:4, 2:4], axis1=1, axis2=2)[:, None, None] * np.eye(2)
+    carried = np.linalg.solve(inner, flux * each[:, 2:4, :2])
+    square = flux * flux * each[:, :2, :2] - flux * each[:, :2, 2:4] @ carried
+    slope = flux[..., 0] * each[:, :2, -1] - np.einsum("plk,pl->pk", carried, each[:, 2:4, -1])
+    square = square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(2) + 1e-300 * np.eye(2)
+    step = np.linalg.solve(square, slope[..., None])[..., 0]
+    return step, np.sqrt(np.maximum(np.einsum("pk,pk->p", step, slope), 0.0))
 
 
 def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:

@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.estimation import goodness_of_fit
-from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, light_of
+from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
 from lommel.estimation.bead_search import (
     DRIFT,
     ORIGINS,
@@ -48,6 +48,8 @@ _SUSPECT = 5.0  # standard deviations of a score test
 _VISIBLE = 10.0  # standard deviations of the light of all planes together
 _REVERSED = 12.0  # of minus the log-likelihood, by which a reversed stack has to fit better
 _FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves more is not the only fault
+_JUMP = 4.0  # times the median of the planes, that a plane that moved is off
+_HELD = 3  # beads, from which on one is left out for a test
 _TURNS = 20  # steps of a search for a stack in reversed order
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
 _FIRST = 5  # Noll's index of the first term after defocus
@@ -125,6 +127,9 @@ class FittedBead:
         Electrons of the bead, and electrons a pixel.
     flux_deviation, background_deviation : ndarray, shape (planes,)
         Standard errors of these; NaN of a bead that is not used.
+    moved : dict of int to (float, float)
+        Planes that are not where the others are, and how far off along rows and columns, pixels: score tests beyond
+        five standard deviations and four times those of most planes.
     chi2 : float
         Pearson's, per degree of freedom.
     used : bool
@@ -143,6 +148,7 @@ class FittedBead:
     background: Array = field(repr=False)
     flux_deviation: Array = field(repr=False)
     background_deviation: Array = field(repr=False)
+    moved: dict[int, tuple[float, float]]
     chi2: float
     used: bool
     images: Array = field(repr=False)
@@ -174,6 +180,9 @@ class BeadFit:
         Score tests of all constants, estimated or not, the largest first.
     chi2 : float
         Pearson's chi2 per degree of freedom.
+    held_out : float
+        The same of one bead with the aberrations and constants that a fit of the others alone finds, only its place
+        and light being fitted: near 1 where these hold for other beads. NaN of fewer than three beads.
     converged : bool
         Whether the steps settled at a chi2 that is consistent with the noise, of a visible bead in the right order.
     reliable : bool
@@ -197,6 +206,7 @@ class BeadFit:
     beads: tuple[FittedBead, ...]
     suspects: tuple[Suspect, ...]
     chi2: float
+    held_out: float
     converged: bool
     reliable: bool
     message: str
@@ -632,6 +642,7 @@ def _fitted(
     inverse = _inverse(square[:k, :k])
     suspects = _suspects(joint, state, square, slope, more)
     chi2, spread = joint.chi2_of(normal.parts)
+    held_out = (math.nan, 0.0) if search.interrupted else _held_out(joint, found)
     beads = _beads(model, joint, state, normal, inverse, used, values, noise)
     visible = max(part.visible for part in normal.parts)
     limit = float(goodness_of_fit.most(spread))
@@ -648,6 +659,8 @@ def _fitted(
         bool(found.settled) and not misfit and visible >= _VISIBLE and not backwards and not search.interrupted
     )
     work = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
+    if math.isfinite(held_out[0]):
+        work += f", held-out bead {held_out[0]:.4g}"
     if visible < _VISIBLE:
         message = f"no bead: {work}, but the light of all planes is within the noise"
     elif backwards:
@@ -672,6 +685,13 @@ def _fitted(
         message += f"; the data want {named}: check these constants{light}"
         if solved is not None and worst is not None and (where := _settled_at(joint, worst, solved)):
             message += f" ({where})"
+    if converged and held_out[0] >= goodness_of_fit.most(held_out[1]):
+        highest = float(goodness_of_fit.most(held_out[1]))
+        message += (
+            f"; noise alone keeps that of the held-out bead below {highest:.4g}: beads differ, in size or depth"
+        )
+    if visible >= _VISIBLE and not backwards:
+        message += _told(beads)
     if not all(used):
         left = ", ".join(str(j) for j, one in enumerate(used) if not one)
         message += f"; left out, beside which the others do not fit: bead {left}"
@@ -694,6 +714,7 @@ def _fitted(
         beads=beads,
         suspects=suspects,
         chi2=chi2,
+        held_out=held_out[0],
         converged=converged,
         reliable=bool(converged and not suspected and error < _OFF),
         message=message,
@@ -702,6 +723,25 @@ def _fitted(
         _state=state,
         _images=joint.images,
     )
+
+
+def _held_out(joint: BeadModel, found: Climbed) -> tuple[float, float]:
+    """Return chi2 of the last bead with what a fit of the others finds, and its standard deviation."""
+    count, state = len(joint.stacks), found.state
+    if count < _HELD:
+        return math.nan, 0.0
+    others, out = joint.having(range(count - 1)), joint.having([count - 1])
+    try:
+        start = replace(state, places=state.places[:-1], light=state.light[:-1])
+        rest = climb(others, start, _TURNS, lambda *_: None).state
+        held = BeadModel(
+            joint.images.without_terms(rest.waves), out.stacks, {}, out.depths, drift=DRIFT[0] in out.own
+        )
+        last = State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:])
+        placed = climb(held, last, _TURNS, lambda *_: None)
+    except (Declined, ValueError):
+        return math.nan, 0.0
+    return held.chi2_of(placed.normal.parts)
 
 
 def _inverse(square: Array) -> Array:
@@ -796,6 +836,8 @@ def _beads(
         mean = light[0][:, None, None] * image + light[1][:, None, None]
         chi2 = alone.chi2(replace(state, places=(place,), light=(light,)), [image])[0]
         counted, _, read, valid = (part.reshape(mean.shape) for part in stack.star)
+        rates = model.images.slopes(state.setup, state.waves, place, stack)[-2:]
+        moved = _moved(*shifts_of(image, rates, stack, light, model.images.threads))
         residual = np.where(valid > 0.0, (counted - mean) / np.sqrt(np.maximum(mean + read, 0.25 * read)), np.nan)
         errors = {("z" if name == "focus" else name): value for name, value in errors.items()}
         if "z" in errors:
@@ -812,6 +854,7 @@ def _beads(
                 background=light[1],
                 flux_deviation=np.sqrt(scatter[:, 0]),
                 background_deviation=np.sqrt(scatter[:, 1]),
+                moved=moved,
                 chi2=chi2,
                 used=used[j],
                 images=values[j],
@@ -820,6 +863,27 @@ def _beads(
             )
         )
     return tuple(found)
+
+
+def _moved(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:
+    """Return the planes whose shifts are beyond chance and those of the others."""
+    far = np.flatnonzero(sigmas > max(_SUSPECT, _JUMP * float(np.median(sigmas))))
+    return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in far}
+
+
+def _told(beads: Sequence[FittedBead]) -> str:
+    """Return what is to be said of planes that moved, or ""."""
+    moved = [
+        (math.hypot(*by), plane, j) for j, one in enumerate(beads) if one.used for plane, by in one.moved.items()
+    ]
+    if not moved:
+        return ""
+    if len(moved) > sum(len(one.flux) for one in beads) // 4:
+        return "; planes are shifted beside each other: estimate drift"
+    moved.sort(reverse=True)
+    named = ", ".join(f"plane {plane} of bead {j} by {by:.2g} pixels" for by, plane, j in moved[:3])
+    more = f" and {len(moved) - 3} more" if len(moved) > 3 else ""
+    return f"; moved: {named}{more}"
 
 
 def _model_error(model: BeadModel, state: State) -> float:

@@ -7,7 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <vector>
+
+#include "lommel/base/simd.hpp"
 
 namespace lommel {
 
@@ -97,47 +100,165 @@ class Tiles {
         }
     }
 
-    // Values of one tile, square by square as they stand in the image.
+    // Values of one tile, of each direction those of pixels (a, b) line by line: of the same a, b rising.
     template <class T>
     struct Buffer {
         alignas(64) T squares[directions][side * side];
 
-        // Of the pixel (a, b) of a tile, in the eight directions.
-        template <class Real>
-        void put(const Tile& tile, std::int64_t a, std::int64_t b, const Real* values) {
-            const std::int64_t i = a - tile.a, j = b - tile.b, last = side - 1, end = side * side - 1;
-            const std::int64_t wide = side * j + i, tall = side * i + j, turned = side * i + last - j,
-                               other = side * j + last - i;
-            const std::int64_t at[directions] = {wide, turned, end - wide, end - turned, tall, other, end - tall, end - other};
-            // On the diagonal both halves make one square.
-            const std::size_t twin = tile.a == tile.b ? directions / 2 : 0;
-            for (std::size_t d = 0; d < directions; ++d) {
-                squares[d < directions / 2 ? d : d - twin][at[d]] = static_cast<T>(values[d]);
+        // Of the pixels of a line of a tile, `values` [pixel][direction].
+        template <class V, class Real>
+        LOMMEL_INLINE void put(const Tile& tile, const Line& line, const Real (*values)[directions]) {
+            const std::size_t at = static_cast<std::size_t>(side * (line.a - tile.a) + line.b - tile.b),
+                              count = static_cast<std::size_t>(line.count);
+            std::size_t i = 0;
+#if defined(LOMMEL_VECTORS) && !defined(__clang__)
+            if constexpr (std::is_same_v<T, float> && std::is_same_v<Real, float> && sizeof(V) <= 32) {
+                for (; i + 4 <= count; i += 4) {
+                    for (std::size_t first = 0; first < directions; first += sizeof(V) / sizeof(float)) {
+                        V turned[4];
+                        turned_fours(load<V>(values[i] + first), load<V>(values[i + 1] + first), load<V>(values[i + 2] + first),
+                                     load<V>(values[i + 3] + first), turned);
+                        for (std::size_t d = 0; d < 4; ++d) {
+                            std::memcpy(&squares[first + d][at + i], &turned[d], 4 * sizeof(float));
+                            if constexpr (sizeof(V) == 32) {
+                                std::memcpy(&squares[4 + d][at + i], reinterpret_cast<const char*>(&turned[d]) + 16,
+                                            4 * sizeof(float));
+                            }
+                        }
+                    }
+                }
+            }
+#endif
+            for (; i < count; ++i) {
+                for (std::size_t d = 0; d < directions; ++d) {
+                    squares[d][at + i] = static_cast<T>(values[i][d]);
+                }
             }
         }
     };
 
+    // Asks for the memory that copy() writes to.
     template <class T>
-    void copy(const Tile& tile, const Buffer<T>& buffer, T* image) const {
-        const std::int64_t a = tile.a, b = tile.b, far_a = 1 - side - a, far_b = 1 - side - b;
-        const std::int64_t right[directions] = {a, far_b, far_a, b, b, far_a, far_b, a};
-        const std::int64_t down[directions] = {b, a, far_b, far_a, a, b, far_a, far_b};
-        for (std::size_t d = 0; d < (a == b ? directions / 2 : directions); ++d) {
-            const std::int64_t x = column + right[d], y = row + down[d];
-            const std::int64_t first = std::max<std::int64_t>(0, -x), end = std::min(side, width - x);
-            for (std::int64_t line = std::max<std::int64_t>(0, -y); line < std::min(side, height - y) && first < end; ++line) {
-                const T* from = &buffer.squares[d][line * side];
-                T* to = image + (y + line) * width + x;
-                if (end - first == side) {
-                    std::memcpy(to, from, side * sizeof(T));
-                } else {
-                    std::copy(from + first, from + end, to + first);
+    LOMMEL_INLINE void prefetch(const Tile& tile, const T* image) const {
+        for (std::size_t d = 0; d < squares(tile); ++d) {
+            prefetch(tile, d, image);
+        }
+    }
+
+    // Copies a tile to where its pixels stand in the image.
+    template <class T>
+    void copy(const Tile& tile, Buffer<T>& buffer, T* image) const {
+        // Of the square in the image: whether a rises along its lines, and whether lines and places on them fall.
+        constexpr bool turned[directions] = {true, false, true, false, false, true, false, true},
+                       up[directions] = {false, false, true, true, false, false, true, true},
+                       left[directions] = {false, true, true, false, false, true, true, false};
+        for (std::size_t d = 0; d < squares(tile); ++d) {
+            if (d + 1 < squares(tile)) {
+                prefetch(tile, d + 1, image);
+            }
+            T* const values = buffer.squares[d];
+            if (tile.a == tile.b) {
+                for (std::int64_t i = 0; i < side; ++i) {
+                    for (std::int64_t j = i + 1; j < side; ++j) {
+                        values[side * i + j] = buffer.squares[d + directions / 2][side * j + i];
+                    }
                 }
             }
+            alignas(64) T arranged[side * side];
+            const T* const square = turned[d] || left[d] ? arranged : values;
+            if (turned[d]) {
+                turn(values, left[d], arranged);
+            } else if (left[d]) {
+                mirror(values, arranged);
+            }
+            on_lines(tile, d, [&](std::int64_t line, std::int64_t at, std::int64_t first, std::int64_t end) {
+                const T* from = square + side * (up[d] ? side - 1 - line : line);
+                if (end - first == side) {
+                    std::memcpy(image + at, from, side * sizeof(T));
+                } else {
+                    std::copy(from + first, from + end, image + at + first);
+                }
+            });
         }
     }
 
    private:
+    // Of the image, that a tile makes: on the diagonal two directions make one.
+    static std::size_t squares(const Tile& tile) { return tile.a == tile.b ? directions / 2 : directions; }
+
+    // Calls f(line, at, first, end) for lines of a square with places [first, end) in the image; the square's own begins there at
+    // `at`, maybe outside.
+    template <class F>
+    LOMMEL_INLINE void on_lines(const Tile& tile, std::size_t d, const F& f) const {
+        const std::int64_t a = tile.a, b = tile.b, far_a = 1 - side - a, far_b = 1 - side - b;
+        const std::int64_t right[directions] = {a, far_b, far_a, b, b, far_a, far_b, a};
+        const std::int64_t down[directions] = {b, a, far_b, far_a, a, b, far_a, far_b};
+        const std::int64_t x = column + right[d], y = row + down[d];
+        const std::int64_t first = std::max<std::int64_t>(0, -x), end = std::min(side, width - x);
+        for (std::int64_t line = std::max<std::int64_t>(0, -y); line < std::min(side, height - y) && first < end; ++line) {
+            f(line, (y + line) * width + x, first, end);
+        }
+    }
+
+    // Inlined: GCC leaves calls out of what only prefetches.
+    template <class T>
+    LOMMEL_INLINE void prefetch(const Tile& tile, std::size_t d, const T* image) const {
+        on_lines(tile, d, [&](std::int64_t, std::int64_t at, std::int64_t first, std::int64_t end) LOMMEL_INLINE_LAMBDA {
+            lommel::prefetch(image + at + first);
+            lommel::prefetch(image + at + end - 1);
+        });
+    }
+
+    // Columns as lines and, if `left`, each from its end on.
+    template <class T>
+    static void turn(const T* from, bool left, T* to) {
+        constexpr std::size_t n = side;
+        for (std::size_t i = 0; i < n; i += 4) {
+            for (std::size_t j = 0; j < n; j += 4) {
+                const T* rows[4];
+                for (std::size_t k = 0; k < 4; ++k) {
+                    rows[k] = from + n * (left ? n - 1 - i - k : i + k) + j;
+                }
+                Fours<T> columns[4];
+                turn_fours(rows, columns);
+                for (std::size_t k = 0; k < 4; ++k) {
+                    std::memcpy(to + n * (j + k) + i, &columns[k], sizeof columns[k]);
+                }
+            }
+        }
+    }
+    // Lines from their ends on.
+    template <class T>
+    static void mirror(const T* from, T* to) {
+        constexpr std::size_t n = side;
+        for (std::size_t i = 0; i < n * n; i += n) {
+            for (std::size_t j = 0; j < n; ++j) {
+                to[i + j] = from[i + n - 1 - j];
+            }
+        }
+    }
+
+    template <class T>
+    struct Fours {
+        T at[4];
+    };
+    template <class T>
+    static void turn_fours(const T* const* rows, Fours<T>* columns) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                columns[i].at[k] = rows[k][i];
+            }
+        }
+    }
+#if defined(LOMMEL_VECTORS) && !defined(__clang__)
+    static void turn_fours(const float* const* rows, Fours<float>* columns) {
+        typedef float Quad __attribute__((vector_size(16)));
+        Quad turned[4];
+        turned_fours(load<Quad>(rows[0]), load<Quad>(rows[1]), load<Quad>(rows[2]), load<Quad>(rows[3]), turned);
+        std::memcpy(columns, turned, sizeof turned);
+    }
+#endif
+
     // The largest integer whose square is at most x; -1 for negative x.
     static std::int64_t root(std::int64_t x) {
         if (x < 0) {

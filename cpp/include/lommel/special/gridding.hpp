@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -195,6 +196,21 @@ using SingleTaps = TapPolynomials<float, 8, 8>;
 using DoubleTaps = TapPolynomials<double, 11, 16>;
 template <class Real>
 using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
+
+// Up to four taps of each of two kernels, side by side.
+struct PairedTaps {
+    static constexpr std::size_t terms = SingleTaps::terms, taps = 8;
+    static constexpr std::uint32_t halves[taps] = {0, 0, 0, 0, 1, 1, 1, 1};
+    alignas(64) float at[terms][taps];
+
+    PairedTaps() = default;
+    PairedTaps(const SingleTaps& first, const SingleTaps& second) {
+        for (std::size_t k = 0; k < terms; ++k) {
+            std::copy_n(first.at[k], taps / 2, at[k]);
+            std::copy_n(second.at[k], taps / 2, at[k] + taps / 2);
+        }
+    }
+};
 
 // A kernel with all that is asked of it again and again.
 struct GriddingTaps {

@@ -64,7 +64,9 @@ LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
 // the distances, sixteen to a block, [block][n][distance], of which so many degrees matter.
 struct PolarDisk {
     const ZernikeSeries* series;
-    const double *parts, *table;
+    const double* parts;
+    const float* singles;  // the same
+    const double* table;
     std::size_t degrees;
     const std::size_t* reached;
 };
@@ -86,13 +88,14 @@ template <class Fft>
 struct PolarSpectra {
     Aligned<Fft> spectrum[2], other;
 
-    // Sums over degrees, A_m and B_m, as c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2 times gains[m], for transforms of
-    // length n. Calls seen(m, p, size) with the magnitudes of each vector p of circles, at least |c_m| + |c_{-m}|.
-    template <class I, class Seen>
+    // Sums over degrees, in the precision of `Sum`, A_m and B_m, as c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2 times
+    // gains[m], for transforms of length n. Calls seen(m, at, size) with the magnitudes of each vector of circles from `at` on, at
+    // least |c_m| + |c_{-m}|.
+    template <class Sum, class I, class Seen>
     LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
                                std::size_t orders, const Seen& seen) {
-        using V = typename I::pack;
-        constexpr std::size_t packs = PolarTable::block / I::lanes;
+        using V = typename RowPack<I, Sum>::type;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), together = 2;  // vectors: registers hold sums of two
         for (auto& numbers : spectrum) {
             numbers.resize(n * fft_element);
             const auto clear = [&](std::size_t from, std::size_t to) {
@@ -102,40 +105,57 @@ struct PolarSpectra {
             clear(3 * n / 4, std::max(3 * n / 4, n - orders + 1));
         }
         other.resize(n * fft_element);
-        for (std::size_t m = 0; m < orders; ++m) {
-            V parts[4][packs];
-            for (std::size_t c = 0; c < 4; ++c) {
-                for (std::size_t p = 0; p < packs; ++p) {
-                    parts[c][p] = splat<V>(0.0);
-                }
+        if constexpr (sizeof(Sum) == 4) {
+            rounded_.resize(disks.size());
+            for (std::size_t d = 0; d < disks.size(); ++d) {
+                const double* from = disks[d].table + block * disks[d].degrees * PolarTable::block;
+                rounded_[d].resize(disks[d].reached[block] * PolarTable::block);
+                std::copy_n(from, rounded_[d].size(), rounded_[d].data());
             }
-            for (const PolarDisk& disk : disks) {
-                if (m >= disk.series->orders || m >= disk.reached[block]) {
-                    continue;
-                }
-                const std::size_t count = std::min(disk.series->used[m], (disk.reached[block] - m + 1) / 2);
-                const double* from = disk.table + (block * disk.degrees + m) * PolarTable::block;
-                const double* beta = disk.parts + 4 * disk.series->start[m];
-                for (std::size_t i = 0; i < count; ++i, from += 2 * PolarTable::block, beta += 4) {
-                    V f[packs];
-                    for (std::size_t p = 0; p < packs; ++p) {
-                        f[p] = load<V>(from + p * I::lanes);
+        }
+        for (std::size_t m = 0; m < orders; ++m) {
+            for (std::size_t at = 0; at < PolarTable::block; at += together * lanes) {
+                V parts[4][together];
+                for (auto& part : parts) {
+                    for (V& sum : part) {
+                        sum = splat<V>(Sum(0));
                     }
-                    for (std::size_t c = 0; c < 4; ++c) {
-                        const V b = splat<V>(beta[c]);
-                        for (std::size_t p = 0; p < packs; ++p) {
-                            parts[c][p] = parts[c][p] + b * f[p];
+                }
+                for (std::size_t d = 0; d < disks.size(); ++d) {
+                    const PolarDisk& disk = disks[d];
+                    if (m >= disk.series->orders || m >= disk.reached[block]) {
+                        continue;
+                    }
+                    const std::size_t count = std::min(disk.series->used[m], (disk.reached[block] - m + 1) / 2);
+                    const Sum *from, *beta;
+                    if constexpr (sizeof(Sum) == 4) {
+                        from = rounded_[d].data() + m * PolarTable::block + at;
+                        beta = disk.singles + 4 * disk.series->start[m];
+                    } else {
+                        from = disk.table + (block * disk.degrees + m) * PolarTable::block + at;
+                        beta = disk.parts + 4 * disk.series->start[m];
+                    }
+                    for (std::size_t i = 0; i < count; ++i, from += 2 * PolarTable::block, beta += 4) {
+                        V f[together];
+                        for (std::size_t p = 0; p < together; ++p) {
+                            f[p] = load<V>(from + p * lanes);
+                        }
+                        for (std::size_t c = 0; c < 4; ++c) {
+                            const V b = splat<V>(beta[c]);
+                            for (std::size_t p = 0; p < together; ++p) {
+                                parts[c][p] = parts[c][p] + b * f[p];
+                            }
                         }
                     }
                 }
-            }
-            const V gain = splat<V>(m == 0 ? gains[m] : 0.5 * gains[m]);
-            for (std::size_t p = 0; p < packs; ++p) {
-                const V ar = parts[0][p], ai = parts[1][p], br = parts[2][p], bi = parts[3][p];
-                seen(m, p, (magnitude(ar) + magnitude(ai)) + (magnitude(br) + magnitude(bi)));
-                put(m, p * I::lanes, gain * (ar + bi), gain * (ai - br));
-                if (m > 0) {
-                    put(n - m, p * I::lanes, gain * (ar - bi), gain * (ai + br));
+                const V gain = splat<V>(static_cast<Sum>(m == 0 ? gains[m] : 0.5 * gains[m]));
+                for (std::size_t p = 0; p < together; ++p) {
+                    const V ar = parts[0][p], ai = parts[1][p], br = parts[2][p], bi = parts[3][p];
+                    seen(m, at + p * lanes, (magnitude(ar) + magnitude(ai)) + (magnitude(br) + magnitude(bi)));
+                    put<lanes>(m, at + p * lanes, gain * (ar + bi), gain * (ai - br));
+                    if (m > 0) {
+                        put<lanes>(n - m, at + p * lanes, gain * (ar - bi), gain * (ai + br));
+                    }
                 }
             }
         }
@@ -144,16 +164,17 @@ struct PolarSpectra {
    private:
     template <class V>
     static LOMMEL_INLINE V magnitude(V x) {
-        return larger(x, splat<V>(0.0) - x);
+        return larger(x, V{} - x);
     }
 
-    template <class V>
+    template <std::size_t lanes, class V>
     LOMMEL_INLINE void put(std::size_t at, std::size_t row, V re, V im) {
-        constexpr std::size_t lanes = sizeof(V) / sizeof(double);
         Fft* to = &spectrum[row / fft_rows][at * fft_element + row % fft_rows];
         convert<lanes>(re, to);
         convert<lanes>(im, to + fft_rows);
     }
+
+    std::vector<Aligned<float>> rounded_;  // the tables of a block
 };
 
 // Four numbers, and four columns of four as rows.
@@ -171,17 +192,12 @@ LOMMEL_INLINE void turn(const Real (*from)[fft_rows], std::size_t first, Quad<Re
 }
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)
 LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<float>* out) {
-    typedef float quad __attribute__((vector_size(16)));
-    typedef std::int32_t places __attribute__((vector_size(16)));
-    const quad a = load<quad>(from[0] + first), b = load<quad>(from[1] + first), c = load<quad>(from[2] + first),
-               d = load<quad>(from[3] + first);
-    const places low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
-    const quad ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab2 = __builtin_shuffle(a, b, high),
-               cd2 = __builtin_shuffle(c, d, high);
-    const quad rows[4] = {__builtin_shuffle(ab, cd, first_half), __builtin_shuffle(ab, cd, second_half),
-                          __builtin_shuffle(ab2, cd2, first_half), __builtin_shuffle(ab2, cd2, second_half)};
+    typedef float Pack __attribute__((vector_size(16)));
+    Pack turned[4];
+    turned_fours(load<Pack>(from[0] + first), load<Pack>(from[1] + first), load<Pack>(from[2] + first),
+                 load<Pack>(from[3] + first), turned);
     for (std::size_t i = 0; i < 4; ++i) {
-        store(out[i].at, rows[i]);
+        store(out[i].at, turned[i]);
     }
 }
 #endif
@@ -194,8 +210,8 @@ struct PolarRowError {
     double largest = 0.0;  // number, real or imaginary
 };
 
-// Numbers [circle][angle][eight directions], the angles from -w/2 steps to one eighth of a turn and w/2 steps more. Directions are
-// those that differ in signs and order of |x|, |y|: psi + k pi/2 (re for k = 0..3, im), then (k+1) pi/2 - psi likewise.
+// Numbers [circle][angle][re, im][eight directions], the angles from -w/2 steps to one eighth of a turn and w/2 steps more.
+// Directions are those that differ in signs and order of |x|, |y|: psi + k pi/2, k = 0..3, then (k+1) pi/2 - psi.
 template <class Real>
 class PolarRows {
    public:
@@ -214,23 +230,23 @@ class PolarRows {
 
     // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`, at most a quarter of the
     // points. Fills in the error of each.
-    template <class I, class Fft>
+    template <class Sum, class I, class Fft>
     LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
                             std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
-        using V = typename I::pack;
-        constexpr std::size_t packs = PolarTable::block / I::lanes;
-        V around[packs], sum[packs];
-        for (std::size_t p = 0; p < packs; ++p) {
-            around[p] = sum[p] = splat<V>(0.0);
-        }
-        spectra.combine(isa, circle.points(), circle.gains.data(), disks, block, orders,
-                        [&](std::size_t m, std::size_t p, V size) LOMMEL_INLINE_LAMBDA {
-                            around[p] = around[p] + splat<V>(circle.aliases[m]) * size;
-                            sum[p] = sum[p] + splat<V>(circle.gains[m]) * size;
-                        });
+        // What roundings of the sums of these leave out, at most.
+        const double more = 1.0 + 2.0 * roundoff<Sum> * static_cast<double>(orders + 8);
+        alignas(64) Sum around[PolarTable::block] = {}, sum[PolarTable::block] = {};
+        spectra.template combine<Sum>(isa, circle.points(), circle.gains.data(), disks, block, orders,
+                                      [&](std::size_t m, std::size_t at, auto size) LOMMEL_INLINE_LAMBDA {
+                                          using V = decltype(size);
+                                          const V alias = splat<V>(static_cast<Sum>(circle.aliases[m])),
+                                                  gain = splat<V>(static_cast<Sum>(circle.gains[m]));
+                                          store(around + at, load<V>(around + at) + alias * size);
+                                          store(sum + at, load<V>(sum + at) + gain * size);
+                                      });
         for (std::size_t i = 0; i < PolarTable::block; ++i) {
-            errors[i].around = around[i / I::lanes][i % I::lanes];
-            errors[i].sum = sum[i / I::lanes][i % I::lanes];
+            errors[i].around = more * static_cast<double>(around[i]);
+            errors[i].sum = more * static_cast<double>(sum[i]);
         }
         for (std::size_t half = 0; half < PolarTable::block; half += fft_rows) {
             const RowFft<Fft>& fft = circle.fft(Fft());
@@ -264,7 +280,7 @@ class PolarRows {
                     most = larger(most, larger(x[k].im, splat<V>(Fft(0)) - x[k].im));
                 }
             }
-            Real *lower = to + (margin_ + q) * directions, *upper = to + (margin_ + quarter - q) * directions + 8;
+            Real *lower = to + (margin_ + q) * directions, *upper = to + (margin_ + quarter - q) * directions + 4;
             for (std::size_t row = 0; row < fft_rows; row += 4) {
                 Quad<Real> re[4], im[4];
                 turn(turned, row, re);
@@ -272,11 +288,11 @@ class PolarRows {
                 for (std::size_t i = 0; i < 4; ++i, lower += stride(), upper += stride()) {
                     if (low) {
                         store(lower, re[i]);
-                        store(lower + 4, im[i]);
+                        store(lower + 8, im[i]);
                     }
                     if (high) {
                         store(upper, re[i]);
-                        store(upper + 4, im[i]);
+                        store(upper + 8, im[i]);
                     }
                 }
             }
@@ -296,10 +312,10 @@ class PolarRows {
             for (std::size_t i = 0; i <= margin_; ++i) {
                 Real *out = start - i * directions, *in = start + i * directions;
                 for (std::size_t k = 0; k < 4; ++k) {
-                    for (std::size_t part = 0; part < 8; part += 4) {
-                        out[8 + part + k] = in[part + (k + 1) % 4];
+                    for (std::size_t part = 0; part < directions; part += 8) {
+                        out[part + 4 + k] = in[part + (k + 1) % 4];
                         if (i > 0) {
-                            out[part + k] = in[8 + part + (k + 3) % 4];
+                            out[part + k] = in[part + 4 + (k + 3) % 4];
                         }
                     }
                 }

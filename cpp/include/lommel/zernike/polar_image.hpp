@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <type_traits>
 #include <vector>
 
@@ -72,6 +73,24 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         }
     }
 
+    // Those of two kernels of four taps, at a place of each.
+    template <class V>
+    static LOMMEL_INLINE void taps(const PairedTaps& polynomials, float first, float second, float* out) {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+        for (std::size_t part = 0; part < PairedTaps::taps; part += lanes) {
+            V at = splat<V>(part < PairedTaps::taps / 2 ? first : second);
+            if constexpr (lanes == PairedTaps::taps) {
+                using Bits = typename Vector<lanes / 2>::turns;
+                at = choose_lanes(load<Bits>(PairedTaps::halves), splat<V>(second), at);
+            }
+            V sum = load<V>(polynomials.at[0] + part);
+            for (std::size_t k = 1; k < PairedTaps::terms; ++k) {
+                sum = sum * at + load<V>(polynomials.at[k] + part);
+            }
+            store(out + part, sum);
+        }
+    }
+
     // Circles whose sums registers hold at once, of those that a pixel takes.
     static constexpr std::size_t largest_divisor(std::size_t of, std::size_t most) {
         while (of % most != 0) {
@@ -90,43 +109,49 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
                               packs = numbers / lanes;
         const PolarRows<Real>& rows = zone.rows(Real());
-        const double per_row = step_ / zone.style->step(),
-                     per_angle = static_cast<double>(zone.circle->points()) / 6.283185307179586477;
+        // In what precision places are found.
+        constexpr bool rough = Between == 4;
+        using Where = std::conditional_t<rough, float, double>;
+        using W = std::conditional_t<rough, Narrow, D>;
+        const Where per_row = static_cast<Where>(step_ / zone.style->step()),
+                    per_angle = static_cast<Where>(static_cast<double>(zone.circle->points()) / 6.283185307179586477);
         // Places are those of the first taps.
-        const double row_shift =
-            static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between;
-        const double angle_shift = static_cast<double>(rows.margin()) - 0.5 * Around;
+        const Where row_shift = static_cast<Where>(static_cast<double>(PolarTable::before) -
+                                                   static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between),
+                    angle_shift = static_cast<Where>(static_cast<double>(rows.margin()) - 0.5 * Around);
         const std::size_t stride = rows.stride();
         const V scales = splat<V>(static_cast<Real>(scale));
-        Real tops[8] = {};
+        alignas(64) Real tops[Tiles::directions] = {};
         const bool whole = tiles_->whole(tile);
         std::int64_t nearest = 1 << 30, farthest = 0;
         for (const Tiles::Line& line : lines) {
             look();
             const std::size_t here = static_cast<std::size_t>(line.count);
-            alignas(64) double x[2][at_once];
-            alignas(64) std::int64_t place[2][at_once];
-            constexpr std::size_t most = Taps<Real>::taps;
-            alignas(64) Real weights[at_once][2 * most], squares[at_once][numbers];
-            for (std::size_t i = 0; i < here; i += I::lanes) {
-                alignas(64) double b[I::lanes];
-                for (std::size_t k = 0; k < I::lanes; ++k) {
-                    b[k] = static_cast<double>(line.b + static_cast<std::int64_t>(std::min(i + k, here - 1)));
-                }
-                const D across = splat<D>(static_cast<double>(line.a)), along = load<D>(b),
+            alignas(64) Where x[2][at_once];
+            alignas(64) std::conditional_t<rough, std::int32_t, std::int64_t> place[2][at_once];
+            // Those around circles follow those between them.
+            constexpr std::size_t most = rough ? PairedTaps::taps / 2 : Taps<Real>::taps;
+            alignas(64) Real weights[at_once][2 * most], values[at_once][Tiles::directions];
+            constexpr std::size_t wide = sizeof(W) / sizeof(Where);
+            for (std::size_t i = 0; i < here; i += wide) {
+                // Places beyond the line's end are computed in vain.
+                const W across = splat<W>(static_cast<Where>(line.a)),
+                        along = splat<W>(static_cast<Where>(line.b + static_cast<std::int64_t>(i))) + load<W>(counting<Where>),
                         square = across * across + along * along;
-                alignas(64) double root[I::lanes];
+                alignas(64) Where root[wide];
                 store(root, square);
-                for (double& r : root) {
+                for (Where& r : root) {
                     r = std::sqrt(r);
                 }
-                split<I>(load<D>(root) * splat<D>(per_row) + splat<D>(row_shift), x[0] + i, place[0] + i);
-                split<I>(angle(across, along) * splat<D>(per_angle) + splat<D>(angle_shift), x[1] + i, place[1] + i);
+                split(load<W>(root) * splat<W>(per_row) + splat<W>(row_shift), x[0] + i, place[0] + i);
+                split(angle<Where>(across, along) * splat<W>(per_angle) + splat<W>(angle_shift), x[1] + i, place[1] + i);
             }
-            nearest = std::min(nearest, place[0][0]);
-            farthest = std::max(farthest, place[0][here - 1]);
+            nearest = std::min<std::int64_t>(nearest, place[0][0]);
+            farthest = std::max<std::int64_t>(farthest, place[0][here - 1]);
             for (std::size_t i = 0; i < here; ++i) {
-                if (std::is_same_v<Real, float> && zone.style->exact) {
+                if constexpr (rough) {
+                    taps<Narrow>(zone.both, x[0][i], x[1][i], weights[i]);
+                } else if (std::is_same_v<Real, float> && zone.style->exact) {
                     // Rounded once.
                     alignas(64) double exact[2][DoubleTaps::taps];
                     taps<D>(zone.kernels->outer().doubles, x[0][i], exact[0], most);
@@ -135,10 +160,10 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
                         weights[i][k] = static_cast<Real>(exact[0][k]);
                         weights[i][most + k] = static_cast<Real>(exact[1][k]);
                     }
-                    continue;
+                } else {
+                    taps<Narrow>(zone.kernels->outer().taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
+                    taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
                 }
-                taps<Narrow>(zone.kernels->outer().taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
-                taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
             }
             for (std::size_t i = 0; i < here; ++i) {
                 const Real* start =
@@ -163,22 +188,37 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
                         }
                     }
                 }
-                for (std::size_t p = 0; p < packs; ++p) {
-                    store(&squares[i][p * lanes], scales * (total[p] * total[p]));
+                if constexpr (packs > 1) {
+                    for (std::size_t p = 0; p < packs / 2; ++p) {
+                        const V re = total[p], im = total[packs / 2 + p];
+                        store(&values[i][p * lanes], scales * (re * re + im * im));
+                    }
+                } else {
+                    alignas(64) Real squares[numbers];
+                    store(squares, scales * (total[0] * total[0]));
+                    for (std::size_t k = 0; k < numbers / 2; ++k) {
+                        values[i][k] = squares[k] + squares[numbers / 2 + k];
+                    }
                 }
             }
-            for (std::size_t i = 0; i < here; ++i) {
-                alignas(32) Real values[8];
-                for (std::size_t k = 0; k < 4; ++k) {
-                    values[k] = squares[i][k] + squares[i][4 + k];
-                    values[4 + k] = squares[i][8 + k] + squares[i][12 + k];
+            if (whole) {
+                constexpr std::size_t some = sizeof(Narrow) / sizeof(Real);
+                for (std::size_t p = 0; p < Tiles::directions; p += some) {
+                    Narrow top = load<Narrow>(tops + p);
+                    for (std::size_t i = 0; i < here; ++i) {
+                        top = larger(load<Narrow>(values[i] + p), top);
+                    }
+                    store(tops + p, top);
                 }
-                const std::int64_t b = line.b + static_cast<std::int64_t>(i);
-                for (std::size_t k = 0; k < 8; ++k) {
-                    tops[k] = values[k] > tops[k] && (whole || tiles_->visible(line.a, b, k)) ? values[k] : tops[k];
+            } else {
+                for (std::size_t i = 0; i < here; ++i) {
+                    for (std::size_t k = 0; k < Tiles::directions; ++k) {
+                        const bool seen = tiles_->visible(line.a, line.b + static_cast<std::int64_t>(i), k);
+                        tops[k] = values[i][k] > tops[k] && seen ? values[i][k] : tops[k];
+                    }
                 }
-                buffer.put(tile, line.a, b, values);
             }
+            buffer.template put<Narrow>(tile, line, values);
         }
         for (const Real top : tops) {
             part.top = std::max(part.top, static_cast<double>(top) / scale);
@@ -188,32 +228,43 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
         }
     }
 
+    template <class Real>
+    static constexpr Real counting[] = {0, 1, 2, 3, 4, 5, 6, 7};
+
     // Whole steps below x, and 2 t - 1 of the rest t, 0 to 1; the next whole step is the place.
-    template <class I>
-    static LOMMEL_INLINE void split(typename I::pack x, double* rest, std::int64_t* place) {
-        using D = typename I::pack;
+    template <class V, class Real, class Place>
+    static LOMMEL_INLINE void split(V x, Real* rest, Place* place) {
+        static_assert(sizeof(Place) == sizeof(Real));
         // As in sincos(): the nearest integer to x - 1/2 stands in the lowest bits.
-        const D magic = splat<D>(6755399441055744.0), shifted = (x + splat<D>(0.5)) + magic, next = shifted - magic;
-        store(rest, (x - next) * splat<D>(2.0) + splat<D>(1.0));
-        typename I::bits bits;
-        std::memcpy(&bits, &shifted, sizeof bits);
-        // Less those of the magic number.
-        std::memcpy(place, &bits, sizeof bits);
-        for (std::size_t i = 0; i < I::lanes; ++i) {
-            place[i] -= 0x4338000000000000;
+        constexpr Real number = sizeof(Real) == 8 ? Real(6755399441055744.0) : Real(12582912.0);
+        constexpr Place bits = sizeof(Real) == 8 ? static_cast<Place>(0x4338000000000000) : static_cast<Place>(0x4B400000);
+        const V magic = splat<V>(number), shifted = (x + splat<V>(Real(0.5))) + magic, next = shifted - magic;
+        store(rest, (x - next) * splat<V>(Real(2)) + splat<V>(Real(1)));
+        std::memcpy(place, &shifted, sizeof shifted);
+        for (std::size_t i = 0; i < sizeof(V) / sizeof(Real); ++i) {
+            place[i] -= bits;
         }
     }
 
+    // What the powers of atan(x) are divided by; single precision has those from 17 down.
+    template <class Real>
+    static constexpr Real odd_shares[] = {Real(1.0 / 37.0), Real(1.0 / 35.0), Real(1.0 / 33.0), Real(1.0 / 31.0),
+                                          Real(1.0 / 29.0), Real(1.0 / 27.0), Real(1.0 / 25.0), Real(1.0 / 23.0),
+                                          Real(1.0 / 21.0), Real(1.0 / 19.0), Real(1.0 / 17.0), Real(1.0 / 15.0),
+                                          Real(1.0 / 13.0), Real(1.0 / 11.0), Real(1.0 / 9.0),  Real(1.0 / 7.0),
+                                          Real(1.0 / 5.0),  Real(1.0 / 3.0),  Real(1.0)};
+
     // atan(b/a) for 0 <= b <= a: pi/8 and that of x = (b - t_0 a) / (a + t_0 b), |x| <= t_0 = tan(pi/8).
-    template <class D>
-    static LOMMEL_INLINE D angle(D a, D b) {
-        constexpr double middle = 0.41421356237309504880, eighth = 0.39269908169872415481;
-        const D tiny = splat<D>(1e-150), x = (b - splat<D>(middle) * a) / (a + splat<D>(middle) * b + tiny), z = x * x;
-        D sum = splat<D>(1.0 / 37.0);
-        for (int k = 17; k >= 0; --k) {
-            sum = splat<D>(1.0 / (2 * k + 1)) - sum * z;
+    template <class Real, class V>
+    static LOMMEL_INLINE V angle(V a, V b) {
+        constexpr Real middle = Real(0.41421356237309504880), eighth = Real(0.39269908169872415481);
+        const V x = (b - splat<V>(middle) * a) / (a + splat<V>(middle) * b + splat<V>(Real(1e-30))), z = x * x;
+        constexpr std::size_t first = sizeof(Real) == 8 ? 0 : 10;
+        V sum = splat<V>(odd_shares<Real>[first]);
+        for (std::size_t k = first + 1; k < std::size(odd_shares<Real>); ++k) {
+            sum = splat<V>(odd_shares<Real>[k]) - sum * z;
         }
-        return splat<D>(eighth) + x * sum;
+        return splat<V>(eighth) + x * sum;
     }
 
     const Tiles* tiles_ = nullptr;
@@ -229,6 +280,7 @@ void PolarImage::paint(double scale, T* image) {
     parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
         thread_local Tiles::Buffer<T> buffer;
         thread_local std::vector<Tiles::Line> lines;
+        tiles_->prefetch(list_[i], image);
         for (std::size_t z = 0; z < zones_.size(); ++z) {
             const PolarZone& zone = zones_[z];
             lines.clear();
@@ -252,8 +304,10 @@ void PolarImage::paint(double scale, T* image) {
                         pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
                     } else if (zone.style->between == 6) {
                         pixels<6, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else {
+                    } else if (zone.style->around == 4) {
                         pixels<4, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else {
+                        pixels<4, 3, float>(isa, zone, list_[i], lines, scale, buffer, part);
                     }
                 });
             }

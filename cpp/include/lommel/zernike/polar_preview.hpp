@@ -26,7 +26,8 @@ class PolarLooks : public Looks {
         for (const PolarPupil::Disk& disk : pupil.disks) {
             tables.push_back(cache<LookTable>.get(disk.shrunk, blocks_, disk.series->degrees));
             const LookTable& table = *tables.back();
-            disks.push_back({disk.series, disk.parts.data(), table.values.data(), table.degrees, table.reached.data()});
+            disks.push_back({disk.series, disk.parts.data(), disk.singles.data(), table.values.data(), table.degrees,
+                             table.reached.data()});
         }
         const RowFft<float> fft(RowFft<float>::length(4 * orders));
         const std::vector<double> gains(orders, 1.0);
@@ -34,11 +35,9 @@ class PolarLooks : public Looks {
         bright.assign(blocks_ * block, 0.0);
         for (std::size_t b = 0; b < blocks_; ++b) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                using I = decltype(isa);
-                using V = typename I::pack;
-                spectra.combine(isa, fft.n, gains.data(), disks, b, orders,
-                                [&](std::size_t m, std::size_t p, V size)
-                                    LOMMEL_INLINE_LAMBDA { store(&sizes_[(b * orders + m) * block + p * I::lanes], size); });
+                spectra.combine<float>(isa, fft.n, gains.data(), disks, b, orders,
+                                       [&](std::size_t m, std::size_t at, auto size)
+                                           LOMMEL_INLINE_LAMBDA { store(&sizes_[(b * orders + m) * block + at], size); });
                 for (std::size_t half = 0; half < 2; ++half) {
                     last_pass(isa, fft, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()),
                               &bright[b * block + half * fft_rows]);
@@ -61,10 +60,11 @@ class PolarLooks : public Looks {
             out[i] = PolarRowError();
         }
         for (std::size_t m = 0; m < std::min(orders, circle.gains.size()); ++m) {
-            const double* sizes = &sizes_[(b * orders + m) * block];
+            const float* sizes = &sizes_[(b * orders + m) * block];
             for (std::size_t i = 0; i < block; ++i) {
-                out[i].around += sizes[i] * circle.aliases[m];
-                out[i].sum += sizes[i] * circle.gains[m];
+                const double size = static_cast<double>(sizes[i]);
+                out[i].around += size * circle.aliases[m];
+                out[i].sum += size * circle.gains[m];
             }
         }
         for (std::size_t i = 0; i < block; ++i) {
@@ -97,7 +97,7 @@ class PolarLooks : public Looks {
     }
 
     std::size_t blocks_;
-    Doubles sizes_;  // [block][order][look]
+    Aligned<float> sizes_;  // [block][order][look]
 };
 
 // What the azimuthal orders from each on can add to U.

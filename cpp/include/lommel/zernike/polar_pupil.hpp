@@ -21,10 +21,12 @@ struct PolarStyle {
     bool doubles, exact;
 
     double step() const { return 3.14159265358979323846 / oversampling; }
+    // Whether places are found, and degrees summed, in single precision.
+    bool rough() const { return between == 4; }
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
 // From the most exact one to that which costs least.
-inline constexpr std::array<PolarStyle, 12> polar_styles = {{{2.0, 14, 14, true, true},
+inline constexpr std::array<PolarStyle, 13> polar_styles = {{{2.0, 14, 14, true, true},
                                                              {2.0, 12, 12, true, true},
                                                              {3.0, 10, 10, true, true},
                                                              {2.0, 10, 10, true, true},
@@ -35,7 +37,8 @@ inline constexpr std::array<PolarStyle, 12> polar_styles = {{{2.0, 14, 14, true,
                                                              {1.5, 8, 6, false, false},
                                                              {1.5, 8, 4, false, false},
                                                              {1.5, 6, 4, false, false},
-                                                             {1.5, 4, 4, false, false}}};
+                                                             {1.5, 4, 4, false, false},
+                                                             {1.5, 4, 3, false, false}}};
 
 // What a pupil is made of: its disk and, of the same phase, the one within that is dark.
 struct PolarPupil {
@@ -43,14 +46,17 @@ struct PolarPupil {
         const ZernikeSeries* series;
         double shrunk, weight;  // radius; what its field counts in that of the pupil
         Doubles parts;          // as PolarDisk has them
+        Aligned<float> singles;
     };
     std::vector<Disk> disks;
-    double base;  // the error of U that its expansion has, and what roundings of places make of it
+    double base;   // the error of U that its expansion has, and what roundings of places make of it
+    double rough;  // what those of single precision make
 
     explicit PolarPupil(const ZernikeField& field)
         // A place between circles is off by less than 12 units, and one around them by less than 24 of a turn's angle; |U'| < 1/2
         // along any line.
-        : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
+        : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)),
+          rough(16.0 * roundoff<float> * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
             add(field.inner(), field.obscuration(), -field.obscuration() * field.obscuration());
@@ -67,10 +73,11 @@ struct PolarPupil {
 
    private:
     void add(const ZernikeSeries& series, double shrunk, double weight) {
-        disks.push_back({&series, shrunk, weight, Doubles(4 * series.parts[0].size())});
+        disks.push_back({&series, shrunk, weight, Doubles(4 * series.parts[0].size()), {}});
         for (std::size_t i = 0; i < disks.back().parts.size(); ++i) {
             disks.back().parts[i] = weight * series.parts[i % 4][i / 4];
         }
+        disks.back().singles.assign(disks.back().parts.begin(), disks.back().parts.end());
     }
 };
 
@@ -93,9 +100,10 @@ struct PolarKernels {
 };
 
 // Roundings of sums over degrees and of tables, in A_m or B_m of all orders together: cosines and sines, both by Cauchy, a chain
-// over every other degree, and what the table leaves out and, (n+1) F_n of it, is off by.
-inline double polar_rounding(const PolarPupil::Disk& disk, const PolarKernel& kernel, double each) {
-    const double degrees = static_cast<double>(disk.series->degrees), chain = unit_roundoff * (degrees + 8.0) * kernel.largest;
+// over every other degree, and what the table leaves out and, (n+1) F_n of it, is off by. Single precision rounds both factors.
+inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
+    const double degrees = static_cast<double>(disk.series->degrees),
+                 chain = (style.rough() ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
     return 2.0 * std::abs(disk.weight) * (chain + PolarTable::rounding(each, degrees) + PolarTable::left_out);
 }
 
@@ -105,15 +113,17 @@ struct PolarTables {
     std::vector<PolarDisk> disks;
     std::vector<double> errors;  // of U in each block, before it is transformed, by roundings
 
-    PolarTables(const PolarPupil& pupil, const PolarKernels& kernels, std::size_t blocks) : errors(blocks, 0.0) {
+    PolarTables(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, std::size_t blocks)
+        : errors(blocks, 0.0) {
         for (std::size_t i = 0; i < pupil.disks.size(); ++i) {
             const PolarPupil::Disk& disk = pupil.disks[i];
             const PolarKernel& k = *kernels.disks[i];
             tables.push_back(cache<PolarTable>.get(k.step, k.kernel.w, k.kernel.beta(), blocks, disk.series->degrees));
             const PolarTable& table = *tables.back();
-            disks.push_back({disk.series, disk.parts.data(), table.values.data(), table.degrees, table.reached.data()});
+            disks.push_back({disk.series, disk.parts.data(), disk.singles.data(), table.values.data(), table.degrees,
+                             table.reached.data()});
             for (std::size_t b = 0; b < blocks; ++b) {
-                errors[b] += polar_rounding(disk, k, table.roundings[b]);
+                errors[b] += polar_rounding(disk, style, k, table.roundings[b]);
             }
         }
     }
@@ -133,8 +143,9 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
     const double around = style.exact ? circle.doubles.error + pixel * circle.weight : circle.singles.error;
     // Storing the circles, a product and a chain of sums for each kernel, and of I four roundings, which are half as much of U.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
+    const double base = pupil.base + (style.rough() ? pupil.rough : 0.0);
     // A complex number is at most sqrt(2) times the larger one of its parts.
-    return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +
+    return (base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +
            weights * (circle.growth(orders) * rows.sums + transform * rows.sum) +
            1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernel.weight) * rows.largest;
 }

@@ -31,6 +31,7 @@ struct PolarZone {
     std::size_t orders;
     std::shared_ptr<const PolarKernels> kernels;
     std::shared_ptr<const PolarCircle> circle;
+    PairedTaps both;            // where places are rough
     PolarRows<double> doubles;  // the circles: these or the others
     PolarRows<float> floats;
     std::vector<double> errors;  // of U, for each circle
@@ -84,7 +85,7 @@ class PolarZones {
                 // Of nodes the rule for the table takes about so many.
                 const double v = pupil.disks[d].shrunk * looks.v[i],
                              nodes = v + static_cast<double>(pupil.disks[d].series->degrees) + 40.0;
-                row.sums += polar_rounding(pupil.disks[d], kernel, PolarTable::rounding(kernel.shares, nodes, v));
+                row.sums += polar_rounding(pupil.disks[d], style, kernel, PolarTable::rounding(kernel.shares, nodes, v));
             }
             if (polar_error(pupil, style, kernels, *here, needed, PolarBudget::orders * most, row) >
                 PolarBudget::promise * most) {
@@ -95,14 +96,15 @@ class PolarZones {
     }
 
     // Computes block i of the circles of a zone.
-    template <class Fft, class Real>
+    template <class Sum, class Fft, class Real>
     static void fill(const PolarPupil& pupil, const PolarTables& tables, PolarZone& zone, PolarRows<Real>& rows,
                      std::size_t i) {
         thread_local PolarSpectra<Fft> spectra;
         std::array<PolarRowError, PolarTable::block> errors;
         const std::size_t first = i * PolarTable::block;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra, errors.data());
+            rows.template fill<Sum>(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra,
+                                    errors.data());
         });
         for (std::size_t k = 0; k < PolarTable::block; ++k) {
             errors[k].sums = tables.errors[zone.first + i];
@@ -127,17 +129,20 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     std::array<double, polar_styles.size() + 1> starts;
     std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
     starts.back() = 1e300;
-    for (std::size_t s = 0; s < polar_styles.size(); ++s) {
+    // From the one that costs least to the first that does everywhere.
+    std::size_t most_exact = polar_styles.size();
+    do {
+        const std::size_t s = --most_exact;
         kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
         starts[s] = start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
-        if (starts[0] > near) {
-            return false;
-        }
+    } while (starts[most_exact] > near && most_exact > 0);
+    if (starts[most_exact] > near) {
+        return false;
     }
     count_ = 0;
     zones_.resize(polar_styles.size());
     double from = near;
-    for (std::size_t s = 0; s < polar_styles.size() && from < reach; ++s) {
+    for (std::size_t s = most_exact; s < polar_styles.size() && from < reach; ++s) {
         const double to = std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
         if (to <= from) {
             continue;
@@ -152,6 +157,9 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
         zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
         zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
         zone.circle = circle(zone.orders, zone.style->around);
+        if (zone.style->rough()) {
+            zone.both = PairedTaps(zone.kernels->outer().singles, zone.circle->singles);
+        }
         zone.left = orders.left(zone.orders, from, zone.kernels->growth);
         zone.errors.resize((zone.last - zone.first) * PolarTable::block);
         from = to;
@@ -165,7 +173,7 @@ LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
     tables.reserve(count_);
     for (std::size_t z = 0; z < count_; ++z) {
         PolarZone& zone = zones_[z];
-        tables.emplace_back(pupil, *zone.kernels, zone.last);
+        tables.emplace_back(pupil, *zone.style, *zone.kernels, zone.last);
         if (zone.style->doubles) {
             zone.doubles.resize(*zone.circle, zone.errors.size());
         } else {
@@ -179,11 +187,13 @@ LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
         const auto [z, i] = tasks[task];
         PolarZone& zone = zones_[z];
         if (zone.style->doubles) {
-            fill<double>(pupil, tables[z], zone, zone.doubles, i);
+            fill<double, double>(pupil, tables[z], zone, zone.doubles, i);
         } else if (zone.style->exact) {
-            fill<double>(pupil, tables[z], zone, zone.floats, i);
+            fill<double, double>(pupil, tables[z], zone, zone.floats, i);
+        } else if (zone.style->rough()) {
+            fill<float, float>(pupil, tables[z], zone, zone.floats, i);
         } else {
-            fill<float>(pupil, tables[z], zone, zone.floats, i);
+            fill<double, float>(pupil, tables[z], zone, zone.floats, i);
         }
     });
 }

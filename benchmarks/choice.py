@@ -27,7 +27,7 @@ from disk_questions import DiskQuestion, disk_question
 
 _ENOUGH = 0.04  # seconds of calls
 _SHORT = 2e-3  # seconds of a call that what others left in caches makes longer
-_SLOW = 8.0  # times the least, beyond which one call is enough
+_SLOW = 8.0  # times the least, beyond which a few calls are enough
 _FEWEST, _MOST = 3, 50  # calls
 
 Call = Callable[[], object]
@@ -59,7 +59,7 @@ def seconds(calls: Sequence[Call | None]) -> list[float]:
     least, spent, count = [math.inf] * len(calls), 0.0, 0
     while count < _FEWEST or (spent < _ENOUGH * len(calls) and count < _MOST):
         for k, call in enumerate(calls):
-            if call is None or _SLOW * min(least) < least[k] < math.inf:
+            if call is None or (count >= _FEWEST and _SLOW * min(least) < least[k]):
                 continue
             if not _SHORT < least[k] < math.inf:
                 call()

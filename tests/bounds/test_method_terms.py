@@ -16,7 +16,7 @@ from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods import bounds
 from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from lommel.methods.method import stored
-from lommel.methods.pixels.averaging import averaged, filtered_by, least_average
+from lommel.methods.pixels.averaging import _shared_by, averaged, filtered_by, least_average
 from lommel.optics.aperture.opening import degree_needed
 from lommel.special.legendre import gauss_legendre
 
@@ -243,10 +243,13 @@ def test_the_response_of_a_filter_errs_by_what_is_claimed_and_not_much_less(step
     assert taps.gain <= 1.5
 
 
+@pytest.mark.parametrize("in_disc", [False, True])
 @pytest.mark.parametrize("normalize", [False, True])
 @pytest.mark.parametrize(("step", "value"), [(0.4, 0.5), (7.0, 0.5), (7.0, 0.01)])
-def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, normalize):
-    pupil, tol, top = lm.Pupil(obscuration=0.3), 1e-6, 0.6
+def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, normalize, in_disc):
+    # A sampled mask leaves the largest error of a response, an aperture the mean one.
+    aperture = {} if in_disc else {"mask": lm.Mask(np.ones((16, 16)))}
+    pupil, tol, top = lm.Pupil(obscuration=0.3, **aperture), 1e-6, 0.6
     grid = lm.Grid(3, step / math.pi)
     asked = []
 
@@ -256,9 +259,13 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
 
     made = averaged(sample, pupil, grid, tol, Wanted(scale=None if normalize else 1.0))
     lowest = least_average(step)
-    taps = filtered_by(grid.step(pupil), 2e-3 * (0.4 if normalize else 1.0) * tol * lowest)
-    own = (2 + taps.error) * taps.error * pupil.amplitude**2
-    own += (2 * len(taps.weights) + 8) * 2.0**-53 * taps.gain**2 * top * (1 - asked[-1])
+    error = 2e-3 * (0.4 if normalize else 1.0) * tol * lowest
+    ceiling = pupil.amplitude**2
+    if in_disc:
+        error, ceiling = 2.0 ** math.floor(math.log2(32.0 * ceiling)) * error, 1.0
+    taps = _shared_by(grid.step(pupil), error, (3, 3), in_disc=in_disc)
+    own = (2 + taps.error) * taps.error * ceiling
+    own += (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * top * (1 - asked[-1])
     if asked[-1] >= 0.01 * 2e-7:
         # Dark samples may be summed in single precision, for a tenth of what the least average allows.
         own += 1.01 * 0.1 * (0.4 if normalize else 1.0) * tol * lowest * top * (1 - asked[-1])

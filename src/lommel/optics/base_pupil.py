@@ -112,6 +112,16 @@ class BasePupil(display.Shown):
         """Field at the peak without aberration."""
 
     @property
+    def within_disc(self) -> bool:
+        """Whether the modulus of the pupil function is known to be at most 1 on the unit disk, and 0 beyond."""
+        return False
+
+    @property
+    def likely_strehl(self) -> float:
+        """Estimate of the lowest peak of the stack over that without aberration."""
+        return 1.0
+
+    @property
     @abstractmethod
     def transmission(self) -> float:
         """Transmitted light over that of the clear, unobscured aperture."""

@@ -132,6 +132,11 @@ class Pupil(BasePupil):
 
     # Cached properties are of the aperture only, since `carrying` copies them to pupils with other wavefronts.
 
+    @property
+    def within_disc(self) -> bool:
+        """Whether it is no sampled mask, whose transfer function is made of waves."""
+        return self.mask is None
+
     @cached_property
     def area(self) -> float:
         """Clear area relative to the unobscured aperture, a mask weighted by its amplitude."""
@@ -192,6 +197,12 @@ class Pupil(BasePupil):
         """Estimate of the lowest peak: U falls about as the phase across the pupil rises."""
         size = float(np.abs(self.radial_terms()).sum(axis=1).max())
         return (self.amplitude / (1.0 + 2.0 * size)) ** 2
+
+    @property
+    def likely_strehl(self) -> float:
+        """Estimate of the lowest peak over that without aberration, by the variance of the phase on the disk."""
+        edge = self.wavefront.edge
+        return float(1.0 / (1.0 + ((edge * edge) @ _variances(self.wavefront.terms)).max()))
 
     @property
     def left_out(self) -> tuple[float, float]:
@@ -360,6 +371,12 @@ class Pupil(BasePupil):
 
 
 _PARTS = ("spider", "vignetting", "mask", "stop", "colour")
+
+
+@lru_cache(maxsize=64)
+def _variances(terms: tuple[tuple[int, int], ...]) -> Array:
+    """Return the variances on the disk of Zernike terms that are 1 at the edge."""
+    return np.array([1.0 / ((n + 1.0) * (2.0 if m else 1.0)) for n, m in terms])
 
 
 @lru_cache(maxsize=8)

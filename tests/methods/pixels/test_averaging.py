@@ -158,6 +158,36 @@ def test_the_responses_of_two_pixels_that_share_samples_agree_with_the_pixel(pit
     assert gain <= 1.5
 
 
+def _transfer(w: np.ndarray) -> np.ndarray:
+    """Return the transfer function of a disc at frequencies of modulus w, whose integral is 1."""
+    share = np.clip(0.5 * w, 0.0, 1.0)
+    return (np.arccos(share) - share * np.sqrt(1.0 - share**2)) * 2.0 / math.pi / math.pi
+
+
+@given(st.floats(0.1, 6.5), st.floats(-8.0, -3.0), st.integers(3, 40))
+@settings(max_examples=20)
+def test_what_a_filter_makes_of_the_light_of_a_disc_is_off_by_less_than_it_claims(step, digits, side):
+    """In the mean over the transfer function, by a sum over a lattice of frequencies."""
+    taps = averaging._shared_by(step, 10.0**digits, (side, side), in_disc=True)
+    one = np.linspace(-2.0, 2.0, 401)
+    weigh = _transfer(np.hypot(one[:, None], one)) * (one[1] - one[0]) ** 2
+    assert weigh.sum() == pytest.approx(1.0, rel=1e-4)
+    middle = taps.margin
+    for pixel in range(taps.pixels):
+        x = (
+            (np.arange(taps.weights.shape[-1]) - middle - 0.5 * taps.stride * pixel)
+            * taps.pixels
+            * step
+            / taps.stride
+        )
+        response = np.exp(1j * np.outer(one, x)) @ np.reshape(taps.weights, (taps.pixels, -1))[pixel]
+        mean = np.sinc(0.5 * step * one / math.pi)
+        missed = np.abs(np.outer(response, response) - np.outer(mean, mean))
+        assert (missed * weigh).sum() <= (2.0 + taps.error) * taps.error
+    assert taps.error <= 10.0**digits
+    assert taps.gain <= 1.5
+
+
 @pytest.mark.parametrize("pixel", [0.5, 0.75, 1.0, 1.5, 4.0])
 def test_windows_take_few_samples(pixel):
     step, error = math.pi * pixel, 1e-9
@@ -185,7 +215,7 @@ def test_averages_of_pixels_that_share_samples_agree_with_quadrature(s, h, sizes
     step, (tol, dtype) = 0.5 * s * h, asked
     pupil = lm.Pupil(lm.Wavefront(sizes[0], nonradial=dict(zip([(3, 1), (2, -2), (3, 3)], sizes[1:], strict=True))))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(averaging, "shared", lambda *_: s)
+        patch.setattr(averaging, "shared", lambda *_, **__: s)
         found = lm.psf(
             pupil, (5, 6), step / math.pi, center=center, integrate=True, tol=tol, dtype=dtype, normalize="strehl"
         )
@@ -212,7 +242,7 @@ def test_no_average_is_negative(method):
 @pytest.mark.parametrize("s", [8, 9])
 def test_tiles_change_nothing(monkeypatch, s):
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-    monkeypatch.setattr(averaging, "shared", lambda *_: s)
+    monkeypatch.setattr(averaging, "shared", lambda *_, **__: s)
     whole = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
     monkeypatch.setattr(averaging, "_VALUES", 1)
     tiled = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)

@@ -51,6 +51,13 @@ struct Vector {
 };
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {
+#if defined(LOMMEL_X86) && !defined(__clang__)
+    if constexpr (sizeof(V) > 16 && sizeof(V) == 2 * sizeof(Narrow)) {  // GCC converts halves
+        V wide;
+        asm("vcvtps2pd %1, %0" : "=v"(wide) : "vm"(p));
+        return wide;
+    }
+#endif
     return __builtin_convertvector(p, V);
 }
 

@@ -38,7 +38,13 @@ struct PixelFilter {
     }
 
    private:
-    static constexpr std::size_t rows_together = 4, narrow = 4 * widest_step;
+    static constexpr std::size_t rows_together = 4;
+
+    // Pixels of a row that have weights of their own, as many as sums in single precision take at least.
+    template <class I>
+    static constexpr std::size_t least(I) {
+        return 2 * sizeof(typename I::floats) / sizeof(float);
+    }
 
     template <std::size_t Rows, class T>
     void average(const T* samples_of, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
@@ -82,12 +88,13 @@ struct PixelFilter {
                 };
                 if constexpr (std::is_same_v<T, float>) {
                     single.resize(Rows * wide);
-                    if (dark > 0.0 && width >= narrow && sums<Rows>(isa, from, lines, singly, wide, single.data()) <= dark) {
+                    if (dark > 0.0 && (width - 1) / pixels + 1 >= least(isa) &&
+                        sums<Rows, 2>(isa, from, lines, singly, wide, single.data()) <= dark) {
                         return finish(single, rounded_along.data());
                     }
                 }
                 line.resize(Rows * wide);
-                sums<Rows>(isa, from, lines, of, wide, line.data());
+                sums<Rows, Rows == 1 ? 4 : 2>(isa, from, lines, of, wide, line.data());
                 finish(line, weights_along);
             });
         });
@@ -114,9 +121,11 @@ struct PixelFilter {
         }
         const Sum* const both[2] = {of, of + (pixels - 1) * taps};
         if (pixels == 2) {
-            sums<2>(isa, strands.data(), lines, both, count, sets.data());
+            sums<2, 2>(isa, strands.data(), lines, both, count, sets.data());
+        } else if (count < 2 * least(isa)) {
+            sums<1, 2>(isa, strands.data(), lines, both, count, sets.data());
         } else {
-            sums<1>(isa, strands.data(), lines, both, count, sets.data());
+            sums<1, 4>(isa, strands.data(), lines, both, count, sets.data());
         }
         for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
             for (std::size_t x = 0; pixel + x * pixels < width; ++x) {
@@ -127,12 +136,12 @@ struct PixelFilter {
 
     // out[r][x] = sum_k of[r][k] from[lines[k] + x], in the precision of `out`; returns the largest sample if that is single, or more.
     // Bound by loading samples or, of four rows, by products.
-    template <std::size_t Rows, class I, class T, class Sum>
+    template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {
         constexpr bool singly = sizeof(Sum) == 4;
         using V = std::conditional_t<singly, typename I::floats, typename I::pack>;
-        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), packs = Rows == 1 ? 4 : 2, step = packs * lanes;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), step = packs * lanes;
         if (count < step) {
             for (std::size_t x = 0; x < count && !singly; ++x) {
                 for (std::size_t r = 0; r < Rows; ++r) {

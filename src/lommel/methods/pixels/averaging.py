@@ -22,6 +22,7 @@ from lommel.base.arrays import Array, largest
 from lommel.core.answers import Declined, Images, Pixels, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import FarPixels, average_samples
 from lommel.methods.method import normalized_error, stored, storing
+from lommel.methods.pixels.transfer_rule import modulus_rule
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 # odd number, ``h = 2 a / s`` apart. The middle of the one is a sample then, that of the other half way between two.
 
 _FARTHEST = 1.27  # v between samples that two pixels share: of pi/2, where no filter is long enough, four fifths
+_TAP = 0.02  # what a weight of a pixel takes, over what a sample does
 _WORTH = 0.85  # of the samples that whole ones a pixel take
 
 
@@ -39,8 +41,12 @@ P = TypeVar("P", bound=BasePupil)
 Function = Callable[[Array], Array]
 
 
-def fitted(response: Function, wave: Function, x: Pixels) -> tuple[Array, float, float]:
-    """Return weights of samples at distances `x` on either side, the error of their response, and their gain."""
+def fitted(response: Function, wave: Function, x: Pixels, *, in_disc: bool = False) -> tuple[Array, float, float]:
+    """Return weights of samples at distances `x` on either side, the error of their response, and their gain.
+
+    The error is the largest one; or, `in_disc`, what bounds its mean, which the largest transfer function of a disc
+    weighs.
+    """
     # Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire,
     # of type ``T = x[-1]``; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 T + 48`` (its Chebyshev
     # series falls below ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value
@@ -49,54 +55,77 @@ def fitted(response: Function, wave: Function, x: Pixels) -> tuple[Array, float,
     degree = math.ceil(2.36 * float(x[-1])) + 48
     w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
     times = np.where(x > 0.0, 2.0, 1.0)
-    basis = times * wave(np.outer(w, x))
-    wanted = response(w)
-    c: Array = np.linalg.lstsq(basis, wanted, rcond=1e-13)[0].astype(np.float64, copy=False)
+    basis, wanted = times * wave(np.outer(w, x)), response(w)
+    if in_disc:
+        each = 2 ** (degree.bit_length() - 2)  # degrees that share a rule
+        at, weights = modulus_rule(each * math.ceil(degree / each))
+        root = np.sqrt(weights)
+        weighed, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
+    else:
+        weighed, aim = basis, wanted
+    c: Array = np.linalg.lstsq(weighed, aim, rcond=1e-13)[0].astype(np.float64, copy=False)
     c *= (x > 0.0) | (wave is np.cos)  # which no odd response tells
     gain = float((times * np.abs(c)).sum())
     rounding = 2.0**-52 * (x.size + 3) * gain
-    return c, math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17, gain
+    most = math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17
+    if in_disc:
+        # One of the two factors of an average is off by this in the mean, the other at most by `most`.
+        return c, (1.0 + 0.5 * most) * (float(np.linalg.norm(weighed @ c - aim)) + 2.0 * rounding + 1e-17), gain
+    return c, most, gain
 
 
-def shared(step: float, error: float, across: int, sides: tuple[int, ...]) -> int:
+def shared(step: float, error: float, across: int, sides: tuple[int, ...], *, in_disc: bool = False) -> int:
     """Return how many samples two pixels had best share along an axis; twice `across`, where that is as good."""
     # Fewer samples take longer filters, and so more of them beyond the edges of a window of few pixels.
 
     def samples(s: int) -> float:
-        return math.prod(0.5 * s * side + 2.0 * _half(step, error, s) for side in sides)
+        taps = 2.0 * _half(step, error, s, in_disc=in_disc)
+        tall, wide = (0.5 * s * side + taps for side in sides)
+        return tall * wide + (_TAP * taps * sides[0] * (wide + sides[1]) if in_disc else 0.0)
 
     # One sample for two pixels is interpolated half way, by weights of either sign that magnify its error.
-    fewest = min(range(max(2, math.ceil(2.0 * step / _FARTHEST)), 2 * across + 1), key=samples)
+    least = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _FARTHEST)
+    counts = range(max(2, math.ceil(least)), 2 * across + 1)
+    fewest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _FARTHEST), key=samples)
     return fewest if samples(fewest) < _WORTH * samples(2 * across) else 2 * across
 
 
-def _half(step: float, error: float, s: int) -> int:
+def _half(step: float, error: float, s: int, *, in_disc: bool = False) -> int:
     """Return how many samples on either side a filter takes, likely."""
     room = 1.0 - 4.0 * step / (s * math.pi)
+    if in_disc:
+        # Where samples are as far apart as they may be, errors fall with a power of the length.
+        far = math.log(0.1 / error) / (3.7 * room + 0.2) - 3.0 + s % 2
+        return max(s // 4 + 2, int(0.25 * s + min(far, (0.045 / error) ** 0.32)))
     return max(s // 4 + 2, int(0.25 * s + math.log(0.1 / error) / (3.4 * room)) - 2)
 
 
-def paired(response: Function, step: float, error: float, s: int) -> tuple[Array, float, float]:
+def paired(
+    response: Function, step: float, error: float, s: int, *, in_disc: bool = False
+) -> tuple[Array, float, float]:
     """Return weights for two pixels that share `s` samples, odd, off by `error`; both from the first sample on."""
-    h, half = 2.0 * step / s, _half(step, error, s)
+    h, half = 2.0 * step / s, _half(step, error, s, in_disc=in_disc)
     while True:
-        even, off, gain = fitted(response, np.cos, h * np.arange(half + 1))
-        odd, *worse = fitted(response, np.cos, h * (np.arange(half) + 0.5))
+        even, off, gain = fitted(response, np.cos, h * np.arange(half + 1), in_disc=in_disc)
+        odd, *worse = fitted(response, np.cos, h * (np.arange(half) + 0.5), in_disc=in_disc)
         off, gain = max(off, worse[0]), max(gain, worse[1])
         if (off <= error and gain <= 1.5) or half > s + 60:
             weights = np.zeros((2, 2 * half + s // 2 + 1))
             weights[0, : 2 * half + 1] = np.concatenate([even[:0:-1], even])
             weights[1, s // 2 + 1 :] = np.concatenate([odd[::-1], odd])
             return weights, off, gain
-        half += 1
+        half += 1 + half // 16 * in_disc
 
 
 _VALUES = 2**23  # samples at once
 _WIDEST, _CLOSER = 1.05, 0.8  # v between samples: two thirds of what the band of I allows, and half
 _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
+_SHORT = 20.0  # pitch in v up to which filters are short enough for rules of the mean error
+_EASIER = 32.0  # times the error of a response, where that is in the mean and the peak is as without aberration
 _ROUGHER = 10.0  # times the error of averages, what filters of derivatives may be off by
 _DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
+_ALL = 1e30  # times the peak of the faintest pupil, what no sample is
 
 # From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted.
 Sample = Callable[[P, Grid, float, Wanted], Images]
@@ -134,7 +163,6 @@ def averaged(
     # most twice what that of the aperture is without aberration, for terms are at most 1. Of light that is made of
     # others `band` tells how much faster than the intensity it varies, and the integral of the modulus of its
     # transfer function.
-    band = band or (1.0, pupil.amplitude**2)
     try:
         return _averaged(sample, pupil, grid, tol, wanted, band, _WIDEST, gradients=gradients)
     except ToleranceError:
@@ -148,17 +176,25 @@ def _averaged(
     grid: Grid,
     tol: float,
     wanted: Wanted,
-    band: Band,
+    band: Band | None,
     widest: float,
     *,
     gradients: bool,
 ) -> Averages:
     # What varies faster than I is I of larger pixels.
-    step, ceiling, dtype, normalize = band[0] * grid.step(pupil), band[1], wanted.dtype, wanted.scale is None
+    faster, ceiling = (1.0, pupil.amplitude**2) if band is None else band
+    step, dtype, normalize = faster * grid.step(pupil), wanted.dtype, wanted.scale is None
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
     tol_stored = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
     err_samples, err_response = _first_errors(tol_stored, step)
+    in_disc = band is None and not gradients and widest == _WIDEST and step <= _SHORT and pupil.within_disc
+    if in_disc:
+        # Rounded, so that pupils with about the same peaks share a filter.
+        ceiling, err_response = (
+            1.0,
+            err_response * 2.0 ** math.floor(math.log2(_EASIER * ceiling * pupil.likely_strehl)),
+        )
     for _ in range(5):
         slope = None
         if gradients:
@@ -166,13 +202,15 @@ def _averaged(
         elif widest < _WIDEST:
             taps = filtered_by(step, err_response, widest)
         else:
-            taps = _shared_by(step, err_response, grid.shape)
+            taps = _shared_by(step, err_response, grid.shape, in_disc=in_disc)
         try:
             tol_samples = err_samples / taps.gain**2
             # What sums in single precision along both axes cost averages, of the largest sample.
             lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
             err_single = _DARK * tol_stored * lowest if tol_samples >= _SINGLE else 0.0
             dark = err_single / lost
+            if dark > 1.0:  # all of them
+                err_single, dark = lost, _ALL
             total, err_given, peaks = _filtered(sample, pupil, grid, tol_samples, taps, wanted, dark, slope)
         except ToleranceError as fault:
             # Errors of averages grow with those of the samples.
@@ -371,12 +409,12 @@ def _pixel(step: float) -> Callable[[Array], Array]:
 
 
 @lru_cache(maxsize=64)
-def _shared_by(step: float, error: float, shape: tuple[int, int]) -> Taps:
+def _shared_by(step: float, error: float, shape: tuple[int, int], *, in_disc: bool = False) -> Taps:
     """Return the filter that takes fewest samples of a window, two pixels of which may share an odd number."""
-    s = shared(step, error, samples_across(step), shape)
+    s = shared(step, error, samples_across(step), shape, in_disc=in_disc)
     if s % 2 == 0:
-        return filtered_by(step, error, 2.0 * step / s * (1.0 + 1e-12))
-    return Taps(s, *paired(_pixel(step), step, error, s))
+        return _fitted(_pixel(step), np.cos, step, error, 2.0 * step / s * (1.0 + 1e-12), 1.5, in_disc=in_disc)
+    return Taps(s, *paired(_pixel(step), step, error, s, in_disc=in_disc))
 
 
 @lru_cache(maxsize=64)
@@ -392,16 +430,25 @@ def sloping(step: float, error: float, *, averages: bool, widest: float = _WIDES
     return _fitted(response, np.sin, step, error, widest, 6.0)
 
 
-def _fitted(response: Function, wave: Function, step: float, error: float, widest: float, most: float) -> Taps:
+def _fitted(
+    response: Function,
+    wave: Function,
+    step: float,
+    error: float,
+    widest: float,
+    most: float,
+    *,
+    in_disc: bool = False,
+) -> Taps:
     """Return the shortest filter of such waves with a response, or about the best one, of a gain below `most`."""
     stride = samples_across(step, widest)
-    half, odd = stride // 2 + 2, wave is np.sin
+    half, odd = _half(step, error, 2 * stride, in_disc=True) if in_disc else stride // 2 + 2, wave is np.sin
     while True:
-        c, reached, gain = fitted(response, wave, step / stride * np.arange(half + 1))
+        c, reached, gain = fitted(response, wave, step / stride * np.arange(half + 1), in_disc=in_disc)
         # Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
         if (reached <= error and gain <= most) or half > stride + 60:
             return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
-        half += 1
+        half += 1 + half // 16 * in_disc
 
 
 @lru_cache(maxsize=64)
@@ -488,8 +535,8 @@ def averaged_gradient(
 ) -> Array:
     """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
 
-    By the transpose of the filter: `gradient` is asked about samples, with a tolerance and weights for these. The
-    tolerance is that which :func:`averaged` begins with, and mostly ends with; so is the filter, of small windows.
+    By the transpose of a filter: `gradient` is asked about samples, with a tolerance and weights for these. The
+    tolerance is that which :func:`averaged` begins with, and mostly ends with.
     """
     finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 

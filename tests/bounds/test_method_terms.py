@@ -262,7 +262,7 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
     error = 2e-3 * (0.4 if normalize else 1.0) * tol * lowest
     ceiling = pupil.amplitude**2
     if in_disc:
-        error, ceiling = 2.0 ** math.floor(math.log2(32.0 * ceiling)) * error, 1.0
+        error, ceiling = 2.0 ** math.floor(math.log2(64.0 * ceiling)) * error, 1.0
     taps = _shared_by(grid.step(pupil), error, (3, 3), in_disc=in_disc)
     own = (2 + taps.error) * taps.error * ceiling
     own += (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * top * (1 - asked[-1])

@@ -77,7 +77,7 @@ def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder,
 
     monkeypatch.setattr(bars.Steps, "__call__", told)
     result = call_lommel(*LONG[command], folder=folder)
-    assert result.returncode == 0, result.stderr
+    assert result.returncode == (3 if command == "localize" else 0), result.stderr  # noise has no molecules
     shares = [share for share in seen if share is not None]
     assert len(set(shares)) >= 2
     assert shares == sorted(shares)

@@ -211,9 +211,9 @@ def test_a_bad_entry_is_told_with_its_key_and_line(load, old, new, where, what):
         (
             'depth = "2 um"',
             'depth = "300 um"',
-            "must be at most 0.0002 metres, where the objective touches the cover",
+            "must be at most 200 um, where the objective touches the cover",
         ),
-        ('"200 nm"', '"200 um"', "must be at most 0.0002 metres, where the objective touches the cover"),
+        ('"200 nm"', '"200 um"', "must be at most 200 um, where the objective touches the cover"),
         ('"170 um"', '"170 m"', 'for 170 um write "170 um"'),
         ("[sensor]", '[[films]]\nindex = 1.4\nthickness = "3 um"\n[sensor]', "films[0].thickness"),
         ("[sensor]", '[design.coverslip]\nindex = 1.5\nthickness = "1 um"\n[sensor]', ""),

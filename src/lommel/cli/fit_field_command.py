@@ -100,7 +100,7 @@ def fit_field(
     saturation: float | None,
     **given: Any,
 ) -> Report:
-    """Estimate wavefronts over the field from images of stars or a chart.
+    """Estimate wavefronts over the field from stars or a chart.
 
     IMAGES are exposures of one field of stars, or of one chart of pinholes or squares (FITS, TIFF, NPY or 16-bit PNG,
     linear in light, the whole sensor, pixels of one colour); LENS is a lens file with aperture, wavelength, f-number

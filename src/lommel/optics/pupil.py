@@ -201,7 +201,7 @@ class Pupil(BasePupil):
     @property
     def likely_strehl(self) -> float:
         """Estimate of the lowest peak over that without aberration, by the variance of the phase on the disk."""
-        edge = self.wavefront.edge
+        edge = np.minimum(np.abs(self.wavefront.edge), 1e6)
         return float(1.0 / (1.0 + ((edge * edge) @ _variances(self.wavefront.terms)).max()))
 
     @property

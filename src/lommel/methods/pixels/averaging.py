@@ -87,7 +87,7 @@ def shared(step: float, error: float, across: int, sides: tuple[int, ...], *, in
     least = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _FARTHEST)
     counts = range(max(2, math.ceil(least)), 2 * across + 1)
     fewest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _FARTHEST), key=samples)
-    return fewest if samples(fewest) < _WORTH * samples(2 * across) else 2 * across
+    return fewest if samples(fewest) < (1.0 if in_disc else _WORTH) * samples(2 * across) else 2 * across
 
 
 def _half(step: float, error: float, s: int, *, in_disc: bool = False) -> int:
@@ -122,7 +122,7 @@ _WIDEST, _CLOSER = 1.05, 0.8  # v between samples: two thirds of what the band o
 _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
 _SHORT = 20.0  # pitch in v up to which filters are short enough for rules of the mean error
-_EASIER = 32.0  # times the error of a response, where that is in the mean and the peak is as without aberration
+_EASIER = 64.0  # times the error of a response, where that is in the mean and the peak is as without aberration
 _ROUGHER = 10.0  # times the error of averages, what filters of derivatives may be off by
 _DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
 _ALL = 1e30  # times the peak of the faintest pupil, what no sample is

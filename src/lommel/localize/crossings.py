@@ -16,8 +16,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
-from lommel.localize.movies import not_finite
-from lommel.localize.point_sources import Refused, saturated
+from lommel.localize.point_sources import Refused, planes_of, refusals, saturated, windows_around
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -169,17 +168,7 @@ def find_crossings(
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    stored = validation.number_array("images", images)
-    single = stored.ndim == 2
-    planes = stored[None] if single else stored
-    least = box or (_LEAST, _LEAST)
-    if planes.ndim != 3 or planes.shape[0] == 0 or planes.shape[1] < least[0] or planes.shape[2] < least[1]:
-        raise ValueError(
-            "images must have the shape (height, width) or (exposures, height, width), at least the window of "
-            f"{least[0]} x {least[1]}, got {stored.shape}"
-        )
-    if place := not_finite(planes, 0):
-        raise ValueError(f"images must be finite, got {place}")
+    planes, single = planes_of(images, "exposures", box or (_LEAST, _LEAST))
     full = saturated(planes, saturation)
     electrons = noise.electrons(planes)
     light, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
@@ -190,25 +179,19 @@ def find_crossings(
         room = float(np.percentile(np.abs(apart).max(axis=1), _SPACED)) if len(center) > 1 else float(_MOST)
         side = int(min(max(room, _LEAST), _MOST, *light.shape))
         box = (side - 1 + side % 2,) * 2
-    rows, columns = box
     middle = np.rint(center).astype(np.int64)
-    reasons = _reasons(middle, contrast, full, (rows, columns))
+    reasons = _reasons(middle, contrast, full, box)
     kept = np.array([not reason for reason in reasons], dtype=bool)
     order = _spread(center, np.flatnonzero(kept), count)
     order = order[np.lexsort((middle[order, 1], middle[order, 0]))]
-    top, left = middle[order, 0] - rows // 2, middle[order, 1] - columns // 2
-    down, across = top[:, None, None] + np.arange(rows)[:, None], left[:, None, None] + np.arange(columns)
-    cut = np.ascontiguousarray(np.moveaxis(planes[:, down, across], 0, 1))
-    refused = [
-        Refused(int(middle[k, 0]), int(middle[k, 1]), float(score[k]), reasons[k]) for k in np.flatnonzero(~kept)
-    ]
+    cut = windows_around(planes, middle[order], box)
     return Crossings(
         places=middle[order],
         centers=center[order],
         windows=cut[:, 0] if single else cut,
         contrast=contrast[order],
         square=square,
-        refused=tuple(sorted(refused, key=lambda each: -each.score)),
+        refused=refusals(middle, score, reasons),
         shape=(light.shape[0], light.shape[1]),
         _image=light,
     )

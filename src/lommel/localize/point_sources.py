@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -186,16 +187,7 @@ def find_spots(
     far = validation.real("apart", apart, least=0.0, most=100.0)
     faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    stored = validation.number_array("images", images)
-    single = stored.ndim == 2
-    planes = stored[None] if single else stored
-    if planes.ndim != 3 or planes.shape[0] == 0 or planes.shape[1] < rows or planes.shape[2] < columns:
-        raise ValueError(
-            f"images must have the shape (height, width) or (planes, height, width), at least the window of {rows} x "
-            f"{columns}, got {stored.shape}"
-        )
-    if place := not_finite(planes, 0):
-        raise ValueError(f"images must be finite, got {place}")
+    planes, single = planes_of(images, "planes", (rows, columns))
     full = saturated(planes, saturation)
     electrons = noise.electrons(planes)
     variance = noise.variance(np.zeros_like(electrons)).sum(axis=0)
@@ -212,22 +204,47 @@ def find_spots(
     reasons = _reasons(middle, full, (rows, columns), _neighbors(middle / [rows, columns], bright, far, faint), peak)
     kept = np.array([not reason for reason in reasons], dtype=bool)
     order = [k for k in np.argsort(-score, kind="stable").tolist() if kept[k]][:count]
-    top, left = middle[order, 0] - rows // 2, middle[order, 1] - columns // 2
-    down, across = top[:, None, None] + np.arange(rows)[:, None], left[:, None, None] + np.arange(columns)
-    cut = np.ascontiguousarray(np.moveaxis(planes[:, down, across], 0, 1))
-    refused = [
-        Refused(int(middle[k, 0]), int(middle[k, 1]), float(score[k]), reasons[k]) for k in np.flatnonzero(~kept)
-    ]
+    cut = windows_around(planes, middle[order], (rows, columns))
     return PointSources(
         places=middle[order],
         centers=center[order],
         windows=cut[:, 0] if single else cut,
         score=score[order],
         flux=flux[order],
-        refused=tuple(sorted(refused, key=lambda each: -each.score)),
+        refused=refusals(middle, score, reasons),
         shape=(light.shape[0], light.shape[1]),
         _image=light,
     )
+
+
+def planes_of(images: ArrayLike, several: str, box: tuple[int, int]) -> tuple[Values, bool]:
+    """Return images with an axis for `several`, and whether they had none; ValueError if smaller than a window."""
+    stored = validation.number_array("images", images)
+    planes = stored[None] if stored.ndim == 2 else stored
+    rows, columns = box
+    if planes.ndim != 3 or planes.shape[0] == 0 or planes.shape[1] < rows or planes.shape[2] < columns:
+        raise ValueError(
+            f"images must have the shape (height, width) or ({several}, height, width), at least the window of "
+            f"{rows} x {columns}, got {stored.shape}"
+        )
+    if place := not_finite(planes, 0):
+        raise ValueError(f"images must be finite, got {place}")
+    return planes, stored.ndim == 2
+
+
+def windows_around(planes: Values, places: NDArray[np.int64], box: tuple[int, int]) -> Values:
+    """Return the windows around pixels, shape (n, planes, rows, columns)."""
+    rows, columns = box
+    top, left = places[:, 0] - rows // 2, places[:, 1] - columns // 2
+    down, across = top[:, None, None] + np.arange(rows)[:, None], left[:, None, None] + np.arange(columns)
+    return np.ascontiguousarray(np.moveaxis(planes[:, down, across], 0, 1))
+
+
+def refusals(places: NDArray[np.int64], score: Array, reasons: Sequence[str]) -> tuple[Refused, ...]:
+    """Return what has a reason to be refused, the brightest first."""
+    each = zip(places.tolist(), score.tolist(), reasons, strict=True)
+    refused = [Refused(row, column, height, reason) for (row, column), height, reason in each if reason]
+    return tuple(sorted(refused, key=lambda one: -one.score))
 
 
 def saturated(planes: Values, saturation: float | None) -> NDArray[np.bool_]:

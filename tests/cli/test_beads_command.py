@@ -56,6 +56,19 @@ def test_a_fitted_microscope_is_written_and_read(folder):
     assert CliRunner().invoke(main, ["info", "fitted.toml"]).exit_code == 0
 
 
+def test_terms_of_the_amplitude_are_part_of_the_file_and_of_what_other_commands_compute(folder):
+    found = run("bead.tif", *ASKED, "--fixed", "--apodization", "1", "-o", "fitted.toml", "--json")
+    assert found.exit_code == 0, found.output
+    facts = json.loads(found.stdout)
+    made = lm.load_microscope("fitted.toml")
+    term = facts["coefficients"]["apodization_2"]
+    assert made.objective.apodization.to_zernike() == {2: pytest.approx(term, rel=1e-9)}
+    assert made.deviations["apodization_2"] == pytest.approx(facts["deviation"]["apodization_2"], rel=1e-9)
+    told = CliRunner().invoke(main, ["info", "fitted.toml", "--json"])
+    rim = json.loads(told.stdout)["rim_amplitude"]
+    assert rim == pytest.approx(made.objective.apodization.value(1.0))
+
+
 def test_beads_of_a_field_are_found_and_fitted_together(folder):
     words = ["beads", "field.tif", *ASKED, "--window", "19", "--fixed"]
     found = CliRunner().invoke(main, words, env={"COLUMNS": "100"})

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 import plane_waves
-from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, changed
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed
 from lommel.estimation.beads import possible
 from lommel.special import zernike
 from objectives import OIL, oil
@@ -191,6 +191,49 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
     for name, worst, best in (("sample", 0.9, 1.0), ("NA", 1.52, 1.5), ("depth", 0.0, 0.03e-6), ("step", 0.0, 0.5)):
         assert not possible(setup, name, worst)
         assert possible(setup, name, best)
+
+
+def test_terms_of_the_amplitude_are_found_and_named_where_they_are_not_estimated():
+    light = {2: -0.15, 4: 0.04}
+    given = waves(4, 0.1)
+    images, _ = recorded(6, given, oil(apodization=lm.Apodization.zernike(light)), light=3e4)
+    plain = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})
+    assert plain.suspects[0].name == "apodization_2"
+    assert "the data want apodization_2 = -0.1" in plain.message
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={}, apodization=2)
+    assert found.reliable, found.message
+    for n, b in light.items():
+        name = f"apodization_{n}"
+        assert abs(found.coefficients[name] - b) < 4.0 * found.deviation[name]
+        assert found.deviation[name] < 0.01
+        assert found.objective.apodization.to_zernike()[n] == pytest.approx(found.coefficients[name])
+    where = {"depth": 1e-6, "z": np.array([-0.3e-6, 0.3e-6])}
+    deviation = found.psf_deviation(**where, shape=15)
+    assert deviation.max() > 1.05 * plain.psf_deviation(**where, shape=15).max()
+    true = oil(apodization=lm.Apodization.zernike(light)).pupil(
+        **where, wavelength=WAVE, aberrations=wavefront(given)
+    )
+    off = [
+        np.abs(lm.psf(one, 15, PIXEL).values - lm.psf(true, 15, PIXEL).values).max()
+        for one in (found.pupil(**where), plain.pupil(**where))
+    ]
+    assert off[0] < 5.0 * deviation.max() < off[1]
+
+
+def test_derivatives_by_terms_of_the_amplitude_are_differences_of_images():
+    coefficients, place = waves(2), Place(0.3, -0.2, 0.1e-6, 80e-9)
+    stack = Stack(np.ones((4, 3, 225)), (15, 15), np.array([-0.6e-6, 0.0, 0.5e-6]))
+    start = oil(apodization=lm.Apodization.zernike({2: -0.2, 4: 0.1}))
+    setup = Setup(start, WAVE, OIL.pupil(depth=0.0, wavelength=WAVE).emitter, PIXEL, 0.1e-6)
+    images = BeadImages(TERMS, {}, 1)
+    found = images.slopes(setup, coefficients, place, stack, tuple(AMPLITUDES))[-len(AMPLITUDES) :]
+    for slope, name in zip(found, AMPLITUDES, strict=True):
+        pair = [
+            images.values(setup.having(name, setup.value(name) + h), coefficients, place, stack, ball=False)
+            for h in (1e-3, -1e-3)
+        ]
+        exact = (pair[0] - pair[1]) / 2e-3
+        assert np.abs(slope - exact).max() < 1e-3 * np.abs(exact).max()
 
 
 def test_immersion_and_cover_glass_are_named_together():

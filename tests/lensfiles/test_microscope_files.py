@@ -126,6 +126,17 @@ def test_films_are_from_the_glass_to_the_sample_and_the_design_is_what_it_says(l
     assert alone.design == lm.Design(1.515, alone.coverslip)
 
 
+@pytest.mark.parametrize(("value", "powers"), [("0.5", (0.5,)), ("[0.4, -0.1]", (0.4, -0.1))])
+def test_an_amplitude_is_a_number_or_powers_and_is_written_again(load, tmp_path, value, powers):
+    made = load(("immersion = 1.518", f"immersion = 1.518\napodization = {value}"))
+    light = lm.Apodization(powers)
+    rho = np.array([0.3, 1.0])
+    layers = made.pupil().layers
+    np.testing.assert_allclose(np.exp(-layers.apodization((layers.NA * rho) ** 2)), light.value(rho), rtol=1e-14)
+    made.save(tmp_path / "again.toml")
+    assert lm.load_microscope(tmp_path / "again.toml").pupil() == made.pupil()
+
+
 def test_an_objective_that_dips_has_no_cover_glass(load):
     glass = PLAIN[PLAIN.index("[coverslip]") : PLAIN.index("[sample]")]
     found = load(("immersion = 1.518", "immersion = 1.333\ndipping = true"), ("1.3\n", "0.8\n"), (glass, ""))
@@ -177,6 +188,7 @@ def test_a_window_that_is_not_named_holds_the_rays_and_a_margin(load):
         ('"0.2 mm"', '"-0.2 mm"', "objective.working_distance (line 7)", "must be positive"),
         ("immersion = 1.518", "immersion = 0.9", "objective.immersion (line 8)", "a refractive index from 1 to 4"),
         ("index = 1.5255", "index = 15255", "coverslip.index (line 11)", "a refractive index from 1 to 4, got 15255"),
+        ("immersion = 1.518", "immersion = 1.518\napodization = -1", "objective.apodization (line 9)", ">= 0"),
         ("index = 1.33", "index = true", "sample.index (line 15)", "number"),
         ('depth = "2 um"', "depth = 2e-6", "sample.depth (line 16)", "is a length without a unit; write for example"),
         ('depth = "2 um"', 'depth = "-2 um"', "sample.depth (line 16)", "must be at least 0"),

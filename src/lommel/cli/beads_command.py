@@ -43,6 +43,7 @@ _MOST = 20  # beads
     Option("--depth", type=MICROMETRES,
            help="Depth of the centre of the beads below the cover glass; by default their radius: on the glass."),
     Option("--terms", type=click.IntRange(1, 200), default=17, help="Number of Zernike terms from Noll 5 on."),
+    documented(fit_beads, "apodization", type=click.IntRange(0, 4)),
     Option("--fixed/--free", default=False,
            help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
            "uncertainties."),
@@ -71,6 +72,7 @@ def beads(
     diameter: float,
     depth: float | None,
     terms: int,
+    apodization: int,
     fixed: bool,
     drift: bool,
     output: Path | None,
@@ -133,6 +135,7 @@ def beads(
             terms=terms,
             aberrations=microscope.aberrations,
             priors={} if fixed else None,
+            apodization=apodization,
             drift=drift,
             saturation=saturation,
             integrate=microscope.integrate is not False,

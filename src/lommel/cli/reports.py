@@ -34,6 +34,7 @@ from lommel.measures import errors, transfer
 from lommel.measures.psf_like import PSFGridLike, PSFLike, checked
 from lommel.methods import HuygensFresnel, Method, Polychromatic
 from lommel.methods.choice import reference
+from lommel.optics.aperture.apodization import illumination
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.layers.stratified import Layer
 from lommel.optics.pupil import Pupil
@@ -297,6 +298,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
     Lengths in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles in radians.
     """
     objective, wavelength = microscope.objective, microscope.wavelength
+    light = illumination(objective.apodization)
     nyquist, glass = objective.nyquist(wavelength=wavelength), objective.coverslip
     rows, refused = _foci(microscope) if foci else ([], [])
     step = abs(microscope.step) if microscope.planes > 1 else None
@@ -308,6 +310,8 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
         "name": microscope.name,
         "source": microscope.source,
         **{name: getattr(objective, name) for name in _OF_OBJECTIVE},
+        "apodization": list(light.powers),
+        "rim_amplitude": float(light.value(1.0)),
         "coverslip": _layer(glass),
         "films": [_layer(film) for film in objective.films],
         "design": None if as_designed else {"immersion": design.immersion, "coverslip": _layer(design.coverslip)},
@@ -349,6 +353,8 @@ def _microscope_parts(facts: Facts) -> list[RenderableType]:
     lines = [
         ("objective", f"NA {facts['NA']:g}, {facts['magnification']:g}x, immersion {facts['immersion']:g}, "
          f"working distance {format_length(facts['working_distance'])}"),
+        ("amplitude", f"{facts['rim_amplitude']:.4g} at the edge of the pupil, by apodization"
+         if facts["apodization"] else None),
         ("cover glass", _layer_in_words(facts["coverslip"]) or "none (dipping objective)"),
         *[("film", _layer_in_words(film)) for film in facts["films"]],
         ("designed for", design),

@@ -23,6 +23,7 @@ from lommel.methods.derivative_names import SHIFTS, Term
 from lommel.methods.layers import light_by_rule
 from lommel.methods.layers.chordal_debye import Rule
 from lommel.methods.layers.light_by_rule import HALF, Filter, Planes, Samples
+from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.stratified import Layer
@@ -54,7 +55,10 @@ CONSTANTS: Mapping[str, Constant] = {
     "blur": Constant(0.01, "pixels^2", 0.2),
     "step": Constant(1e-2, "", 0.1),
     "depth": Constant(4e-9, "m", 3e-7),
+    **{f"apodization_{n}": Constant(1e-2, "", 0.3) for n in (2, 4, 6, 8)},
 }
+AMPLITUDES: Mapping[str, int] = {name: int(name[-1]) for name in CONSTANTS if name.startswith("apodization")}
+"""Degrees of the radial terms of the logarithm of the amplitude, whose coefficients (nepers rms) are constants."""
 
 
 @dataclass(frozen=True)
@@ -78,6 +82,8 @@ class Setup:
         if name == "coverslip":
             assert self.objective.coverslip is not None
             return self.objective.coverslip.thickness
+        if name in AMPLITUDES:
+            return illumination(self.objective.apodization).to_zernike().get(AMPLITUDES[name], 0.0)
         return float(getattr(self if name in _OWN else self.objective, name))
 
     def having(self, name: str, value: float) -> Setup:
@@ -103,17 +109,22 @@ _OWN = ("pixel", "diameter", "blur", "step")
 
 
 def changed(objective: Objective, name: str, value: float) -> Objective:
-    """Return an objective with another sample, immersion, NA, or thickness of the cover glass; same design."""
+    """Return an objective with another sample, immersion, NA, cover glass or apodization; same design."""
     given: dict[str, Any] = {name: getattr(objective, name) for name in _OPTICS}
     if name == "coverslip":
         assert objective.coverslip is not None
         given[name] = Layer(objective.coverslip.index, value)
+    elif name in AMPLITUDES:
+        terms = illumination(objective.apodization).to_zernike()
+        given["apodization"] = Apodization.zernike(terms | {AMPLITUDES[name]: value})
     else:
         given[name] = value
     return Objective(**given)
 
 
-_OPTICS = ("NA", "magnification", "immersion", "working_distance", "coverslip", "sample", "films", "design")
+_OPTICS = (
+    "NA", "magnification", "immersion", "working_distance", "coverslip", "sample", "films", "design", "apodization",
+)  # fmt: skip
 
 
 class Place(NamedTuple):
@@ -199,11 +210,21 @@ class BeadImages:
         found: Array = self._made(setup, waves, place, stack, slopes=False, ball=ball)[0]
         return found
 
-    def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack) -> Array:
-        """Return derivatives by the waves, focus (1/metres), row and column, (k, planes, height, width)."""
-        return self._made(setup, waves, place, stack, slopes=True, ball=False)[1:]
+    def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack, amplitudes: Sequence[str] = ()) -> Array:
+        """Return derivatives by the waves, focus (1/metres), row, column and `amplitudes`, (k, planes, ...)."""
+        return self._made(setup, waves, place, stack, slopes=True, ball=False, amplitudes=amplitudes)[1:]
 
-    def _made(self, setup: Setup, waves: Array, place: Place, stack: Stack, *, slopes: bool, ball: bool) -> Array:
+    def _made(
+        self,
+        setup: Setup,
+        waves: Array,
+        place: Place,
+        stack: Stack,
+        *,
+        slopes: bool,
+        ball: bool,
+        amplitudes: Sequence[str] = (),
+    ) -> Array:
         objective, across, count = setup.objective, setup.across, len(stack.z)
         layers = objective._layers(setup.wavelength)
         middle = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
@@ -230,6 +251,7 @@ class BeadImages:
             self.terms,
             by=(*self.solved, *SHIFTS.values()) if slopes else (),
             by_focus=slopes,
+            by_amplitude=tuple(AMPLITUDES[name] for name in amplitudes),
             threads=self.threads,
         )
         power = light_by_rule.collected(layers, setup.emitter, depths)
@@ -240,10 +262,13 @@ class BeadImages:
             made = self._filter(samples, 0.0, variance, setup).of(found.astype(np.float32) if slopes else found)
             made *= scale
             if slopes:
-                # By the focus first; then by terms at the edge.
-                made[2 : 2 + len(self.solved)] *= self.factors[:, None, None, None]
+                # By the focus first; then by amplitudes and by terms at the edge.
+                first, last = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
+                made[first:last] *= self.factors[:, None, None, None]
                 made[-2:] *= across
-                made[1:-2] = np.roll(made[1:-2], -1, axis=0)
+                for k, name in enumerate(amplitudes, 2):
+                    made[k] -= _light_slope(setup, name, depths) * made[0]
+                made = made[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
             return made
         total: Array = np.zeros(())
         for k, share in enumerate(shares):
@@ -289,6 +314,17 @@ class BeadImages:
         whole = name in ("diameter", "sample")  # which change the light along the height of the bead
         pair = [self.values(setup.having(name, value), waves, place, stack, ball=whole) for value in (high, low)]
         return np.asarray((pair[0] - pair[1]) / (high - low))
+
+
+def _light_slope(setup: Setup, name: str, depth: Array) -> float:
+    """Return the logarithmic derivative of the light collected by a term of the amplitude."""
+    h, n, found = CONSTANTS[name].step, AMPLITUDES[name], []
+    for value in (setup.value(name) + h, setup.value(name) - h):
+        layers = setup.having(name, value).objective._layers(setup.wavelength)
+        # Derivatives of images are those of the terms alone, without the factor that makes the largest amplitude 1.
+        factor = (layers.exponent[0] if layers.exponent else 0.0) + value * math.sqrt(n + 1.0) * (-1.0) ** (n // 2)
+        found.append(math.log(float(light_by_rule.collected(layers, setup.emitter, depth)[0])) + 2.0 * factor)
+    return (found[0] - found[1]) / (2.0 * h)
 
 
 def _half(setup: Setup) -> int:

@@ -13,6 +13,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import (
+    AMPLITUDES,
     CONSTANTS,
     BeadImages,
     Part,
@@ -196,7 +197,8 @@ class BeadModel:
     def _slopes(self, state: State, place: Place, stack: Stack, names: Sequence[object]) -> tuple[Array, Array]:
         """Return derivatives of images, and of images by parameters by these in each plane."""
         images, setup, waves = self.images, state.setup, state.waves
-        plain, k = images.slopes(setup, waves, place, stack), len(images.solved)
+        amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.solved)
+        plain = images.slopes(setup, waves, place, stack, amplitudes)
         found = [plain]
         at: dict[object, tuple[int, Array]] = {}
         ones, count = np.ones(len(stack.z)), len(plain)
@@ -207,6 +209,8 @@ class BeadModel:
         for j, name in enumerate(DRIFT):
             at[name] = k + 1 + j, stack.times
         at["step"] = k, stack.z
+        for j, amplitude in enumerate(amplitudes):
+            at[amplitude] = k + 3 + j, ones
         wanted = (*(name for name in names if name in CONSTANTS), *(("depth",) if "depth" in self.own else ()))
         for name in dict.fromkeys(map(str, wanted)):
             if name in at:

@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
 from lommel.estimation import goodness_of_fit
-from lommel.estimation.bead_images import CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
+from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
 from lommel.estimation.bead_search import (
     DRIFT,
     ORIGINS,
@@ -52,6 +52,7 @@ _JUMP = 4.0  # times the median of the planes, that a plane that moved is off
 _HELD = 3  # beads, from which on one is left out for a test
 _TURNS = 20  # steps of a search for a stack in reversed order
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
+_TESTED = "apodization_2"  # of the terms of the amplitude that are not estimated
 _FIRST = 5  # Noll's index of the first term after defocus
 USUAL: Mapping[str, float] = {"depth": 20e-9, "sample": 3e-3, "NA": 0.02, "pixel": 0.01, "diameter": 0.1}
 """Standard deviations of the constants that are unknowns by default; of pixel and diameter relative ones."""
@@ -353,6 +354,7 @@ def fit_beads(
     terms: int | Sequence[tuple[int, int] | str] = 17,
     aberrations: Wavefront | None = None,
     priors: Mapping[str, float | tuple[float, float]] | None = None,
+    apodization: int = 0,
     drift: bool = False,
     mask: ArrayLike | None = None,
     saturation: float | None = None,
@@ -399,6 +401,10 @@ def fit_beads(
         "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one of each bead). By
         default depth 20 nm, sample 0.003, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is within a wavelength
         of the glass. Empty to fix all.
+    apodization : int, default 0
+        Number of radial terms of the logarithm of the amplitude to estimate, 0 to 4: "apodization_2", ... are
+        the coefficients that :meth:`lommel.Apodization.zernike` takes, of degree 2, 4, ... They are also names of
+        `priors`.
     drift : bool, default False
         Estimate a lateral drift of each bead, linear in time.
     mask : array_like of bool, optional
@@ -498,6 +504,8 @@ def fit_beads(
         integrate=validation.truth("integrate", integrate),
     )
     setup, known, of_depth, notes = _priors(priors, setup, deep)
+    count_of = validation.integer("apodization", apodization, least=0, most=len(AMPLITUDES))
+    known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if (2, 0) in start and start[2, 0] and aberrations is not None:
         notes.append("defocus (Noll 4) of the start is kept: z of the beads says the rest")
@@ -630,7 +638,8 @@ def _fitted(
     """Return the result."""
     kept = [k for k in range(len(used)) if used[k]]
     joint, state = model.having(kept), found.state
-    frozen = [name for name in _available(state.setup) if name not in joint.priors and name != "depth"]
+    tested = [name for name in _available(state.setup) if name not in AMPLITUDES or name == _TESTED]
+    frozen = [name for name in tested if name not in joint.priors and name != "depth"]
     if min(d.value for d in joint.depths) > state.setup.wavelength and state.setup.objective.sample < (
         state.setup.objective.NA
     ):

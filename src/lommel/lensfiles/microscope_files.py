@@ -32,6 +32,7 @@ from lommel.lensfiles.toml_files import (
     SignedLength,
     Toml,
 )
+from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers.emitter import Beam, Dipole, Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -238,12 +239,17 @@ Index = Annotated[Number, AfterValidator(partial(refractive_index, "index"))]
 Immersion = Annotated[Number, AfterValidator(partial(refractive_index, "immersion"))]
 
 
+def _illumination(value: float | list[float]) -> Apodization:
+    return illumination(Apodization(tuple(value)) if isinstance(value, list) else value)
+
+
 class _Objective(Section):
     NA: Annotated[Number, Field(gt=0)]
     magnification: Annotated[Number, Field(gt=0)]
     working_distance: Length
     immersion: Immersion
     dipping: Annotated[bool, Field(strict=True)] = False
+    apodization: Annotated[Number | list[Number], AfterValidator(_illumination)] = 0.0
 
 
 class _Layer(Section):
@@ -341,6 +347,7 @@ def _text(of: Microscope) -> str:
         working_distance=_metres(one.working_distance),
         immersion=one.immersion,
         dipping=dipping,
+        apodization=list(illumination(one.apodization).powers) or None,
     )
     if one.coverslip is not None:
         section("coverslip", index=one.coverslip.index, thickness=_metres(one.coverslip.thickness))
@@ -401,7 +408,8 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
     Lengths are texts with a unit (``"170 um"``), angles also numbers of radians. Sections and keys: ``name`` (by
     default that of the file) and ``source``; ``[objective]`` NA, magnification, working_distance, immersion (a
-    refractive index), and dipping, true for one without a cover glass; ``[coverslip]`` index and thickness;
+    refractive index), dipping, true for one without a cover glass, and apodization, a number or the powers of a
+    :class:`lommel.Apodization`; ``[coverslip]`` index and thickness;
     ``[[films]]``, one for each thin film from the glass to the sample, index and thickness; ``[design]`` immersion
     and ``[design.coverslip]``, if the objective was corrected for other media than it is used with; ``[sample]``
     index and depth, of the emitter from the glass; ``[emission]`` wavelength and emitter ("isotropic", which is the
@@ -456,7 +464,7 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         glass = file.design.coverslip
         meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
         design = Design(meant, used if glass is None else glass.layer())
-    given: Toml = file.objective.model_dump(exclude={"dipping"})
+    given: Toml = {name: value for name, value in file.objective if name != "dipping"}
     films = [film.layer() for film in file.films]
     objective = Objective(**given, coverslip=used, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}

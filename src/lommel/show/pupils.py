@@ -138,6 +138,7 @@ def _through_layers(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Ar
     psi = fixed + np.multiply.outer(pupil.depth.ravel(), by_depth) + np.multiply.outer(pupil.focus.ravel(), by_focus)
     made = layers.amplitudes(layers.cosine(rho), (layers.NA * rho) ** 2)
     passed = np.sqrt(0.5 * (np.abs(made.s) ** 2 + np.abs(made.p) ** 2))
+    passed = passed * np.exp(-layers.apodization((layers.NA * rho) ** 2))
     phase = psi.real
     if pupil.aberrations is not None:
         phase = phase + pupil.aberrations.phase(rho, theta).reshape(-1, rho.size)

@@ -47,6 +47,34 @@ def test_a_cosine_without_angle_or_power_is_even_light():
     assert lm.Apodization([0.0, 0.0]).powers == ()
 
 
+@given(st.dictionaries(st.sampled_from([2, 4, 6, 8]), st.floats(-0.5, 0.5).filter(lambda b: abs(b) > 1e-3)))
+def test_radial_terms_are_zernike_polynomials_of_the_logarithm(terms):
+    light = lm.Apodization.zernike(terms)
+    rho = np.linspace(0.0, 1.0, 21)
+    radial = {2: 2 * rho**2 - 1, 4: 6 * rho**4 - 6 * rho**2 + 1, 6: 20 * rho**6 - 30 * rho**4 + 12 * rho**2 - 1,
+              8: 70 * rho**8 - 140 * rho**6 + 90 * rho**4 - 20 * rho**2 + 1}  # fmt: skip
+    exponent = sum((b * math.sqrt(n + 1.0) * radial[n] for n, b in terms.items()), np.zeros(21))
+    off = np.log(light.value(rho)) - exponent
+    assert np.ptp(off) < 1e-11
+    again = light.to_zernike()
+    assert all(again.get(n, 0.0) == pytest.approx(b, abs=1e-11) for n, b in terms.items())
+    assert all(abs(b) < 1e-11 for n, b in again.items() if n not in terms)
+
+
+@pytest.mark.parametrize(
+    ("terms", "told"),
+    [
+        ({3: 0.1}, "must be even, got 3"),
+        ({0: 0.1}, "from 2 to 20"),
+        ({22: 0.1}, "from 2 to 20"),
+        ({2: math.nan}, "finite"),
+    ],
+)
+def test_what_is_no_radial_term_is_refused(terms, told):
+    with pytest.raises(ValueError, match=told):
+        lm.Apodization.zernike(terms)
+
+
 @given(amplitudes, st.sampled_from([0.0, 0.3, 0.9]), st.sampled_from([1.0, 2.0]))
 def test_integrals_are_those_of_quadrature(light, obscuration, power):
     nodes, weights = np.polynomial.legendre.leggauss(100)

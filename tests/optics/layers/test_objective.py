@@ -8,7 +8,7 @@ from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
-from scipy.special import j1
+from scipy.special import j1, jv
 
 import lommel as lm
 
@@ -161,6 +161,59 @@ def test_errors_of_intensities_hold():
         assert fine.error < 3e-12
 
 
+POWERS = (0.8, -0.3, 0.5)
+
+
+def test_fields_with_an_apodization_are_those_of_a_plain_quadrature():
+    light, k = lm.Apodization(POWERS), 2.0 * math.pi / WAVE
+    depth, focus, r = 0.5e-6, 0.7e-6, 300e-9
+    x, w = np.polynomial.legendre.leggauss(300)
+    critical = GIVEN["sample"] / GIVEN["NA"]
+    u, w = 0.5 * (1.0 + x), 0.5 * w
+    # Smooth on both sides of the critical angle.
+    rho = np.concatenate([critical * (1.0 - (1.0 - u) ** 2), critical + (1.0 - critical) * u**2])
+    weight = np.concatenate([critical * 2.0 * (1.0 - u) * w, (1.0 - critical) * 2.0 * u * w])
+    t_s, t_p = OBJECTIVE.transmission(rho, wavelength=WAVE)
+    sine = GIVEN["NA"] * rho
+    psi = OBJECTIVE.phase(rho, depth=depth, focus=focus, wavelength=WAVE)
+    t = rho**2
+    amplitude = np.exp(-(light.exponent[0] + POWERS[0] * t + POWERS[1] * t**2 + POWERS[2] * t**3))
+    one = amplitude * (1.0 - (sine / GIVEN["immersion"]) ** 2) ** -0.25 * np.exp(1j * psi) * rho * weight
+    c_s = np.sqrt((1.0 - (sine / GIVEN["sample"]) ** 2).astype(complex))
+    v = k * GIVEN["NA"] * r * rho
+    true = [
+        (one * (t_s + t_p * c_s) * jv(0, v)).sum(),
+        (one * t_p * sine / GIVEN["sample"] * jv(1, v)).sum(),
+        (one * (t_s - t_p * c_s) * jv(2, v)).sum(),
+    ]
+    found = lm.Objective(**GIVEN, apodization=light).fields(r, depth=depth, focus=focus, wavelength=WAVE)
+    np.testing.assert_allclose([found.K0, found.K1, found.K2], true, rtol=0, atol=found.error)
+    assert found.error < 1e-9
+
+
+@pytest.mark.parametrize("aberrations", [None, lm.Wavefront.zernike({5: 0.3, 8: -0.2}, order="noll")])
+def test_methods_agree_on_an_apodized_objective_within_their_bounds(aberrations):
+    objective = lm.Objective(**GIVEN, apodization=lm.Apodization(POWERS))
+    pupil = objective.pupil(depth=0.5e-6, z=[-0.4e-6, 0.3e-6], wavelength=WAVE, aberrations=aberrations)
+    methods = (lm.methods.DebyeRings, lm.methods.ChordalDebye) if aberrations else (
+        lm.methods.DebyeWolf, lm.methods.Stratified, lm.methods.ChordalDebye
+    )  # fmt: skip
+    made = [lm.psf(pupil, 13, 6.5e-6, method=method(tol=1e-7)) for method in methods]
+    for one in made[1:]:
+        off = np.abs(one.values - made[0].values).max()
+        assert off <= (one.error_bound + made[0].error_bound) * one.values.max()
+    plain = OBJECTIVE.pupil(depth=0.5e-6, z=[-0.4e-6, 0.3e-6], wavelength=WAVE, aberrations=aberrations)
+    assert np.abs(lm.psf(plain, 13, 6.5e-6).values - made[0].values).max() > 0.05 * made[0].values.max()
+    assert type(pupil).from_dict(pupil.to_dict()) == pupil
+
+
+def test_a_gaussian_beam_that_fills_little_of_the_pupil_is_wide():
+    gaussian = lm.Objective(NA=0.3, immersion=1.0, apodization=8.0)
+    width = gaussian.focus(0.0, wavelength=WAVE).lateral_fwhm
+    # exp(-g rho^2) has the focus exp(-(k NA r)^2 / (2 g)) where the edge is dark.
+    assert width == pytest.approx(2.0 * math.sqrt(8.0 * 2.0 * math.log(2.0)) * WAVE / (2 * math.pi * 0.3), rel=0.01)
+
+
 def test_the_scalar_field_without_layers_is_airy_s():
     one = used(0.6, 1.0, 1.5255, 1.0)
     r = np.array([1e-9, 3e-7, 8e-7])
@@ -234,6 +287,8 @@ def test_what_the_layers_depend_on_must_be_given(given, message):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
+        ({"apodization": lm.Apodization.cosine(0.9, 0.5)}, "apodization must be exact, a sum of powers"),
+        ({"apodization": -1.0}, "apodization must be >= 0"),
         ({"NA": 1.518}, r"NA must be below the index of immersion, 1.518, got 1.518"),
         ({"NA": 1.6}, r"NA must be below the index of immersion, 1.518, got 1.6"),
         ({"coverslip": lm.Layer(1.35, 17e-5)}, r"NA must be below the index of coverslip, 1.35, got 1.4"),

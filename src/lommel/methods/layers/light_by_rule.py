@@ -25,6 +25,7 @@ from lommel.optics.layers import debye, projection
 from lommel.optics.layers.emitter import Emitter
 from lommel.optics.layers.quadrature_bounds import At, Complex, Model, pieces
 from lommel.optics.layers.stratified import Layers
+from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
 Term = tuple[int, int]
@@ -83,15 +84,17 @@ def light(
     *,
     by: tuple[Term, ...] = (),
     by_focus: bool = False,
+    by_amplitude: tuple[int, ...] = (),
     threads: int = 0,
 ) -> Array:
-    """Return I over the light collected in each plane, and its derivatives, (1 + k, n, height, width).
+    """Return I, not yet over the light collected, and its derivatives, (1 + k, n, height, width).
 
-    `terms` are those of the phases of planes. Derivatives are by the focus, 1/metres, if wanted, then by the terms
-    `by`, radians at the edge.
+    `terms` are those of the phases of planes. Derivatives are by the focus, 1/metres, if wanted, then by radial terms
+    of the logarithm of the amplitude (degrees `by_amplitude`, nepers rms), then by the terms `by`, radians at the
+    edge.
     """
     model = emitter.light.model
-    coefficients = _amplitudes(layers, model, planes, rule.degree, by_focus=by_focus)
+    coefficients = _amplitudes(layers, model, planes, rule.degree, by_amplitude, by_focus=by_focus)
     tables = chordal_debye.node_tables(rule, model.orders, emitter)
     nodes = chordal_debye.node_terms(rule.chords, rule.nodes, terms)
     weight = chordal_debye.quadrant(rule.chords, rule.nodes).weight
@@ -100,7 +103,8 @@ def light(
     count = planes.depth.size
     which = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
     own = chordal_debye.node_terms(rule.chords, rule.nodes, by)
-    sets = [(0, -1, 0)] + [(1, -1, 0)] * by_focus + [(0, k, 0) for k in range(len(by))]
+    series = [(k, -1, 0) for k in range(len(coefficients))]
+    sets = series + [(0, k, 0) for k in range(len(by))]
     exact = np.zeros((len(sets), count, int(tables.shares[:, 0].max()) + 1))
     values, _, _ = chordal_series_light(
         tables,
@@ -123,14 +127,17 @@ def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
     return np.asarray((near @ emitter.light.shares)[place.ravel()])
 
 
-def _amplitudes(layers: Layers, model: Model, planes: Planes, degree: int, *, by_focus: bool) -> Complex:
+def _amplitudes(
+    layers: Layers, model: Model, planes: Planes, degree: int, by_amplitude: tuple[int, ...], *, by_focus: bool
+) -> Complex:
     """Return the series of the amplitudes of planes, (1 + rates, n, terms), by a rule of stated size."""
-    rates, weights = _integrals(layers, model, degree, _nodes(layers, planes, degree))
+    rates, weights, rho = _integrals(layers, model, degree, _nodes(layers, planes, degree))
     fixed, by_depth, by_stage = rates
     waves = np.exp(1j * (fixed + np.outer(planes.depth, by_depth) + np.outer(planes.focus, by_stage)))
     each = [waves]
     if by_focus:
         each.append(waves * (1j * (by_stage - layers.middle_rates()[2])))
+    each += [waves * (math.sqrt(n + 1.0) * zernike.radial(n, 0, rho)) for n in by_amplitude]
     return np.stack([np.einsum("pq,qt->pt", one, weights) for one in each])
 
 
@@ -145,8 +152,8 @@ def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
 @lru_cache(maxsize=64)
 def _integrals(
     layers: Layers, model: Model, degree: int, nodes: int
-) -> tuple[tuple[Complex, Complex, Complex], Complex]:
-    """Return the rates of the phase at the angles of a rule, and the weights of these in the terms of all parts."""
+) -> tuple[tuple[Complex, Complex, Complex], Complex, Array]:
+    """Return rates of the phase at the angles of a rule, weights of these in the terms of all parts, and rho."""
     rates, rhos, parts = [], [], []
     for piece in pieces(layers, model):
         x, w = gauss_legendre(nodes, piece.low, piece.high)
@@ -161,7 +168,7 @@ def _integrals(
         n = projection.degrees(order, degree)
         columns += [part * ((k + 1.0) * one) for k, one in zip(n, radial, strict=True)]
     joined = tuple(np.concatenate([each[j] for each in rates]) for j in range(3))
-    return (joined[0], joined[1], joined[2]), np.stack(columns, axis=1)
+    return (joined[0], joined[1], joined[2]), np.stack(columns, axis=1), rho
 
 
 def _radials(m: int, degree: int, rho: Array) -> list[Array]:

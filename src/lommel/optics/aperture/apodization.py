@@ -16,6 +16,7 @@ J. C. Mason and D. C. Handscomb, *Chebyshev Polynomials* (Chapman and Hall, 2003
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
@@ -109,6 +110,40 @@ class Apodization:
         powers = np.concatenate(([0.0], series[:degree])) @ matrix
         left = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
         return cls(tuple(powers[1:].tolist()), error=math.expm1(min(left, _LARGEST)))
+
+    @classmethod
+    def zernike(cls, terms: Mapping[int, float]) -> Apodization:
+        """Return ``exp(sum of terms[n] (n + 1)^(1/2) R_n^0(rho))`` over its largest value.
+
+        Parameters
+        ----------
+        terms : mapping of int to float
+            Coefficients by degree n, 2, 4, ... to 20, nepers rms over the pupil.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a degree is none of these, or as above.
+        """
+        from numpy.polynomial import Legendre, Polynomial
+
+        series = np.zeros(_MOST + 1)
+        for n, b in terms.items():
+            degree = validation.integer("degrees of terms", n, least=2, most=2 * _MOST)
+            if degree % 2:
+                raise ValueError(f"degrees of terms must be even, got {degree}")
+            series[degree // 2] = math.sqrt(degree + 1.0) * validation.real(f"terms[{degree}]", b)
+        # R_2j^0(rho) = P_j(2 t - 1).
+        powers = Legendre(series, domain=[0.0, 1.0]).convert(kind=Polynomial).coef
+        return cls(tuple((-powers[1:]).tolist()))
+
+    def to_zernike(self) -> dict[int, float]:
+        """Return the coefficients that :meth:`zernike` takes, without those that are 0."""
+        from numpy.polynomial import Legendre, Polynomial
+
+        series = Polynomial([0.0, *self.powers]).convert(kind=Legendre, domain=[0.0, 1.0]).coef
+        found = {2 * j: -float(c) / math.sqrt(2.0 * j + 1.0) for j, c in enumerate(series) if j}
+        return {n: b for n, b in found.items() if b}
 
     @property
     def uniform(self) -> bool:

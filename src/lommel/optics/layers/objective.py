@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.units import format_length
+from lommel.optics.aperture.apodization import Apodization, illumination
 from lommel.optics.layers import azimuthal_orders, debye
 from lommel.optics.layers.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -180,6 +181,10 @@ class Objective:
         in the thick glass are left out.
     design : Design, optional
         Media that the objective was corrected for; by default the actual immersion and cover glass.
+    apodization : float or Apodization, default 0
+        Amplitude that the objective passes at the pupil radius rho, beside what its surfaces, films and the sine
+        condition do: a number g means ``exp(-g rho^2)``. Intensities are relative to the light collected, so that
+        only its shape counts.
 
     Raises
     ------
@@ -220,6 +225,7 @@ class Objective:
     sample: float
     films: tuple[Layer, ...]
     design: Design
+    apodization: float | Apodization
 
     def __init__(
         self,
@@ -232,6 +238,7 @@ class Objective:
         sample: float | None = None,
         films: Iterable[Layer] = (),
         design: Design | None = None,
+        apodization: float | Apodization = 0.0,
     ) -> None:
         validation.optional("coverslip", coverslip, Layer)
         validation.optional("design", design, Design)
@@ -250,6 +257,9 @@ class Objective:
             raise ValueError("working_distance must be given, in metres, with a coverslip or a design")
         if working_distance is not None:
             working_distance = length("working_distance", working_distance, _DISTANCE_MOST, positive=True)
+        light = illumination(apodization)
+        if light.error:
+            raise ValueError("apodization must be exact, a sum of powers of rho^2, got a series that is cut off")
         values = {
             "NA": aperture,
             "magnification": validation.real("magnification", magnification, least=1e-3, below=1e6),
@@ -259,6 +269,7 @@ class Objective:
             "sample": n if sample is None else refractive_index("sample", sample),
             "films": film_stack(films),
             "design": used,
+            "apodization": light if isinstance(apodization, Apodization) else light.slope,
         }
         vars(self).update(values)
         if not self._clearance > 0.0:
@@ -288,7 +299,9 @@ class Objective:
                 paths += [(side.coverslip.index, sign * side.coverslip.thickness)] if side.coverslip else []
         glass = self.coverslip.index if self.coverslip else self.immersion
         films = tuple((film.index, film.thickness) for film in self.films)
-        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres)
+        light = illumination(self.apodization)
+        exponent = () if light.uniform else tuple(light.exponent.tolist())
+        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres, exponent)
 
     def _paraxial(self, depth: Array) -> Array:
         """Return the paraxial focus of emitters, metres of the stage."""
@@ -418,8 +431,8 @@ class Objective:
     def transmission(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], ...]:
         """Return the transmitted amplitudes ``(t_s, t_p)`` of plane waves from immersion to sample.
 
-        By Fresnel's equations and characteristic matrices of the films. Emitted light has the same: its amplitude
-        times ``n_i c_i / (n_s c_s)``.
+        By Fresnel's equations and characteristic matrices of the films, without `apodization`. Emitted light has the
+        same: its amplitude times ``n_i c_i / (n_s c_s)``.
 
         Parameters
         ----------
@@ -446,9 +459,9 @@ class Objective:
     ) -> FocalField:
         """Return the vectorial field at radii from the axis, by quadrature over all angles: a slow reference.
 
-        ``K_m = int a T_m exp(i psi) J_m(k NA r rho) rho d rho`` with ``a = c_i^(-1/2)`` and
-        ``T_0 = t_s + t_p c_s, T_1 = t_p NA rho / n_s, T_2 = t_s - t_p c_s``. K0 is 1 in focus where NA is small and
-        nothing is reflected. Excitation and emission have the same field.
+        ``K_m = int a T_m exp(i psi) J_m(k NA r rho) rho d rho`` with ``a = c_i^(-1/2)`` times the `apodization` and
+        ``T_0 = t_s + t_p c_s, T_1 = t_p NA rho / n_s, T_2 = t_s - t_p c_s``. K0 is 1 in focus where NA is small,
+        nothing is reflected and nothing is apodized. Excitation and emission have the same field.
 
         Parameters
         ----------

@@ -151,12 +151,17 @@ class ObjectivePupil(BasePupil):
         layers = description["layers"]
         numbers: dict[str, Any] = {name: validation.real(name, layers[name]) for name in _NUMBERS}
         pairs: dict[str, Any] = {name: tuple((float(n), float(t)) for n, t in layers[name]) for name in _PAIRS}
+        exponent = tuple(validation.real_array("exponent", layers.get("exponent", ())).tolist())
         planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in PLANES}
         magnification = validation.real("magnification", description["magnification"], above=0.0)
         measured = description.get("aberrations")
         aberrations = measured and Wavefront.from_dict(measured)
         return cls(
-            Layers(**numbers, **pairs), magnification, emitter=kind(**plain), aberrations=aberrations, **planes
+            Layers(**numbers, **pairs, exponent=exponent),
+            magnification,
+            emitter=kind(**plain),
+            aberrations=aberrations,
+            **planes,
         )
 
     def __eq__(self, other: object) -> bool:

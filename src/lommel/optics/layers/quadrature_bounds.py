@@ -166,6 +166,8 @@ class Piece:
     def _composed(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
         c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
         light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
+        if self.layers.exponent:
+            light = light * np.exp(-self.layers.apodization(at.square))
         if model.kind == "scalar":
             return (2.0 * light,)
         sine = np.sqrt(at.square) / self.layers.sample
@@ -300,6 +302,9 @@ def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
         light = np.log(piece.jacobian(at.x).largest)
         if model.aplanatic:
             light -= 0.5 * np.log(at(piece.layers.immersion).least)
+        if piece.layers.exponent:
+            g = piece.layers.apodization(at.square)
+            light += g.radius - g.centre.real
         if model.kind == "scalar":
             return at, np.asarray(light + math.log(2.0))
         c_s = at(piece.layers.sample)

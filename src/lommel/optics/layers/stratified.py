@@ -44,7 +44,8 @@ class Amplitudes(NamedTuple):
 class Layers:
     """Refractive indices, films and fixed paths (index, thickness in metres; negative in the design), wavelength.
 
-    Films are listed from the glass to the sample; the wavelength is in vacuum.
+    Films are listed from the glass to the sample; the wavelength is in vacuum. The objective itself has the amplitude
+    ``exp(-(g_0 + g_1 rho^2 + ...))``, g being the `exponent`; 1 where it is empty.
     """
 
     NA: float
@@ -54,6 +55,7 @@ class Layers:
     films: tuple[tuple[float, float], ...]
     paths: tuple[tuple[float, float], ...]
     wavelength: float
+    exponent: tuple[float, ...] = ()
 
     @property
     def wavenumber(self) -> float:
@@ -95,6 +97,13 @@ class Layers:
         entering = c_g * (2.0 * n_g)
         # The matrices of p are those of H; the field E is H over the index.
         return Amplitudes(t_s * entering / at_s, t_p * entering / (at_p * (n_g * n_s)), (*below, at_s, at_p))
+
+    def apodization(self, square: Values) -> Values:
+        """Return minus the logarithm of the amplitude of the objective at `square`; 0 where it has none."""
+        t, total = square * self.NA**-2, square * 0.0
+        for g in reversed(self.exponent):
+            total = total * t + g
+        return total
 
     def log_slopes(self, cosine: Callable[[float], Values], square: Values) -> tuple[Values, Values]:
         """Return the log derivatives of the transmission of s and p waves by ln k, due to films."""

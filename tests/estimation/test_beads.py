@@ -354,6 +354,15 @@ def test_an_interrupt_keeps_the_best_so_far():
     assert calls == sorted(calls)
 
 
+def test_a_search_that_ends_at_very_strong_aberrations_is_a_misfit():
+    images, _ = recorded(1, waves(1))
+    start = lm.Wavefront.zernike({(3, 3): 35.0})
+    found = lm.fit_beads(images, OIL, **GIVEN, terms=[(3, 3)], priors={}, aberrations=start, steps=1)
+    assert (found.converged, found.reliable, found.model_error) == (False, False, math.inf)
+    assert found.message.startswith("misfit: ")
+    assert "aberrations are too strong for certified images" in found.message
+
+
 def test_noise_alone_is_no_bead():
     images = NOISE.record(np.full((9, 17, 17), 20.0), seed=1)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={})

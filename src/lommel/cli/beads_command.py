@@ -200,7 +200,7 @@ def _facts(found: BeadFit, corners: list[tuple[int, int]]) -> Facts:
         | {f"{name}_deviation": _numbers(getattr(one, f"{name}_deviation")) for name in ("flux", "background")}
         for one, corner in zip(found.beads, corners, strict=False)
     ]
-    return facts | {"covariance": found.covariance.tolist(), "model_error": found.model_error}
+    return facts | {"covariance": found.covariance.tolist(), "model_error": _plain(found.model_error)}
 
 
 def _numbers(values: Values) -> list[float | None]:

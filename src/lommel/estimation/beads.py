@@ -191,7 +191,8 @@ class BeadFit:
     message : str
         The verdict.
     model_error : float
-        Largest difference between images of the search and certified ones at the answer, over the peak.
+        Largest difference between images of the search and certified ones at the answer, over the peak; inf where
+        aberrations are too strong for these.
     steps : int
     """
 
@@ -686,6 +687,8 @@ def _fitted(
     else:
         message = f"converged{', but constants are suspected' if suspected else ''}: {work}"
         message += goodness_of_fit.remark(chi2, spread)
+    if math.isinf(error):
+        message += "; aberrations are too strong for certified images"
     if chi2 < goodness_of_fit.least(spread) and converged:
         message += "; the images are less noisy than gain, read noise and offset state"
     if suspected and not backwards and visible >= _VISIBLE:
@@ -896,7 +899,7 @@ def _told(beads: Sequence[FittedBead]) -> str:
 
 
 def _model_error(model: BeadModel, state: State) -> float:
-    """Return how far images of the search are from certified ones of a point, over the peak."""
+    """Return how far images of the search are from certified ones of a point, over the peak; inf without these."""
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
     edge = dict(zip(model.images.solved, state.waves * model.images.factors, strict=True)) | model.images.fixed
     ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
@@ -909,7 +912,10 @@ def _model_error(model: BeadModel, state: State) -> float:
         aberrations=Wavefront.zernike(edge, normalization="edge"),
     )
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
-    true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
+    try:
+        true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
+    except ValueError:  # aberrations beyond what is certified
+        return math.inf
     few = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
     quick = model.images.values(setup, state.waves, place._replace(drift=(0.0, 0.0)), few)
     return float(np.abs(quick - true.values).max() / true.values.max())

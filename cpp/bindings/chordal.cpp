@@ -267,12 +267,7 @@ std::pair<Out<double, 2>, Out<double, 2>> series_gradient(In<double, 3> radial, 
 template <class T>
 struct CheaperImages : Images<T> {
     using Images<T>::Images;
-    void run() { this->run_if_cheaper(false); }
-};
-template <class T>
-struct CheaperSamples : Images<T> {
-    using Images<T>::Images;
-    void run() { this->run_if_cheaper(true); }
+    void run() { this->run_if_cheaper(); }
 };
 
 std::pair<double, double> costs(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
@@ -302,8 +297,6 @@ void bindings::define_chordal(nb::module_& m) {
                                       "The same by the chordal rule; bounds are over the largest value of the window.");
     define_disk_images<CheaperImages, false>(m, "cheaper_chordal_images",
                                              "The same, unless the series is likely to take less time: a Declined then.");
-    define_disk_images<CheaperSamples, false>(m, "cheaper_chordal_samples",
-                                              "The same of samples for averages, of several windows in turn.");
     m.def("disk_costs", &costs, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "height"_a,
           "width"_a, "step"_a, "tol"_a, "single"_a,
           "Nanoseconds that images are likely to take by the chordal rule and by the series.");

@@ -95,16 +95,6 @@ def test_the_choice_is_that_of_the_times_that_were_measured():
     assert np.mean(np.array(ratios) <= 1.25) >= 0.95
 
 
-def test_samples_whose_tables_are_made_again_each_time_are_for_the_series():
-    """Averages take samples of two windows in turn; by chords both have tables of some 50 MiB here."""
-    pupil, grid, tol = disk_question(126, averages=True)
-    assert grid.integrate
-    window = lm.Grid(45, grid.side / 6.0)
-    assert type(lm.psf(pupil, 45, window.side, tol=tol, normalize="strehl").method) is lm.ChordalGauss
-    averaged = lm.psf(pupil, grid.shape, grid.side, center=grid.axis, integrate=True, tol=tol, normalize="strehl")
-    assert type(averaged.method) is lm.NijboerZernike
-
-
 def test_more_of_anything_costs_no_less():
     def costs(pupil: lm.Pupil, side: int, pixel: float = 0.5, tol: float = 1e-6) -> np.ndarray:
         return np.array(disk_costs(disk_stack(pupil), window_of(pupil, lm.Grid(side, pixel)), tol))

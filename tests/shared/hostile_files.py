@@ -437,7 +437,7 @@ def dat(width: int, height: int) -> bytes:
 def seconds_a_number() -> float:
     """Return the seconds of the processor in which float reads a number, just now.
 
-    By the clock of the thread: under a limit of its processor time that of the process moves in steps of milliseconds.
+    By the clock of the thread: under a limit of processor time that of the process moves in steps of milliseconds.
     """
     start, words = time.thread_time(), 2**10 * ["1.25e-3"]
     for _ in range(64):

@@ -172,18 +172,15 @@ def chordal_images(
     wanted: Wanted,
     *,
     if_cheaper: bool = False,
-    in_turn: bool = False,
 ) -> Images:
     """Return the same by the chordal rule, with errors over the largest value in the window.
 
     Derivatives by the terms that `wanted` names are over the same value; their errors are bounded, not held to `tol`.
-    With `if_cheaper`, images that :func:`series_images` is likely to take less time for raise Declined; `in_turn`
-    says that several windows are asked for in turn, whose tables may not be kept all at once.
+    With `if_cheaper`, images that :func:`series_images` is likely to take less time for raise Declined.
     """
     over = "the largest value in the window"
     if not wanted.terms:
-        cheaper = _core.cheaper_chordal_samples if in_turn else _core.cheaper_chordal_images
-        compute = cheaper if if_cheaper else _core.chordal_images
+        compute = _core.cheaper_chordal_images if if_cheaper else _core.chordal_images
         return _disk_images(compute, over, stack, window, tol, wanted)
     terms, count = np.array(wanted.terms, dtype=np.int32), len(stack.edge)
     slopes = Slopes(np.empty((len(terms), count, *window.shape), wanted.dtype), np.empty((len(terms), count)))

@@ -93,8 +93,8 @@ class ChordalGauss(Method[Pupil]):
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
 
         def sampled(some: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Images:
-            choice = {"if_cheaper": self._if_cheaper, "in_turn": grid.integrate}
-            return chordal_images(disk_stack(some), window_of(some, pixels), tol, wanted, **choice)
+            stack, window = disk_stack(some), window_of(some, pixels)
+            return chordal_images(stack, window, tol, wanted, if_cheaper=self._if_cheaper)
 
         return disk_images(sampled, pupil, grid, self.tol, wanted)
 

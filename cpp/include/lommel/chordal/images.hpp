@@ -44,6 +44,9 @@ struct ChordalBudget {
     // Of tolerance and peak, on U and its rounding to single precision, where sums have that: twice as much as of a peak that is
     // likely; and of this the most that may be rounding.
     static constexpr double single = 0.6, rounding = 0.7;
+    // Of what is asked of U, and of what single precision may leave, where the variance of the phase is large: such images may be
+    // dimmer than is guessed, and to ask for less costs a few chords where to do all again costs as much again.
+    static constexpr double large = 10.0, dim = 0.25, dim_single = 0.8;
     // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked.
     static constexpr double again = 0.3, least = 1e-3;
 };
@@ -61,10 +64,8 @@ class ChordalRenderer {
     void run();
 
     // The same where that is likely to take less time than the series; otherwise throws LimitExceeded before images are begun.
-    // Of windows asked `in_turn`, as samples for averages are, tables are made again where those of two are not kept.
-    void run_if_cheaper(bool in_turn) {
+    void run_if_cheaper() {
         weighed_ = true;
-        in_turn_ = in_turn;
         run();
     }
     // What both are likely to take, in nanoseconds, without images.
@@ -78,6 +79,7 @@ class ChordalRenderer {
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         bool at_rounding = false;                  // less than this error cannot be asked for
+        bool large = false;                        // the variance of the phase, at first
         bool single = sizeof(T) == sizeof(float);  // whether sums are in single precision
         ChordDisk far, near;                       // the whole disk and the obscured one
     };
@@ -98,7 +100,8 @@ class ChordalRenderer {
         const double chords = s.far.chords.line.times(degree_).needed(s.error);
         const double nodes = s.far.nodes.line.times(degree_).needed(s.error);
         const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size());
-        const double all = s.error * (ChordalBudget::single / ChordalBudget::field) * (answer_.scales[p] == 0.0 ? 0.5 : 1.0);
+        const double all = s.error * (ChordalBudget::single / ChordalBudget::field) * (answer_.scales[p] == 0.0 ? 0.5 : 1.0) *
+                           (s.large ? ChordalBudget::dim_single / ChordalBudget::dim : 1.0);
         s.single = rounding <= ChordalBudget::rounding * all;
         return s.single ? std::min(s.error, all - rounding) : s.error;
     }
@@ -164,9 +167,9 @@ class ChordalRenderer {
         return groups;
     }
 
-    // Bytes of the tables of these, of terms and of the kernel.
+    // Whether tables of these stay in their caches all at once, with those of another attempt.
     template <class Real>
-    std::pair<double, double> bytes(const std::vector<Group>& groups) const {
+    bool kept(const std::vector<Group>& groups) const {
         double terms = 0.0, kernels = 0.0;
         ChordCount last[2];
         bool lone = !groups.empty() && groups.front().lone;
@@ -182,13 +185,6 @@ class ChordalRenderer {
                 }
             }
         }
-        return {terms, kernels};
-    }
-
-    // Whether tables of these stay in their caches all at once, with those of another attempt.
-    template <class Real>
-    bool kept(const std::vector<Group>& groups) const {
-        const auto [terms, kernels] = bytes<Real>(groups);
         return 2.5 * terms < static_cast<double>(TermTable::most_bytes) &&
                2.5 * kernels < static_cast<double>(KernelTable<Real>::most_bytes);
     }
@@ -285,7 +281,6 @@ class ChordalRenderer {
         // Fitted with the widest vectors, of which one takes as long as two of half the width. Without them chords and the series
         // take longer than their models; 0.7 of the former is what chose best among 544 questions.
         const double each = processor_level() == Level::avx512 ? 1.0 : 0.35;
-        const double made = in_turn_ && !kept<Real>(groups) ? 3.7 * bytes<Real>(groups).first : 0.0;
         double sum = 0.0;
         for (const Group& group : groups) {
             for (const ChordCount& count : {group.far, group.near}) {
@@ -302,7 +297,7 @@ class ChordalRenderer {
                 }
             }
         }
-        return made + each * sum;
+        return each * sum;
     }
 
     // Once it is known how many chords and nodes they take.
@@ -370,7 +365,7 @@ class ChordalRenderer {
     double area_;
     ChordLines lines_;
     std::vector<State> states_;
-    bool weighed_ = false, in_turn_ = false, only_costs_ = false;  // whether to weigh, and no more than that
+    bool weighed_ = false, only_costs_ = false;  // whether to weigh, and no more than that
     std::pair<double, double> costs_;
 };
 
@@ -380,7 +375,10 @@ void ChordalRenderer<T, More>::run() {
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
         // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
-        return states_[p].error = ChordalBudget::field * tol_ * 0.5 * bright / std::sqrt(1.0 + bound.variance());
+        const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
+        State& s = states_[p];
+        s.large = bound.variance() > ChordalBudget::large;
+        return s.error = (s.large ? ChordalBudget::dim : 1.0) * ChordalBudget::field * tol_ * peak;
     };
     lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
     if (area_ > 0.0) {

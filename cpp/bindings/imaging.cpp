@@ -9,6 +9,7 @@
 
 #include "lommel/imaging/composite.hpp"
 #include "lommel/imaging/depth_layers.hpp"
+#include "lommel/imaging/field_spread.hpp"
 #include "lommel/imaging/levels.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/imaging/spread.hpp"
@@ -177,6 +178,62 @@ void composite(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energ
     });
 }
 
+// Splines, and the pixels that spread windows mixed of them: see field_spread.hpp.
+template <class T>
+lommel::FieldSpreader<T> field_spreader(const In<T, 4>& windows, std::size_t side, const In<T, 2>& down, const In<T, 2>& places,
+                                        const In<T, 2>& shares, const In<std::int64_t, 1>& tiles, const In<double, 2>& defocus,
+                                        const In<double, 1>& breaks, const In<T, 3>& powers, const In<std::int64_t, 1>& rows,
+                                        const In<std::int64_t, 1>& columns, int threads) {
+    const std::size_t size = windows.shape(3), order = powers.shape(1), intervals = powers.shape(0);
+    const std::size_t high = defocus.shape(0), broad = defocus.shape(1), count = places.shape(0);
+    require(
+        side >= 1 && side <= 4096 && side * side <= size && size % lommel::FieldSpreader<T>::step == 0 && windows.size() > 0,
+        "windows must be padded to multiples of 16 pixels");
+    require(order == 1 || order == 4 || order == 6, "1, 4 or 6 nodes count at each defocus");
+    require(intervals >= 1 && powers.shape(2) == order && breaks.size() == intervals + 1 &&
+                intervals + order - 1 <= windows.shape(2),
+            "there must be powers for each interval, and nodes");
+    require(lommel::all_finite(defocus.data(), defocus.size()) && lommel::all_finite(breaks.data(), breaks.size()),
+            "defocus must be finite");
+    require(std::is_sorted(breaks.data(), breaks.data() + breaks.size()), "breaks must rise");
+    require(down.shape(0) == high && down.shape(1) == windows.shape(0), "rows must have a weight for each node");
+    require(count >= 3 && count % 2 == 1 && places.shape(1) == windows.shape(1), "places must have a weight for each node");
+    require(shares.shape(0) == broad && shares.shape(1) == 3 && tiles.size() == broad, "columns must have three shares");
+    const auto inside = [](const In<std::int64_t, 1>& indices, std::size_t end) {
+        return std::all_of(indices.data(), indices.data() + indices.size(),
+                           [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(end); });
+    };
+    require(inside(tiles, (count - 1) / 2) && inside(rows, high) && inside(columns, broad), "indices must be inside");
+    require(threads >= 0, "threads must be 0 or more");
+    return {{windows.data(), windows.shape(0), windows.shape(1), windows.shape(2), side, size},
+            {down.data(), places.data(), shares.data(), tiles.data(), rows.data(), columns.data(), count, rows.size(),
+             columns.size(), defocus.data(), breaks.data(), powers.data(), broad, intervals, order},
+            threads};
+}
+
+// Adds each pixel, spread over its window, to an image that is larger by these; or the transpose.
+template <class T>
+void field_spread(In<T, 4> windows, std::size_t side, In<T, 2> down, In<T, 2> places, In<T, 2> shares,
+                  In<std::int64_t, 1> tiles, In<double, 2> defocus, In<double, 1> breaks, In<T, 3> powers,
+                  In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out,
+                  bool transposed) {
+    const auto spreader =
+        field_spreader(windows, side, down, places, shares, tiles, defocus, breaks, powers, rows, columns, threads);
+    const auto size = [](const auto& array) { return std::pair(array.shape(0), array.shape(1)); };
+    const std::pair<std::size_t, std::size_t> small(rows.size(), columns.size());
+    const std::pair<std::size_t, std::size_t> large(rows.size() + side - 1,
+                                                    columns.size() + side - 1 + lommel::FieldSpreader<T>::step);
+    require(size(image) == (transposed ? large : small) && size(out) == (transposed ? small : large),
+            "one image must be as large as the scene, the other larger by a window");
+    released([&] {
+        if (transposed) {
+            spreader.adjoint(image.data(), out.data());
+        } else {
+            spreader.forward(image.data(), out.data());
+        }
+    });
+}
+
 }  // namespace
 
 void bindings::define_imaging(nb::module_& m) {
@@ -203,5 +260,11 @@ void bindings::define_imaging(nb::module_& m) {
         m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
               "seen"_a.noconvert() = nb::none(), "slopes"_a = false, "The transpose of spread().");
+        m.def("field_spread", &field_spread<T>, "windows"_a.noconvert(), "side"_a, "down"_a.noconvert(), "places"_a.noconvert(),
+              "shares"_a.noconvert(), "tiles"_a, "defocus"_a, "breaks"_a, "powers"_a.noconvert(), "rows"_a, "columns"_a,
+              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "transposed"_a = false,
+              "Adds each pixel times the window of splines at its place and defocus to an image larger by a window, or writes "
+              "the "
+              "transpose.");
     });
 }

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, partial, reduce
 from itertools import pairwise
@@ -22,6 +24,7 @@ from lommel.field.maps import FieldMap, require_light
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens
 from lommel.imaging.linear import LinearBlur, gathered
+from lommel.imaging.mixed_windows import LARGEST, WindowBlur, copies
 from lommel.imaging.sensor_light import too_large
 from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
@@ -121,10 +124,11 @@ class FieldBlur(LinearBlur):
         self.field_map, self.shape = field_map, validation.image_shape(shape)
         self.pixel = validation.pixel(pixel, metric=metric)
         validation.pixel_on(self.pixel, light.scale, metric=metric)
-        validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
+        self.tol = validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
         settings = Settings.of(FieldBlur, options, FieldKeywords)
         self.border, self.dtype = settings.border, cast("np.dtype[np.floating]", settings.dtype)
         self.threads = settings.threads or 0
+        self._scaled = sensor is not None
         self.y, self.x = self._places(center, sensor)
         self.lens, self.defocus = lens, self._focus(depth, lens)
         spans = [(float(along[0]), float(along[-1])) for along in (self.y, self.x)]
@@ -135,7 +139,9 @@ class FieldBlur(LinearBlur):
         self.channels = len(colours)
 
         @cache
-        def made(spectrum: tuple[tuple[float, float], ...] | None) -> tuple[FieldBank, tuple[MixedBlur, ...]]:
+        def made(
+            spectrum: tuple[tuple[float, float], ...] | None,
+        ) -> tuple[FieldBank, tuple[WindowBlur | MixedBlur, ...]]:
             phase, accuracy = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
             light = PointLight(field_map, phase, spectrum, self.pixel, accuracy, settings.threads)
             bank = build_field_bank(light, spans, self.shape, settings, tol)
@@ -147,12 +153,75 @@ class FieldBlur(LinearBlur):
     @property
     def error(self) -> float:
         """Largest sum of absolute differences found between interpolated windows and exact ones."""
-        return max(bank.error for bank in self.banks)
+        return max(bank.error + parts[0].error for bank, parts in zip(self.banks, self._parts, strict=True))
 
     @property
     def lost(self) -> float:
         """Largest fraction found of the light beyond the windows."""
         return max(bank.lost for bank in self.banks)
+
+    def crop(
+        self, shape: int | tuple[int, int], *, center: tuple[float, float], depth: ArrayLike | None = None
+    ) -> FieldBlur:
+        """Return the blur of another part of the field, or of another depth, with the windows that are known.
+
+        For data sets: the windows of the whole image are computed once, and each crop takes a few milliseconds.
+
+        Parameters
+        ----------
+        shape : int or (int, int)
+            Height and width, pixels; the windows are as large as those of this blur.
+        center : (float, float)
+            Row and column of the optical axis, in pixels from the centre of the first one of the crop.
+        depth : array_like, shape (height, width), optional
+            Required if this blur has a depth: metres, within the range of its own.
+
+        Returns
+        -------
+        FieldBlur
+            It shares the `banks` of this one.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, or the crop goes beyond the image or the depth of this blur; or if this
+            was made with ``sensor=``, whose pixels are not those of PSFs.
+
+        Examples
+        --------
+        >>> field = lm.FieldMap.from_seidel(6e-3, W131=1.5, W222=1.0, wavelength=550e-9, f_number=4.0)
+        >>> whole = lm.imaging.FieldBlur(field, (600, 800), 4e-6)
+        >>> part = whole.crop(64, center=(299.5 - 100, 399.5 - 500))  # rows from 100, columns from 500
+        >>> star = np.zeros((64, 64))
+        >>> star[20, 30] = 1.0
+        >>> bool(np.allclose(part.window(20, 30), whole.window(120, 530)))
+        True
+        """
+        if self._scaled:
+            raise ValueError("crop needs a blur whose image has its true size, without sensor=")
+        made = copy.copy(self)
+        made.shape = validation.image_shape(shape)
+        made.y, made.x = made._places(validation.position("center", center), None)
+        lens = self.lens
+        if (depth is None) != (lens is None):
+            wanted = "must not have a depth" if lens is None else "needs a depth"
+            raise ValueError(f"crop {wanted}, as the blur that it is part of")
+        made.defocus = made._focus(depth, lens)
+        for name, found, axis in zip(
+            ("rows", "columns", "defocus"), (made.y, made.x, made.defocus), self.banks[0].axes, strict=True
+        ):
+            first, last = axis.first, axis.last
+            slack = 1e-6 * (last - first) + (1e-3 * self.pixel if name != "defocus" else 1e-9)
+            if not (first - slack <= found.min() and found.max() <= last + slack):
+                unit = "rad" if name == "defocus" else self.field_map.unit
+                raise ValueError(
+                    f"crop must be within the blur that it is part of: its {name} span {found.min():.6g} to "
+                    f"{found.max():.6g} {unit}, and those {first:.6g} to {last:.6g}"
+                )
+        # Channels of one spectrum share a bank.
+        parts = {id(bank): made._made(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
+        made._parts = tuple(parts[id(bank)] for bank in self.banks)
+        return made
 
     def window(self, row: int, column: int, channel: int = 0) -> Array:
         """Return the PSF (side, side) of the point at `row`, `column` in a `channel`; ValueError if there is none."""
@@ -212,11 +281,18 @@ class FieldBlur(LinearBlur):
         defocus.flags.writeable = False
         return defocus
 
-    def _made(self, bank: FieldBank) -> tuple[MixedBlur, ...]:
+    def _made(self, bank: FieldBank) -> tuple[WindowBlur | MixedBlur, ...]:
         """Return the operators of a channel: of its windows, and of the light beyond them."""
         made = partial(MixedBlur, border=self.border, threads=self.threads)
         focus, down, across = bank.axes[2], bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
-        near = made(bank.coefficients, (down, across), focus, self.defocus)
+        near: WindowBlur | MixedBlur | None = None
+        if bank.coefficients.shape[-1] <= LARGEST[min(2, focus.count)]:
+            with suppress(ArithmeticError):
+                near = WindowBlur(
+                    bank.coefficients, bank.axes, self.y, self.x, self.defocus,
+                    border=self.border, threads=self.threads, allowed=self.tol - bank.error,
+                )  # fmt: skip
+        near = near or made(bank.coefficients, (down, across), focus, self.defocus)
         if bank.far is None:
             return (near,)
         held = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
@@ -249,6 +325,8 @@ class MixedBlur:
     the weights down the image are applied, which they do not depend on.
     """
 
+    error = 0.0  # to the windows of the splines
+
     def __init__(
         self,
         windows: Values,
@@ -264,11 +342,7 @@ class MixedBlur:
         self.beyond = windows.shape[-1] - 1  # rows and columns that a block spreads beyond its own
         margin = 0 if border == "zero" else self.beyond // 2
         self.before = margin + self.beyond // 2  # the first pixel of the image, in what blocks make
-        mode: Any = "symmetric" if border == "reflect" else "edge"
-        # Which row or column each of those is a copy of that spread light, the ones beyond the edges too.
-        self.rows, self.columns = (
-            np.pad(np.arange(len(part), dtype=np.int64), margin, mode=mode) for part in weights
-        )
+        self.rows, self.columns = (copies(len(part), margin, border) for part in weights)
         self.down, self.across = weights[0][self.rows], weights[1][self.columns]
         self.down, self.across = (part.astype(windows.dtype) for part in (self.down, self.across))
         self.sides = _sides(self.down.shape, self.across.shape, self.beyond + 1)
@@ -472,6 +546,7 @@ _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
 _CHECKED = 1500  # places half-way between nodes that are looked at, where there are more
 _FINE = 3e-4  # tolerances below which splines of degree 5 are quicker than cubic ones
 _SHARES = (0.9, 1.2, 1.4)  # of the tolerance that one, two, three axes have together: they err at different places
+_PARABOLAS = 0.03  # of the tolerance for parabolas in place of splines
 _FAR = 0.4  # of the tolerance for the light beyond the windows, where that counts
 
 
@@ -531,9 +606,10 @@ def build_field_bank(
     energy, largest = settings.energy, settings.largest or max(1, min(shape) // 2)
     half, core = light.enough(spans, CORE if energy == 1.0 else energy, largest)
     far = far_light(light, spans, _FAR * tol, largest, max(shape)) if energy == 1.0 else None
-    room = tol
+    beyond = 0.0
     if far is not None:
-        half, room = far.half, tol - far.error
+        half, beyond = far.half, far.error
+    room = (1.0 - _PARABOLAS) * tol - beyond
     axes, before = _axes(light, spans, min(core, half), room), math.inf
     if all(nodes.count == 1 for nodes in axes):
         before = 0.0
@@ -573,7 +649,7 @@ def build_field_bank(
         )
         if error <= room:
             lost = 1.0 - float(min(held.min(), between.min())) if far is None else far.lost
-            return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + tol - room)
+            return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + beyond)
         degree = axes[0].degree
         times = max(1.02, (error / (0.9 * room)) ** (1.0 / (degree + 1)))
         # Where nodes that are closer do not help, axes of a single one may need more.
@@ -744,6 +820,11 @@ class Nodes:
         from scipy.interpolate import make_interp_spline
 
         return make_interp_spline(self._along, np.eye(self.count), k=min(self.degree, self.count - 1))
+
+    @property
+    def knots(self) -> tuple[Array, int]:
+        """Knots from 0 to 1 of the splines, and their degree."""
+        return self._spline.t, self._spline.k
 
     def coefficients(self, values: Values, axis: int) -> Values:
         """Return the coefficients of splines from values at the nodes, which lie along `axis`."""

@@ -220,12 +220,11 @@ def test_of_the_whole_psf_nothing_is_lost(deep):
     assert off.max() + beyond.max() < 0.5 * FieldBlur(OF_LENS, SHAPE, PIXEL, largest=60, **more).lost
     star = np.zeros(SHAPE)
     star[rows[0], columns[0]] = 1.0
-    zero = FieldBlur(
-        OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=4e-3, largest=60, border="zero", **more
-    ).forward(star)
+    dark = FieldBlur(OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=4e-3, largest=60, border="zero", **more)
+    zero = dark.forward(star)
     first = reach - rows[0], reach - columns[0]
     part = made[0][first[0] : first[0] + SHAPE[0], first[1] : first[1] + SHAPE[1]]
-    assert np.abs(zero - part).max() < 1e-12
+    assert np.abs(zero - part).sum() <= dark._parts[0][0].error + 1e-11  # parabolas where windows are small
     for border in ("reflect", "extend") if not deep else ():
         blur = FieldBlur(OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=0.02, largest=60, border=border)
         one, other = dot(blur)
@@ -347,3 +346,41 @@ def test_images_that_are_none_and_points_that_are_not_there_are_refused():
         blur.window(24, 0)
     with pytest.raises(ValueError, match="channel must be"):
         blur.window(0, 0, 1)
+
+
+@pytest.mark.parametrize("deep", [False, True])
+def test_a_crop_is_a_part_of_the_image_with_the_same_windows(deep):
+    depth = np.random.default_rng(0).uniform(1.6, 2.3, SHAPE)
+    more = {"depth": depth, "lens": LENS} if deep else {}
+    given = {"dtype": np.float64, "largest": 40, "energy": 0.9, "tol": 1e-2, "channels": (550e-9, 500e-9, 550e-9)}
+    whole = FieldBlur(OF_LENS, SHAPE, PIXEL, border="zero", **given, **more)
+    top, left = 9, 16
+    part = whole.crop((12, 20), center=(11.5 - top, 19.5 - left), depth=depth[9:21, 16:36] if deep else None)
+    assert all(one is other for one, other in zip(part.banks, whole.banks, strict=True))
+    assert part.error <= 1e-2
+    assert np.abs(part.window(3, 4, 1) - whole.window(top + 3, left + 4, 1)).max() < 1e-12
+    light = np.zeros((*SHAPE, 3))
+    light[9:21, 16:36] = np.random.default_rng(1).random((12, 20, 3))
+    off = part.forward(light[9:21, 16:36]) - whole.forward(light)[9:21, 16:36]
+    # By no more than the parabolas of both, where windows are small.
+    assert (
+        np.abs(off).sum()
+        <= (1e-12 + sum(max(parts[0].error for parts in blur._parts) for blur in (part, whole))) * light.sum()
+    )
+    one, other = dot(part)
+    assert one == pytest.approx(other, rel=1e-12)
+
+
+def test_crops_that_go_beyond_the_whole_are_refused():
+    depth = np.linspace(1.6, 2.3, 960).reshape(SHAPE)
+    given = {"largest": 40, "energy": 0.9, "tol": 1e-2}
+    whole = FieldBlur(OF_LENS, SHAPE, PIXEL, depth=depth, lens=LENS, **given)
+    near = np.full((12, 20), 1.5)
+    with pytest.raises(ValueError, match="its columns span"):
+        whole.crop((12, 20), center=(5.5, 22.0), depth=near + 0.3)
+    with pytest.raises(ValueError, match="its defocus span"):
+        whole.crop((12, 20), center=(5.5, 9.5), depth=near)
+    with pytest.raises(ValueError, match="crop needs a depth"):
+        whole.crop((12, 20), center=(5.5, 9.5))
+    with pytest.raises(ValueError, match="without sensor="):
+        FieldBlur(SENSOR, (7, 10), PIXEL, sensor=(7e-4, 1e-3), largest=30).crop((3, 3), center=(1.0, 1.0))

@@ -132,6 +132,39 @@ def test_a_picture_of_a_checkerboard_becomes_a_table(chart, call_lommel):
     assert (folder / "spots.png").stat().st_size > 5_000
 
 
+def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
+    draw, scope, radius = np.random.default_rng(2), simulated.Telescope(3, side=64), 2.0
+    image = np.full((110, 145), 20.0)
+
+    def waves(u, v):
+        return np.stack([0.9 + 0.4 * u, 0.4 * v, -0.3 + 0.2 * u], axis=-1)
+
+    for row in (18, 55, 92):
+        for column in (18, 72, 127):
+            place = draw.uniform(-0.5, 0.5, 2)
+
+            def hole(y, x, place=place):
+                return 1.0 * (np.hypot(y - place[0], x - place[1]) < radius)
+
+            u, v = 2.0 * (column + 0.5) / 145 - 1.0, 2.0 * (row + 0.5) / 110 - 1.0
+            seen = simulated.extended(hole, scope, waves(u, v), 0.5, 33, 0.6, over=5, reach=9.0)
+            image[row - 16 : row + 17, column - 16 : column + 17] += 2e4 * seen
+    np.save(tmp_path / "holes.npy", (draw.poisson(image) + draw.normal(size=image.shape) * 2.0).astype(np.float32))
+    (tmp_path / "lens.toml").write_text(LENS, encoding="utf-8")
+    options = ("--targets", "pinhole", "--size", "8.8um", "--read", 2, "--degree", 1, "--terms", 3)
+    written = ("--window", 29, "-o", "field.csv", "--twin", "twin.csv", "--json")
+    call = ("fit-field", "holes.npy", "lens.toml", *options, *written)
+    found = json.loads(call_lommel(*call, folder=tmp_path).stdout)
+    assert found["converged"], found["message"]
+    assert "of 9 pinholes, degree 1" in found["message"]
+    assert abs(found["blur"][0] - 0.6) < 5.0 * found["blur_deviation"][0]
+    true, off = {"middle": waves(0.0, 0.0), "corner": waves(1.0, 1.0)}, []
+    for sign in (1.0, -1.0):
+        apart = [sign * true[name] / (2.0 * np.pi) - of["coefficients"] for name, of in found["waves"].items()]
+        off.append(np.max(np.abs(apart) / [of["deviation"] for of in found["waves"].values()]))
+    assert min(off) < 4.0 < max(off)
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [

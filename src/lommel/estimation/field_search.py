@@ -24,6 +24,9 @@ _STEPS = 14  # of each start
 _SCATTER = 0.7, 0.25  # radians rms of starts: defocus and astigmatism, other terms
 _BLUR = 0.5  # pixels, at first
 _GOOD = 1.08  # median chi2 of stars from which on a candidate is taken
+_ALIKE = 0.02  # of what chi2 exceeds 1 by: two starts of a star that end so near have found one minimum
+_SURELY = 0.75  # of the stars, whose chi2 is sure where that of a candidate is compared with it
+_ENOUGH = 1.1  # times what chi2 of the stars by themselves exceeds 1 by
 _OUTLIER = 5.0  # standard deviations of chi2 beyond the median
 _ROUNDS = 4  # of rejection
 _MOST_LOST = 0.4  # of the stars, that may be rejected
@@ -81,10 +84,14 @@ class Search:
         bright = (valid * (counted - level)).sum(axis=(1, 2))
         return np.sort(np.argsort(-bright, kind="stable")[:_SINGLES])
 
-    def singles(self, chosen: NDArray[np.intp]) -> tuple[Array, Array]:
-        """Return the best parameters (n, p) of stars fitted by themselves, and their chi2."""
+    def singles(self, chosen: NDArray[np.intp]) -> tuple[Array, Array, NDArray[np.bool_]]:
+        """Return the best parameters (n, p) of stars fitted by themselves, their chi2, and which are sure.
+
+        Those that fit, and those that two starts have led to, are: further starts would not find better ones.
+        """
         stars = self.stars
         best, chi2 = np.zeros((len(chosen), stars.size)), np.full(len(chosen), np.inf)
+        sure = np.zeros(len(chosen), dtype=bool)
         open_ = np.arange(len(chosen))
         ambiguous = stars.one.sign_ambiguous
         for turn in range(_STARTS):
@@ -98,13 +105,16 @@ class Search:
             with suppress(Declined, ToleranceError):
                 x, scores, _, taken = climb(model, x, _STEPS, report, fast=True)
                 self.taken += taken
-                better = scores.chi2 < chi2[open_]
+                before = chi2[open_]
+                better = scores.chi2 < before
                 best[open_[better]], chi2[open_[better]] = x[better], scores.chi2[better]
                 fits = scores.chi2 < np.maximum(goodness_of_fit.most(scores.spread, SURE), 1.02)
-                open_ = open_[~fits]
+                alike = np.abs(scores.chi2 - before) < _ALIKE * np.maximum(chi2[open_] - 1.0, 0.0)
+                sure[open_[fits | alike]] = True
+                open_ = open_[~(fits | alike)]
             if open_.size == 0:
                 break
-        return best, chi2
+        return best, chi2, sure
 
     def _random(self, rows: NDArray[np.intp], *, scatter: bool) -> Array:
         stars = self.stars
@@ -147,10 +157,13 @@ class Search:
         """Return the fit of the brightest stars, from fits of each."""
         stars = self.stars
         chosen = self.brightest()
-        x, chi2 = self.singles(chosen)
+        x, chi2, sure = self.singles(chosen)
         if not np.isfinite(chi2).any():
             raise ToleranceError("no star could be fitted: the images of all starts are beyond what can be computed")
         usable = np.isfinite(chi2)
+        # Polynomials do not fit better than stars by themselves do: nothing is to be sought below.
+        floor = _ENOUGH * (float(np.median(chi2[usable])) - 1.0) if sure.mean() >= _SURELY else 0.0
+        enough = max(_GOOD, 1.0 + floor)
         chosen, x, chi2 = chosen[usable], x[usable], chi2[usable]
         quality = 1.0 / np.maximum(chi2 / max(float(np.median(chi2)), 1e-9), 1.0) ** 2
         waves, squares, _, _ = stars.split(x)
@@ -182,7 +195,7 @@ class Search:
             median = float(np.median(found.model.each(found.x, fast=True).chi2))
             if median < lowest:
                 best, lowest = found, median
-            if median < _GOOD:
+            if median < enough:
                 break
         if best is None:
             raise ToleranceError(

@@ -45,13 +45,13 @@ BAD = [
     (f"{BLUR} lens.toml", "Missing option '-o'"),
     (
         f"{BLUR} lens.toml -o out.bmp",
-        "--output must end in .png, .jpg, .jpeg, .tif, .tiff for a photograph, got '.bmp' in 'out.bmp'",
+        "--output must end in .png, .jpg, .jpeg, .tif, .tiff, .exr for a photograph, got '.bmp' in 'out.bmp'",
     ),
     ("blur nowhere.png depth.npy lens.toml -o out.png", "nowhere.png: No such file or directory"),
     ("blur broken.png depth.npy lens.toml -o out.png", "broken.png cannot be read as a PNG photograph"),
     ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha; flatten it first"),
-    ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG or TIFF file"),
-    ("blur photo.png lens.toml lens.toml -o out.png", "lens.toml is not a NPY, PFM, TIFF or PNG file"),
+    ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG, TIFF or EXR file"),
+    ("blur photo.png lens.toml lens.toml -o out.png", "lens.toml is not a NPY, PFM, TIFF, PNG or EXR file"),
     (
         "blur photo.png small.npy lens.toml -o out.png",
         "must have the size of the upright photo, 36 x 30, got",
@@ -96,7 +96,10 @@ BAD = [
     (f"{FULL} --wavelengths red", "'red' is not a length"),
     (f"{FULL} --energy 2", "energy must be"),
     (f"{FULL} --tol 0", "tol must be"),
-    (f"{FULL} --bits float", "--output must end in .tif, .tiff for a photograph of float32, got '.png' in 'out.png'"),
+    (
+        f"{FULL} --bits float",
+        "--output must end in .tif, .tiff, .exr for a photograph of float32, got '.png' in 'out.png'",
+    ),
     (f"{FULL} --quality 0 ", "quality must be from 1 to 100, got 0"),
     (
         f"{FULL} --largest 1",

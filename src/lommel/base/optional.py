@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 # Extras that no target of the Makefile installs.
-_NOT_LOCKED = ("torch", "cupy", "exr")
+_NOT_LOCKED = ("torch", "cupy")
 _TO_INSTALL = {"OpenEXR": "openexr", "PIL": "pillow", "dask": '"dask[array]"'}
 
 

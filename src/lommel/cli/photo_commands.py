@@ -146,9 +146,9 @@ def blur(
 ) -> Report:
     """Blur a photo by its depth map, or pull the focus through it.
 
-    PHOTO is a PNG, JPEG or TIFF, grey or RGB. DEPTH is a depth map of the same size, the distance of each point from
-    the lens along the optical axis, in metres: a grey TIFF, NPY, PFM or PNG. Without a lens file LENS, focal length
-    and f-number come from the options or from the photo's EXIF; options that contradict the EXIF are refused.
+    PHOTO is a PNG, JPEG, TIFF or EXR, grey or RGB. DEPTH is a depth map of the same size, the distance of each point
+    from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without a lens file LENS,
+    focal length and f-number come from the options or from the photo's EXIF; those that contradict it are refused.
 
     The aberrations of the lens must be radially symmetric (defocus, spherical), and its aperture round: leave out
     coma, astigmatism and other terms with a direction.
@@ -279,9 +279,9 @@ def restore(
 ) -> Report:
     """Deblur a photo with a known depth map and lens.
 
-    PHOTO is a PNG, JPEG or TIFF, grey or RGB, neither sharpened nor denoised. DEPTH is a depth map of the same size,
-    the distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM or PNG. Without
-    a lens file LENS, focal length and f-number come from the options or from the photo's EXIF.
+    PHOTO is a PNG, JPEG, TIFF or EXR, grey or RGB, neither sharpened nor denoised. DEPTH is a depth map of the same
+    size, the distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or
+    EXR. Without a lens file LENS, focal length and f-number come from the options or from the photo's EXIF.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
     about 1 where they differ only by noise. A larger one means that depth, lens or noise do not fit the photo.

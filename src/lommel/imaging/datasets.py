@@ -29,6 +29,7 @@ from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import fill_missing
 from lommel.imaging.settings import Keywords, Settings
+from lommel.io import exr_files
 from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_depth, read_photo, write_tiff
 from lommel.optics.lens import Lens
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -575,17 +576,4 @@ def _encoded(form: str, light: Values, encoding: str) -> bytes:
         # More pressing takes longer than the blur.
         return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)
     values = light.astype(np.float32, copy=False)
-    return write_tiff(values, 100, None) if form == "tif" else _exr(values)
-
-
-def _exr(values: Values) -> bytes:
-    """Return an OpenEXR file, lossless."""
-    import tempfile
-
-    exr = library("OpenEXR", "EXR files need", "exr")
-    header = {"compression": exr.ZIP_COMPRESSION, "type": exr.scanlineimage}
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "image.exr"
-        with exr.File(header, {"RGB" if values.ndim == 3 else "Y": np.ascontiguousarray(values)}) as file:
-            file.write(str(path))
-        return path.read_bytes()
+    return write_tiff(values, 100, None) if form == "tif" else exr_files.write_photo(values, 100, None)

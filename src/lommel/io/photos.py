@@ -24,7 +24,7 @@ from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.base.encoding import ENCODINGS, from_light, to_light
 from lommel.base.optional import version
-from lommel.io import fits_images, registry
+from lommel.io import exr_files, fits_images, registry
 from lommel.io.registry import Description, Format, Values
 
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
@@ -136,7 +136,7 @@ class Picture:
 
 
 def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Picture:
-    """Read a PNG, JPEG or TIFF photograph, recognized by its content, and rotate it as its EXIF says.
+    """Read a PNG, JPEG, TIFF or EXR photograph, recognized by its content, and rotate it as its EXIF says.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     Returns
     -------
     Picture
-        With 8 or 16 bits, or floats (TIFF).
+        With 8 or 16 bits, or floats (TIFF, EXR).
 
     Raises
     ------
@@ -156,7 +156,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
         of more than 65536, takes 256 MB of memory and a hundred times its size, or has alpha, a colour space but grey
         and RGB, or values but uint8, uint16 and floats.
     ImportError
-        If Pillow or tifffile is not installed.
+        If Pillow, tifffile or OpenEXR is not installed.
     OSError
         If it cannot be read.
     """
@@ -238,7 +238,7 @@ def write_photo(
     quality: int = 95,
     profile: bytes | None = None,
 ) -> float:
-    """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF.
+    """Write light as a photograph; the suffix chooses PNG, JPEG, TIFF or EXR.
 
     Integers are clipped at black and white, as on a sensor; floats are not. The file is written under a temporary
     name and moved into place.
@@ -246,7 +246,7 @@ def write_photo(
     Parameters
     ----------
     path : path
-        .png (uint8, uint16), .jpg (uint8) or .tif (uint8, uint16, float32).
+        .png (uint8, uint16), .jpg (uint8), .tif (uint8, uint16, float32) or .exr (float32, without profile).
     light : ndarray of float, shape (height, width) or (height, width, 3)
         1 is white.
     encoding : {"srgb", "linear"}, default "srgb"
@@ -489,7 +489,7 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
     Parameters
     ----------
     path : path
-        NPY, PFM, or a grey TIFF or PNG, recognized by its content.
+        NPY, PFM, or a grey TIFF, PNG or EXR (its channel Z, or the only one), recognized by its content.
     scale : float, optional
         Metres per level of integers, which need it; floats are metres without it. A PFM file whose header states a
         scale other than 1 needs it too, since programs disagree on its meaning.
@@ -548,7 +548,7 @@ def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
     Parameters
     ----------
     path : path
-        .tif, .npy or .pfm.
+        .tif, .npy, .pfm or .exr.
     depth : array_like, shape (height, width)
         Metres; NaN where it is not known, may be infinite.
 
@@ -607,6 +607,9 @@ registry.register(
     _photo((".png",), write_png, _read_png, PNG, (_8, _16), library="PIL.Image"),
     _photo((".jpg", ".jpeg"), _write_jpeg, partial(_read, reading.jpeg), JPEG, (_8,), library="PIL.Image"),
     _photo((".tif", ".tiff"), write_tiff, read_tiff, TIFF, (_8, _16, "of float32"), library="tifffile"),
+    _photo(
+        (".exr",), exr_files.write_photo, exr_files.read_photo, exr_files.START, ("of float32",), library="OpenEXR"
+    ),
     _images((".npy",), read=lambda data: reading.npy(data, reading.MAX_PIXELS)[0], starts=(b"\x93NUMPY",)),
     _images((".tif", ".tiff"), read=_tiff, starts=TIFF, library="tifffile"),
     _images((".png",), read=lambda data: _read_png(data)[0], starts=PNG, library="PIL.Image"),
@@ -620,6 +623,7 @@ registry.register(
     _depth((".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
     _depth((".tif", ".tiff"), partial(write_tiff, _quality=100, profile=None), _raster, TIFF, library="tifffile"),
     _depth((".png",), read=_raster, starts=PNG),
+    _depth((".exr",), exr_files.write_depth, exr_files.read_depth, exr_files.START, library="OpenEXR"),
 )
 find, find_depth = partial(registry.find, "photo"), partial(registry.find, "depth map")
 

@@ -39,7 +39,7 @@ Description: TypeAlias = dict[str, Any]
 
 DAMAGED = "its checksum does not match: it is damaged, or was changed after it was written"
 
-_EXTRAS = {"tifffile": "images", "PIL.Image": "images", "astropy": "fits", "h5py": "hdf5"}
+_EXTRAS = {"tifffile": "images", "PIL.Image": "images", "astropy": "fits", "h5py": "hdf5", "OpenEXR": "exr"}
 """The extras of this package that install the libraries of formats."""
 
 _FORMATS: list[Format] = []

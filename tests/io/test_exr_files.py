@@ -1,0 +1,59 @@
+"""OpenEXR files, written and read by the library of that name."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+exr = pytest.importorskip("OpenEXR")
+
+
+def write(path, channels, **header):
+    with exr.File({"compression": exr.PIZ_COMPRESSION, "type": exr.scanlineimage} | header, channels) as file:
+        file.write(str(path))
+
+
+@pytest.mark.parametrize("shape", [(7, 11), (7, 11, 3)])
+def test_photographs_come_back_and_are_those_that_the_library_reads(tmp_path, shape):
+    light = np.random.default_rng(0).normal(size=shape).astype(np.float32)
+    assert lm.imaging.write_photo(tmp_path / "a.exr", light, encoding="linear", dtype=np.float32) == 0.0
+    again = lm.imaging.read_photo(tmp_path / "a.exr")
+    assert again.encoding == "linear"
+    assert np.array_equal(again.values, light)
+    with exr.File(str(tmp_path / "a.exr")) as file:
+        assert np.array_equal(file.channels()["RGB" if len(shape) == 3 else "Y"].pixels, light)
+
+
+def test_halves_are_read_and_depth_maps_keep_what_is_unknown(tmp_path):
+    light = np.random.default_rng(0).random((5, 6, 3)).astype(np.float16)
+    write(tmp_path / "half.exr", {"RGB": light})
+    assert np.array_equal(lm.imaging.read_photo(tmp_path / "half.exr").values, light.astype(np.float32))
+    depth = np.linspace(0.5, 9.0, 30).reshape(5, 6)
+    depth[0, :2] = np.inf, np.nan
+    lm.imaging.write_depth(tmp_path / "z.exr", depth)
+    assert np.array_equal(lm.imaging.read_depth(tmp_path / "z.exr"), depth.astype(np.float32), equal_nan=True)
+    rendered = {"RGB": light.astype(np.float32), "Z": depth.astype(np.float32)}
+    write(tmp_path / "all.exr", rendered)
+    assert np.array_equal(lm.imaging.read_depth(tmp_path / "all.exr"), depth.astype(np.float32), equal_nan=True)
+
+
+def test_other_channels_cropped_windows_and_damage_are_refused(tmp_path):
+    light = np.zeros((5, 6, 4), np.float32)
+    write(tmp_path / "alpha.exr", {"RGBA": light})
+    with pytest.raises(lm.imaging.PhotoError, match="channels are A, B, G, R"):
+        lm.imaging.read_photo(tmp_path / "alpha.exr")
+    with pytest.raises(lm.imaging.PhotoError, match="a depth map has one, or one named Z"):
+        lm.imaging.read_depth(tmp_path / "alpha.exr")
+    corners = (np.array([0, 0], np.int32), np.array([9, 9], np.int32))
+    write(tmp_path / "part.exr", {"Y": light[..., 0]}, displayWindow=corners)
+    with pytest.raises(lm.imaging.PhotoError, match="save it uncropped"):
+        lm.imaging.read_photo(tmp_path / "part.exr")
+    data = (tmp_path / "alpha.exr").read_bytes()
+    for count in (8, 60, 330, len(data) - 5):
+        (tmp_path / "short.exr").write_bytes(data[:count])
+        with pytest.raises(lm.imaging.PhotoError):
+            lm.imaging.read_depth(tmp_path / "short.exr")
+    with pytest.raises(ValueError, match="no ICC profile"):
+        lm.imaging.write_photo(tmp_path / "b.exr", light[..., 0], dtype=np.float32, profile=b"x")

@@ -227,7 +227,7 @@ test-napari: build ## run the tests of the plugin in napari, under a virtual dis
 	@command -v xvfb-run >/dev/null || { echo "make: there is no xvfb-run on PATH: install xvfb and xauth" >&2; exit 1; }
 	$(call environment,napari,$(everything) "napari[pyqt6]>=0.6")
 	$(call installed,napari)
-	xvfb-run -a .tools/napari/bin/python -m pytest -p no:cacheprovider tests/napari_plugin
+	xvfb-run -a .tools/napari/bin/python -m pytest -p no:cacheprovider -W default tests/napari_plugin
 
 # Needs clang++ (on Debian and Ubuntu the package clang).
 test-clang: ## compile the core by clang++ and run the tests, in .tools/clang

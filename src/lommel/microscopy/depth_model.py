@@ -100,28 +100,34 @@ class DepthModel:
         """Return PSFs, their weights in each plane (with a margin on each side), and the depths of the PSFs.
 
         So many as are needed for those between to be like the means of their neighbours, or one where they hardly
-        differ.
+        differ. They are evenly spaced in the square root of the depth: near the glass PSFs change fastest.
         """
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])
         if slabs == 1 or high - low < 1e-9:
             return [self.psf(self.depth)], None, np.array([self.depth])
-        ends = {each: self.psf(each) for each in (low, high)}
+        made: dict[float, PSF] = {}
+
+        def at(share: float) -> PSF:
+            if share not in made:
+                made[share] = self.psf(((1.0 - share) * math.sqrt(low) + share * math.sqrt(high)) ** 2)
+            return made[share]
+
         if slabs is None:
-            # The middle of the range is off by a quarter of what a parabola bends over twice the distance.
-            middle = self.psf(0.5 * (low + high))
-            apart = _apart(ends[low], ends[high])
-            if apart < _LIKE:
+            if _apart(at(0.0), at(1.0)) < _LIKE:
                 return [self.psf(self.depth)], None, np.array([self.depth])
-            bent = _apart(middle, ends[low], ends[high])
-            pieces = min(max(2, math.ceil(math.sqrt(bent / _LIKE))), _MOST - 1)
+            pieces = 1
+            while pieces < _MOST - 1 and any(
+                _apart(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _LIKE for k in range(pieces)
+            ):
+                pieces *= 2
         else:
             pieces = validation.integer("slabs", slabs, least=1, most=64) - 1
-        nodes = np.linspace(low, high, pieces + 1)
-        made = [ends.get(float(node)) or self.psf(float(node)) for node in nodes]
+        shares = np.arange(pieces + 1) / pieces
+        nodes = ((1.0 - shares) * math.sqrt(low) + shares * math.sqrt(high)) ** 2
         place = np.interp(depths, nodes, np.arange(len(nodes)))
         weights = np.maximum(0.0, 1.0 - np.abs(place - np.arange(len(nodes))[:, np.newaxis]))
-        return made, weights, nodes
+        return [at(float(share)) for share in shares], weights, nodes
 
 
 def _apart(one: PSF, *others: PSF) -> float:

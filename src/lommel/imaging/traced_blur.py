@@ -173,14 +173,15 @@ class TracedBlur:
             `distance`.
         distance : array, shape (..., height, width)
             Metres from the lens; may be infinite.
-        focus_distance, f_number : array, shape (), optional
+        focus_distance, f_number : array, shape () or (n,), optional
             Of the lens, within the ranges that the blur was made for; by default as given. The sensor moves with the
-            focus, and the size of the diffraction pattern with both.
+            focus, and the size of the diffraction pattern with both. Of the shape (n,), the first of a batch of
+            images, each has its own lens.
         defocus : array, optional
             C_d that is added, radians; broadcasts with `distance`.
-        zernike : array, shape (k,), optional
+        zernike : array, shape (k,) or (n, k), optional
             Zernike coefficients that are added to the wavefront, radians at the edge of the pupil and the wavelength
-            of the lens, in the order of the terms that the blur was made with.
+            of the lens, in the order of the terms that the blur was made with; with n as above.
         occlusion : bool, default False
             Whether near objects occlude far ones, in at most 16 layers: the difference between layers that are
             composited, as by :class:`lommel.imaging.Occlusion` but for hidden points, and layers that are added, is
@@ -207,12 +208,37 @@ class TracedBlur:
         self._require_shapes(shape, tuple(image.shape), tuple(distance.shape))
         given = dict(zip(_OPTICS, (focus_distance, f_number, defocus, zernike), strict=True))
         lens = {name: None if value is None else self._array(name, value) for name, value in given.items()}
-        self._require_optics(lens)
+        self._require_optics(lens, tuple(image.shape))
         if check:
             self._require_values(image, distance, lens)
         if static.namespace.name == "jax":  # operation by operation takes seconds
             return xp.reshape(_of_jax()(self, image, distance, lens, bool(occlusion)), shape)
-        return xp.reshape(self._made(image, distance, lens, occlusion=occlusion), shape)
+        return xp.reshape(self._by_lens(image, distance, lens, occlusion=occlusion), shape)
+
+    def _by_lens(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
+        """Return the blurred images, each of a batch by its own lens where there are several."""
+        along = {"image", "distance", *_several(lens)}
+        if len(along) == 2:
+            return self._made(image, distance, lens, occlusion=occlusion)
+        given: dict[str, Operand] = {"image": image, "distance": distance, **lens}
+        if lens["defocus"] is not None and len(lens["defocus"].shape) == len(distance.shape):
+            along.add("defocus")
+        axes = {name: 0 if name in along and given[name].shape[0] > 1 else None for name in given}
+        # What there is one of is that of all.
+        given |= {name: given[name][0, ...] for name in along if axes[name] is None}
+
+        def one(of: Mapping[str, Operand]) -> Tensor:
+            return self._made(of["image"], of["distance"], {name: of[name] for name in _OPTICS}, occlusion=occlusion)
+
+        xp, count = self._static.namespace.xp, image.shape[0]
+        if self._static.namespace.name == "jax" and count > 1:
+            import jax
+
+            mapped: Tensor = jax.vmap(one, in_axes=(axes,))(given)
+            return mapped
+        parts = [{n: value if axes[n] is None else value[k, ...] for n, value in given.items()} for k in range(count)]
+        made: Tensor = xp.stack([one(part) for part in parts], axis=0)
+        return made
 
     def _made(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
         """Return the blurred image (..., channels, height, width) from arrays that are checked."""
@@ -293,7 +319,7 @@ class TracedBlur:
             f"and {distance}"
         )
 
-    def _require_optics(self, lens: Mapping[str, Operand]) -> None:
+    def _require_optics(self, lens: Mapping[str, Operand], image: tuple[int, ...]) -> None:
         """Raise ValueError for a part of the lens that the blur was not made for."""
         optics = self._static.optics
         ranges = {
@@ -305,14 +331,13 @@ class TracedBlur:
         for name, (option, there) in ranges.items():
             if lens[name] is not None and not there:
                 raise ValueError(f"{name} is fixed in this blur; give its range, {option}=, to traced_blur")
-        for name in ("focus_distance", "f_number"):
-            if lens[name] is not None and tuple(lens[name].shape) != ():
-                raise ValueError(f"{name} must be a single number, got the shape {tuple(lens[name].shape)}; use vmap")
-        count = len(optics.zernike)
-        if lens["zernike"] is not None and tuple(lens["zernike"].shape) != (count,):
-            raise ValueError(f"zernike must have the shape ({count},), got {tuple(lens['zernike'].shape)}; use vmap")
+        count, batch = len(optics.zernike), image[:-3][:1]
+        for name, shape in (("focus_distance", ()), ("f_number", ()), ("zernike", (count,))):
+            if lens[name] is not None and tuple(lens[name].shape) not in (shape, (*batch, *shape)):
+                each = f" or, one for each image, {(*batch, *shape)}" if batch else ""
+                raise ValueError(f"{name} must have the shape {shape}{each}, got {tuple(lens[name].shape)}")
         if lens["zernike"] is not None and self._static.namespace.concrete(lens["zernike"]):
-            found = np.abs(self._static.namespace.to_numpy(lens["zernike"]))
+            found = np.abs(self._static.namespace.to_numpy(lens["zernike"])).reshape(-1, count).max(axis=0)
             for value, (term, most) in zip(found, optics.zernike, strict=True):
                 if not value <= most * (1.0 + _SLACK):
                     raise ValueError(f"zernike of the term {term} must be at most {most:g} rad, got {value:.4g}")
@@ -321,6 +346,10 @@ class TracedBlur:
         """Raise ValueError if values that are known now are NaN or out of range."""
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
+        if _several(lens):
+            ones = (1,) * (len(distance.shape) - 1)
+            shapes = {n: (-1, *ones) for n in ("focus_distance", "f_number") if lens[n] is not None and lens[n].shape}
+            lens = dict(lens) | {name: xp.reshape(lens[name], shape) for name, shape in shapes.items()}
         c, scale = self._focus(distance, lens)
         if not ns.concrete(image) or not ns.concrete(c):
             return
@@ -340,8 +369,8 @@ class TracedBlur:
                 f"({near:.4g} to {far:.4g} m with the lens as given), got C_d from {least:.4g} to {most:.4g} rad"
             )
         if scale is not None and ns.concrete(scale):
-            size = math.log(float(ns.to_numpy(ns.stop(scale))))
-            if not static.scales[0] - _SLACK <= size <= static.scales[1] + _SLACK:
+            size = np.log(ns.to_numpy(ns.stop(scale)).astype(np.float64))
+            if not (static.scales[0] - _SLACK <= size.min() and size.max() <= static.scales[1] + _SLACK):
                 raise ValueError(
                     "focus_distance and f_number must be within the ranges that the blur was made for, "
                     f"{static.optics.focus} and {static.optics.stops}"
@@ -487,6 +516,12 @@ class TracedBlur:
     def __reduce__(self) -> tuple[Any, ...]:
         ns = self._static.namespace
         return _placed, (self._static, {name: ns.to_numpy(table) for name, table in self.tables.items()})
+
+
+def _several(lens: Mapping[str, Operand]) -> list[str]:
+    """Return the parts of the lens of which each image of a batch has its own."""
+    single = {"focus_distance": 0, "f_number": 0, "zernike": 1}
+    return [name for name, axes in single.items() if lens[name] is not None and len(lens[name].shape) > axes]
 
 
 def _pieces(ns: Namespace, x: Operand, size: int) -> list[Operand]:
@@ -847,7 +882,7 @@ def _of_jax() -> Any:
     )
 
     def made(blur: TracedBlur, image: Tensor, distance: Tensor, lens: dict[str, Tensor], occlusion: bool) -> Tensor:
-        return blur._made(image, distance, lens, occlusion=occlusion)
+        return blur._by_lens(image, distance, lens, occlusion=occlusion)
 
     return jax.jit(made, static_argnums=4)
 

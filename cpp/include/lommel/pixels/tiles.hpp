@@ -72,6 +72,10 @@ class Tiles {
     // Calls f(line) for the lines of a tile whose distances have squares in [low, high).
     template <class F>
     void lines(const Tile& tile, std::int64_t low, std::int64_t high, const F& f) const {
+        const std::int64_t end_a = tile.a + side - 1, end_b = tile.b + side - 1;
+        if (end_a * end_a + end_b * end_b < low) {
+            return;
+        }
         for (std::int64_t a = tile.a; a < tile.a + side; ++a) {
             const std::int64_t square = a * a;
             if (square >= high) {

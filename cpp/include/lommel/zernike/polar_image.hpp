@@ -194,11 +194,10 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
                         store(&values[i][p * lanes], scales * (re * re + im * im));
                     }
                 } else {
+                    static_assert(lanes == numbers && sizeof(V) == 2 * sizeof(Narrow));
                     alignas(64) Real squares[numbers];
                     store(squares, scales * (total[0] * total[0]));
-                    for (std::size_t k = 0; k < numbers / 2; ++k) {
-                        values[i][k] = squares[k] + squares[numbers / 2 + k];
-                    }
+                    store(values[i], load<Narrow>(squares) + load<Narrow>(squares + numbers / 2));
                 }
             }
             if (whole) {

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import itertools
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -23,6 +24,8 @@ _STARTS = 5  # of each
 _STEPS = 14  # of each start
 _SCATTER = 0.7, 0.25  # radians rms of starts: defocus and astigmatism, other terms
 _BLUR = 0.5  # pixels, at first
+_SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # radians rms, all over the field
+_FEW, _SCANNED = 20, 2  # stars by which such shifts are compared, and how many of these are tried
 _GOOD = 1.08  # median chi2 of stars from which on a candidate is taken
 _ALIKE = 0.02  # of what chi2 exceeds 1 by: two starts of a star that end so near have found one minimum
 _SURELY = 0.75  # of the stars, whose chi2 is sure where that of a candidate is compared with it
@@ -148,10 +151,29 @@ class Search:
         """Return the fit of the brightest stars from the given wavefronts, None where these are not near enough."""
         chosen = self.brightest()
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
-        found = self.refined(chosen, polynomials, np.full(self.stars.exposures, self.square), 10, (0.0, 0.6))
-        if found is None or np.median(found.model.each(found.x, fast=True).chi2) > _GOOD:
-            return None
-        return found
+        squares, few = np.full(self.stars.exposures, self.square), chosen[:: max(1, len(chosen) // _FEW)]
+        begun = itertools.chain([polynomials], self._shifted(few, polynomials, squares))
+        for turn, tried in enumerate(begun):
+            found = self.refined(chosen, tried, squares, 10, (0.15 * turn, 0.15))
+            if found is not None and np.median(found.model.each(found.x, fast=True).chi2) <= _GOOD:
+                return found
+        return None
+
+    def _shifted(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Iterator[Array]:
+        """Yield polynomials with defocus and spherical aberration added all over the field, those that fit best."""
+        names = self.stars.one.unknowns.terms
+        shifts = [_SHIFTS.get(name, (0.0,)) if isinstance(name, tuple) else (0.0,) for name in names]
+        basis, found = self.basis(chosen), []
+        held = WholeField(self.stars, chosen, basis, held=True)
+        for added in itertools.product(*shifts):
+            tried = np.zeros((len(names), basis.shape[1]))
+            tried[:, : polynomials.shape[1]] = polynomials
+            tried[:, 0] += added
+            with suppress(Declined, ToleranceError):
+                own = self.placed(chosen, tried, squares)
+                x = held.row(tried, squares, own[:, :2], own[:, 2:])
+                found.append((float(np.median(held.each(x, fast=True).chi2)), tried))
+        yield from (tried for _, tried in sorted(found, key=lambda each: each[0])[:_SCANNED])
 
     def from_singles(self) -> Found:
         """Return the fit of the brightest stars, from fits of each."""

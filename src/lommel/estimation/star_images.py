@@ -427,6 +427,9 @@ def climb(
         at = np.flatnonzero(moving)
         there = now if at.size == count else Scores(*(part[at] for part in now))
         step, promised = model.steps(there, damping[at])
+        # What is at a limit, such as the place of a star that its window does not show, is at its best there.
+        allowed = model.within(x[at] + step, x[at]) - x[at]
+        promised = np.minimum(promised, np.maximum((allowed * there.slope).sum(axis=1), 0.0))
         done = (promised < (_NEARLY if fast else _SETTLED)) & (damping[at] <= 1.0)
         settled[at] = done
         moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)

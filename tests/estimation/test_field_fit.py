@@ -9,7 +9,9 @@ import pytest
 
 import lommel as lm
 import simulated_fields as simulated
+from lommel.estimation.field_search import Search
 from lommel.estimation.field_signs import monomials, robust
+from lommel.estimation.star_images import Scores, climb, damped
 from lommel.estimation.star_readout import STEP, StarReadout
 from lommel.lensfiles.tables import read_csv
 
@@ -135,6 +137,55 @@ def test_a_known_defocus_decides_the_sign(defocus):
     assert fit.converged, fit.message
     assert "the one nearer to the known defocus is given" in fit.message
     assert 0.4 < over_bound(fit, places, true, even=3) < 1.8
+
+
+def test_a_field_with_much_spherical_aberration_is_found_from_two_foci_without_fits_of_single_stars(monkeypatch):
+    monkeypatch.setattr(Search, "from_singles", lambda _: pytest.fail("no shift of the start fits"))
+    draw, known = np.random.default_rng(4), [-3.0, 3.0]
+
+    def waves(u, v):
+        made = np.zeros((*np.shape(u), 8))
+        made[..., 0], made[..., 4], made[..., 7] = 1.8 + 0.3 * u, 0.2 * v, -1.3
+        return made
+
+    scope = simulated.Telescope(8, side=96)
+    places, images, true = simulated.stars(draw, 12, waves, scope, side=33, defocus=known, snr=(100, 200))
+    chosen = ["noll 4", "noll 7", "noll 8", "noll 11"]
+    fit = fitted(images, places, defocus=known, terms=chosen, degree=1)
+    assert fit.converged, fit.message
+    values, errors = fit.at(*position(places))
+    assert np.sqrt((((values - true[:, [0, 3, 4, 7]]) / errors) ** 2).mean()) < 1.8
+
+
+class Bounded:
+    """A parabola whose lowest point is beyond the limit of its parameter."""
+
+    size, tested, alternatives = 1, 100, False
+
+    def images(self, x, *, fast=False):
+        return None, None
+
+    def scores(self, x, *, fast=False, rows=None):
+        one = np.ones(len(x))
+        return Scores(0.5 * (x[:, 0] - 3.0) ** 2, 3.0 - x, np.ones((len(x), 1, 1)), one, 0.1 * one)
+
+    def scores_of(self, x, values, slopes):
+        return self.scores(x)
+
+    def within(self, x, before):
+        return np.clip(x, -1.0, 1.0, out=x)
+
+    def rms(self, steps):
+        return np.zeros(len(steps))
+
+    def steps(self, scores, damping):
+        return damped(scores, damping)
+
+
+def test_a_search_settles_at_the_limit_of_a_parameter():
+    x, scores, settled, taken = climb(Bounded(), np.zeros((1, 1)), 20, lambda *_: None, fast=False)
+    assert (x[0, 0], scores.deviance[0], settled[0]) == (1.0, 2.0, True)
+    assert taken < 5
 
 
 def test_stars_without_blur_settle_at_none():

@@ -17,7 +17,7 @@ from lommel.estimation.field_signs import candidates, monomials, robust
 from lommel.estimation.field_stars import FieldStars, Quality, SingleStars, WholeField
 from lommel.estimation.goodness_of_fit import SURE
 from lommel.estimation.star_images import Scores, climb
-from lommel.methods.derivative_names import SHIFTS
+from lommel.methods.derivative_names import SHIFTS, term_of
 
 _SINGLES = 60  # stars that are fitted by themselves
 _STARTS = 5  # of each
@@ -162,10 +162,12 @@ class Search:
     def _shifted(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Iterator[Array]:
         """Yield polynomials with defocus and spherical aberration added all over the field, those that fit best."""
         names = self.stars.one.unknowns.terms
-        shifts = [_SHIFTS.get(name, (0.0,)) if isinstance(name, tuple) else (0.0,) for name in names]
+        shifts = [_SHIFTS.get(term_of(name) or (0, 0), (0.0,)) for name in names]
         basis, found = self.basis(chosen), []
         held = WholeField(self.stars, chosen, basis, held=True)
         for added in itertools.product(*shifts):
+            if not any(added):
+                continue
             tried = np.zeros((len(names), basis.shape[1]))
             tried[:, : polynomials.shape[1]] = polynomials
             tried[:, 0] += added

@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env uv build psf photo fetch test test-torch test-napari test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist release clean FORCE
+.PHONY: help env uv build psf photo fetch test test-c test-torch test-napari test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint tidy types format changelog lock wheel sdist release clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -142,7 +142,7 @@ env: .venv/env.stamp ## make .venv with all that plots, tests and other formats 
 uv:
 	@$(find_uv)
 
-cpp_formatted := $(wildcard cpp/bindings/* cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
+cpp_formatted := $(wildcard cpp/bindings/* cpp/c/*.cpp cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 
 # Python files are read from src, so only C++ ones lead to a rebuild when they change. But one of any
 # kind that was there at the last build and is gone also does, for the editable install has it on its
@@ -220,6 +220,10 @@ test-torch: build ## run the tests of differentiable functions in PyTorch, in .t
 	$(call installed,torch)
 	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/traced \
 		tests/imaging/test_traced_blur.py tests/imaging/test_traced_sensor.py tests/adapters/test_deepinv.py
+
+# Compiles the core once more, as a shared library.
+test-c: build env ## build the C interface and test it from C, ctypes and, where there is a rustc, Rust: a minute or two
+	@LOMMEL_C=1 .venv/bin/pytest -n 0 tests/core/test_c_interface.py
 
 # Needs a virtual display (on Debian and Ubuntu the packages xvfb and xauth, and the libraries of Qt: libegl1, libxkbcommon-x11-0,
 # libxcb-cursor0 and others).

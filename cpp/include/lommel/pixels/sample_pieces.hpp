@@ -159,6 +159,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     struct Zone {  // of squares of distances, in squares of pieces: from where on, and which part they are in
         double begin, slope, shift;
     };
+    using Zones = std::array<Zone, 40>;  // twice as far each, up to max_reach at most; the last one begins at infinity
 
     // In which piece a distance is, in pieces: r up to R = `equal`, and (r^2 / R + 2 R - equal) / 2 for R <= r < 2 R = 2 equal, ...
     static double piece_of(double distance, double equal) {
@@ -232,7 +233,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         alignas(64) double squares[tile], place[tile];
         alignas(64) Real x[tile];
         const double pieces = window.step / width;
-        const std::vector<Zone> zones = all_zones(static_cast<double>(parts));
+        const Zones zones = all_zones(static_cast<double>(parts));
         const auto split = [&](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
             // The nearest whole number, in the last bits.
             const double whole = where + 0x1.8p52;
@@ -287,8 +288,8 @@ struct SamplePieces : Radii {  // where I is wanted, in v
             }
         }
     }
-    std::vector<Zone> all_zones(double parts) const;
-    static LOMMEL_INLINE void zone_of(const std::vector<Zone>& zones, double square, std::size_t& zone) {
+    Zones all_zones(double parts) const;
+    static LOMMEL_INLINE void zone_of(const Zones& zones, double square, std::size_t& zone) {
         while (square < zones[zone].begin) {
             --zone;
         }
@@ -397,14 +398,15 @@ LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t
     radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
 }
 
-LOMMEL_ONCE std::vector<SamplePieces::Zone> SamplePieces::all_zones(double parts) const {
+LOMMEL_ONCE SamplePieces::Zones SamplePieces::all_zones(double parts) const {
     const double equal = equal_pieces(width), begin = static_cast<double>(first);
-    std::vector<Zone> zones = {{0.0, parts, -parts * begin - 0.5}};
-    double from = equal;
-    for (; from * width <= reach(); from *= 2.0) {
-        zones.push_back({from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5});
+    Zones zones;
+    zones[0] = {0.0, parts, -parts * begin - 0.5};
+    std::size_t made = 1;
+    for (double from = equal; from * width <= reach() && made + 1 < zones.size(); from *= 2.0) {
+        zones[made++] = {from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5};
     }
-    zones.push_back({HUGE_VAL, 0.0, HUGE_VAL});
+    zones[made] = {HUGE_VAL, 0.0, HUGE_VAL};
     return zones;
 }
 #endif

@@ -44,15 +44,24 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
     }
     constexpr std::size_t block = 16;  // rings a task
     const std::size_t tasks = (table.rings.size() + block - 1) / block;
-    std::vector<double> penalties(tasks, 0.0);
-    parallel_for(tasks, threads, [&](std::size_t, std::size_t task) {
+    const auto work = [&](std::size_t task) {
         thread_local Doubles scratch;
+        double worst = 0.0;
         const double* from = at_radii;
         double* to = values.data();
         const std::size_t last = std::min(table.rings.size(), (task + 1) * block);
-        dispatch([&](auto isa)
-                     LOMMEL_INLINE_LAMBDA { table.apply<1>(isa, task * block, last, &from, &to, &penalties[task], scratch); });
-    });
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { table.apply<1>(isa, task * block, last, &from, &to, &worst, scratch); });
+        return worst;
+    };
+    if (threads == 1) {
+        for (std::size_t task = 0; task < tasks; ++task) {
+            look();
+            penalty = std::max(penalty, work(task));
+        }
+        return;
+    }
+    std::vector<double> penalties(tasks, 0.0);
+    parallel_for(tasks, threads, [&](std::size_t, std::size_t task) { penalties[task] = work(task); });
     penalty = *std::max_element(penalties.begin(), penalties.end());
 }
 #endif

@@ -139,6 +139,8 @@ class EnergyWithin {
 
     std::size_t panels_ = 1, count_ = 1;
     Doubles radii_, values_;
+    std::vector<Doubles> transforms_;  // of so many values at Chebyshev points to coefficients, once made
+    std::vector<double> places_, mean_, moment_;  // scratch
     std::vector<double> energies_, offs_;  // [panel][coefficient of T_k]; [panel](at its beginning, of I within)
 };
 
@@ -150,13 +152,13 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     const std::size_t all = panels_ * points;
     radii_.resize(all + widest_step);
     values_.resize(all + widest_step);
-    std::vector<double> places(points);
+    places_.resize(points);
     for (std::size_t j = 0; j < points; ++j) {
-        places[j] = chebyshev_point(points - 1 - j, points);
+        places_[j] = chebyshev_point(points - 1 - j, points);
     }
     for (std::size_t s = 0; s < panels_; ++s) {
         for (std::size_t j = 0; j < points; ++j) {
-            radii_[s * points + j] = 0.5 * width * (static_cast<double>(2 * s + 1) + places[j]);
+            radii_[s * points + j] = 0.5 * width * (static_cast<double>(2 * s + 1) + places_[j]);
         }
     }
     std::fill(radii_.begin() + all, radii_.end(), radii_[all - 1]);
@@ -166,26 +168,31 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         std::copy_n(found, count, values_.data() + first);
     });
 
-    const Doubles transform = cosine_transform(points);
+    transforms_.resize(std::max(transforms_.size(), points + 1));
+    Doubles& transform = transforms_[points];
+    if (transform.size() == 0) {
+        transform = cosine_transform(points);
+    }
     const double n = static_cast<double>(points), spread = lebesgue(points),
                  between = swing * interpolation_error(0.5 * width, points);
     energies_.assign(panels_ * count_, 0.0);
     offs_.assign(2 * panels_ + 2, 0.0);
     rounding = 0.0;
     double inside = 0.0;
-    std::vector<double> mean(points), moment(points + 3);
+    mean_.resize(points);
+    moment_.resize(points + 3);
     for (std::size_t s = 0; s < panels_; ++s) {
         const double* const values = values_.data() + s * points;
         const double middle = 0.5 * width * static_cast<double>(2 * s + 1), end = middle + 0.5 * width;
-        std::fill(mean.begin(), mean.end(), 0.0);
+        std::fill(mean_.begin(), mean_.end(), 0.0);
         for (std::size_t k = 0; k < points; ++k) {
             for (std::size_t j = 0; j < points; ++j) {
-                mean[k] += transform[k * points + j] * values[points - 1 - j];
+                mean_[k] += transform[k * points + j] * values[points - 1 - j];
             }
         }
         double* const energy = &energies_[s * count_];
         const double before = inside;
-        inside = integrate_moment(0.5 * width, middle, mean.data(), points, before, moment.data(), energy);
+        inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), energy);
         // Of E: from its coefficients and of places, that of I on the panel being at most `tall`.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;

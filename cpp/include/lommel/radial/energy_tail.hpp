@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <vector>
 
 #include "lommel/radial/stack.hpp"
 
@@ -22,8 +21,8 @@ class EnergyTail {
         if (obscuration >= 1e-9) {  // as Field has it
             add_waves(phase, obscuration, -1.0);
         }
-        for (std::size_t i = 0; i < waves_.size(); ++i) {
-            for (std::size_t j = i; j < waves_.size(); ++j) {
+        for (std::size_t i = 0; i < wave_count_; ++i) {
+            for (std::size_t j = i; j < wave_count_; ++j) {
                 std::array<std::complex<double>, 2 * powers> product{};
                 for (std::size_t n = 0; n < powers; ++n) {
                     for (std::size_t k = 0; k < powers; ++k) {
@@ -49,8 +48,8 @@ class EnergyTail {
         double sum = 0.0, size = 0.0, power = 1.0;
         for (std::size_t n = 0; n < 2 * powers; ++n, power /= r) {
             sum += rings_[n] * power / (r * r);
-            for (const Wave& wave : waves_) {
-                size += n < powers ? std::abs(wave.parts[n]) * power : 0.0;
+            for (std::size_t i = 0; i < wave_count_ && n < powers; ++i) {
+                size += std::abs(waves_[i].parts[n]) * power;
             }
         }
         const double rest = remainder(r), order = static_cast<double>(terms);
@@ -70,12 +69,12 @@ class EnergyTail {
     static constexpr double pi = 3.14159265358979323846;
 
     struct Wave {
-        double frequency;
+        double frequency = 0.0;
         std::array<std::complex<double>, powers> parts{};  // of v^(-3/2 - n)
     };
     // What a Bessel function is off by, times v^power.
     struct Left {
-        double factor, power;
+        double factor = 0.0, power = 0.0;
     };
 
     // sup of sqrt(x) |J_n(x)|, n >= 1 (Olenko, J. Math. Anal. Appl. 2006).
@@ -145,12 +144,12 @@ class EnergyTail {
                 advance(l);
             }
             for (std::size_t l = count; l < count + 2; ++l) {
-                left_.push_back({2.0 * std::abs(factor * hankel), static_cast<double>(k + l) + 1.5});
+                left_[left_count_++] = {2.0 * std::abs(factor * hankel), static_cast<double>(k + l) + 1.5};
                 advance(l);
             }
         }
-        waves_.push_back(forth);
-        waves_.push_back(back);
+        waves_[wave_count_++] = forth;
+        waves_[wave_count_++] = back;
     }
 
     // Bounds on the derivatives all over the aperture.
@@ -181,8 +180,8 @@ class EnergyTail {
     // What is left out of U; it falls as v^(-terms - 3/2) at least.
     double remainder(double r) const {
         double sum = 0.0, least = 1e150;
-        for (const Left& left : left_) {
-            sum += left.factor * std::pow(r, -left.power);
+        for (std::size_t i = 0; i < left_count_; ++i) {
+            sum += left_[i].factor * std::pow(r, -left_[i].power);
         }
         for (std::size_t k = terms; k < orders; ++k) {
             const double power = std::pow(r, -static_cast<double>(k) - 0.5);
@@ -192,8 +191,10 @@ class EnergyTail {
         return least;
     }
 
-    std::vector<Wave> waves_;
-    std::vector<Left> left_;
+    // Of the edges of the aperture and of its obscuration.
+    std::array<Wave, 4> waves_{};
+    std::array<Left, 4 * terms> left_{};
+    std::size_t wave_count_ = 0, left_count_ = 0;
     std::array<double, 2 * powers> means_{}, rings_{};
     std::array<double, orders> at_edges_{}, inside_{};
 };

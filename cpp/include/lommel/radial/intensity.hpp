@@ -23,29 +23,34 @@ double intensities(Field& field, const Places& places, int threads, const TakeIn
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
-    std::vector<double> tops(tasks, 0.0);
     const auto work = [&](Field& own, std::size_t task) {
         // Vectors reach beyond the end of a chunk, which is another's beginning.
         alignas(64) double buffer[chunk_radii + widest_step];
         const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
+        double top = 0.0;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             own.evaluate(isa, places.radii, first, last, places.step,
                          [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA { store(buffer + i, re * re + im * im); });
-            tops[task] = largest(buffer, last - first);
+            top = largest(buffer, last - first);
         });
         take(first, last - first, buffer);
+        return top;
     };
+    double top = 0.0;
     if (tasks < 16 || threads == 1) {
         for (std::size_t task = 0; task < tasks; ++task) {
             look();
-            work(field, task);
+            top = std::max(top, work(field, task));
         }
-    } else {
-        // The scratch of a field belongs to one thread.
-        std::vector<Field> fields(static_cast<std::size_t>(processors()) + 1, field);
-        parallel_for(tasks, threads, [&](std::size_t worker, std::size_t task) { work(fields[worker], task); });
+        return top;
     }
-    return tops.empty() ? 0.0 : *std::max_element(tops.begin(), tops.end());
+    // The scratch of a field belongs to one thread, and so does the largest value that it found.
+    std::vector<Field> fields(static_cast<std::size_t>(processors()) + 1, field);
+    std::vector<double> tops(fields.size(), 0.0);
+    parallel_for(tasks, threads, [&](std::size_t worker, std::size_t task) {
+        tops[worker] = std::max(tops[worker], work(fields[worker], task));
+    });
+    return *std::max_element(tops.begin(), tops.end());
 }
 #endif
 

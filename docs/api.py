@@ -104,7 +104,7 @@ SECTIONS = [
         ("field",),
         more="io.field_files.save lensfiles.tables.read_rows lensfiles.tables.read_csv"
         " lensfiles.tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.field_map"
-        " adapters.rayoptics.pupil adapters.rayoptics.field_map",
+        " adapters.rayoptics.pupil adapters.rayoptics.field_map adapters.batoid.pupil adapters.batoid.field_map",
     ),
     Section(
         "Stacks larger than memory",

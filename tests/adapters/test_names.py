@@ -7,7 +7,7 @@ import pytest
 import lommel as lm
 
 
-@pytest.mark.parametrize("name", ["optiland", "rayoptics"])
+@pytest.mark.parametrize("name", ["batoid", "optiland", "rayoptics"])
 def test_an_adapter_is_there_when_it_is_asked_for(name):
     assert name in dir(lm.adapters)
     assert getattr(lm.adapters, name).pupil.__module__ == f"lommel.adapters.{name}"

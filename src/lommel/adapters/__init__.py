@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from lommel.base import lazy
 
 if TYPE_CHECKING:
+    from lommel.adapters import batoid as batoid
     from lommel.adapters import deepinv as deepinv
     from lommel.adapters import optiland as optiland
     from lommel.adapters import rayoptics as rayoptics

@@ -89,21 +89,29 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
     return coefficients, 0.5 / math.sqrt(slopes[0] * slopes[1])
 
 
-def single_pupil(trace: Trace, field: object, wavelength: float, degree: int, tol: float) -> Pupil:
+def single_pupil(
+    trace: Trace, field: object, wavelength: float, degree: int, tol: float, obscuration: float = 0.0
+) -> Pupil:
     """Return the pupil at one point of the field, with the f-number there."""
     hx, hy = _point("field", field)
     terms, f_number = fit(trace(hx, hy, *sample_points(degree, tol)), degree, tol)
     wavefront = Wavefront.zernike(terms, normalization="edge")
-    return Pupil(wavefront, wavelength=wavelength, f_number=f_number)
+    return Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number)
 
 
 def field_map(
-    trace: Trace, heights: int, fields: Sequence[object] | None, wavelength: float, degree: int, tol: float
+    trace: Trace,
+    heights: int,
+    fields: Sequence[object] | None,
+    wavelength: float,
+    degree: int,
+    tol: float,
+    obscuration: float = 0.0,
 ) -> FieldMap:
     """Return the map over the field, with the f-number on the axis; without `fields` a symmetric lens is required."""
     points = sample_points(degree, tol)
     axis, f_number = fit(trace(0.0, 0.0, *points), degree, tol)
-    aperture = Pupil(wavelength=wavelength, f_number=f_number)
+    aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
     if fields is not None:
         if not isinstance(fields, Sequence | np.ndarray):
             raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")

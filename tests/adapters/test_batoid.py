@@ -1,0 +1,105 @@
+"""Telescopes of batoid: rays, wavefronts and fields agree with the pupils made of them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.adapters import batoid as adapter
+
+WAVELENGTH = 620e-9
+FIELD = 0.003, 0.002  # radians
+
+
+@pytest.fixture(scope="module", params=["SDSS.yaml", "DECam.yaml"])
+def telescope(request) -> Any:
+    """Two mirrors, and one: light arrives along -z and along +z."""
+    return pytest.importorskip("batoid").Optic.fromYaml(request.param)
+
+
+@pytest.fixture(scope="module")
+def pupil(telescope) -> lm.Pupil:
+    return adapter.pupil(telescope, FIELD, wavelength=WAVELENGTH)
+
+
+def side(telescope: Any) -> float:
+    """Return the sign of the direction in which light arrives."""
+    batoid = pytest.importorskip("batoid")
+    ray = batoid.RayVector.fromStop(0.0, 0.0, optic=telescope, wavelength=WAVELENGTH, theta_x=0.0, theta_y=0.0)
+    return math.copysign(1.0, telescope.trace(ray).vz[0])
+
+
+def test_the_phase_is_minus_their_wavefront_seen_from_behind_the_sensor(telescope, pupil):
+    theirs = pytest.importorskip("batoid").wavefront(telescope, *FIELD, WAVELENGTH, nx=33).array
+    x, y = np.meshgrid(np.linspace(-1.0, 1.0, 33), np.linspace(-1.0, 1.0, 33))
+    seen = ~theirs.mask & (np.hypot(x, y) < 1.0)
+    ours = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(-y, side(telescope) * x))
+    rest = (ours + 2.0 * math.pi * theirs.data)[seen]
+    assert np.std(rest) < 1e-6
+    assert np.std(ours[seen]) > 1.0
+
+
+def test_rays_meet_the_sensor_at_the_gradient_of_the_phase(telescope, pupil):
+    angle = np.linspace(0.0, 6.0, 12)
+    x, y = 0.8 * np.cos(angle), 0.8 * np.sin(angle)
+    half = 0.5 * telescope.pupilSize
+    rays = pytest.importorskip("batoid").RayVector.fromStop(
+        half * np.append(x, 0.0), half * np.append(y, 0.0), optic=telescope, wavelength=WAVELENGTH,
+        theta_x=FIELD[0], theta_y=FIELD[1],
+    )  # fmt: skip
+    telescope.trace(rays)
+    across, up = side(telescope) * (rays.x[:-1] - rays.x[-1]), rays.y[:-1] - rays.y[-1]
+    x, y = side(telescope) * x, -y  # rows are downwards
+    h = 1e-5
+
+    def phase(dx: float, dy: float) -> np.ndarray:
+        return pupil.wavefront.phase(np.hypot(x + dx, y + dy), np.arctan2(y + dy, x + dx))
+
+    scale = pupil.scale / math.pi / (2.0 * h)
+    size = np.hypot(across, up).max()
+    np.testing.assert_allclose(scale * (phase(h, 0) - phase(-h, 0)), across, atol=0.03 * size)
+    np.testing.assert_allclose(scale * (phase(0, h) - phase(0, -h)), -up, atol=0.03 * size)
+
+
+def test_obscuration_wavelength_and_f_number_are_those_of_the_telescope(telescope, pupil):
+    assert pupil.obscuration == telescope.pupilObscuration
+    assert pupil.wavelength == WAVELENGTH
+    published = {2.5: 5.0, 3.942: 2.9}[telescope.pupilSize]  # SDSS f/5, DECam f/2.9 at the corrected focus
+    assert pupil.f_number == pytest.approx(published, rel=0.03)
+    assert lm.psf(pupil, 33, 2e-6).error_bound < 1e-6
+
+
+def test_the_map_is_that_of_single_directions(telescope):
+    field = adapter.field_map(telescope, 0.004, wavelength=WAVELENGTH, heights=5)
+    batoid = pytest.importorskip("batoid")
+    theta = 0.003, -0.002
+    ray = batoid.RayVector.fromStop(
+        0.0, 0.0, optic=telescope, wavelength=WAVELENGTH, theta_x=theta[0], theta_y=theta[1]
+    )
+    telescope.trace(ray)
+    found = field.pupil(side(telescope) * float(ray.x[0]), -float(ray.y[0]))
+    rest = found.wavefront - adapter.pupil(telescope, theta, wavelength=WAVELENGTH).wavefront
+    size = max(abs(float(c)) for c in found.wavefront.edge_terms().values())
+    assert all(abs(float(c)) < 0.02 * size for c in rest.edge_terms().values())
+    assert found.obscuration == telescope.pupilObscuration
+
+
+def test_what_is_no_telescope_or_no_direction_is_refused(telescope):
+    with pytest.raises(TypeError, match="optic must be a batoid Optic, got 5"):
+        adapter.pupil(5, wavelength=WAVELENGTH)
+    with pytest.raises(ValueError, match="radius must be"):
+        adapter.field_map(telescope, 0.0, wavelength=WAVELENGTH)
+    with pytest.raises(ValueError, match=r"wavelength is in metres"):
+        adapter.pupil(telescope, wavelength=620)
+    with pytest.raises(ValueError, match="degree must be higher"):
+        adapter.pupil(telescope, FIELD, wavelength=WAVELENGTH, degree=2)
+
+
+def test_without_batoid_the_package_to_install_is_named(monkeypatch):
+    monkeypatch.setitem(__import__("sys").modules, "batoid", None)
+    with pytest.raises(ImportError, match="pip install batoid"):
+        adapter.pupil(None, wavelength=WAVELENGTH)

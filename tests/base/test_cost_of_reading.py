@@ -53,6 +53,7 @@ ARGUED = {
     ("io/psf_formats.py", "File"): "to write, in memory",
     ("io/psf_formats.py", "ZipFile"): "to write, in memory",
     ("io/field_files.py", "open"): "an array of a folder whose files were looked at",
+    ("imaging/datasets.py", "open_group"): "to write, in memory",
     ("imaging/datasets.py", "open"): "to write, and pictures that it wrote itself",
     ("imaging/datasets.py", "loads"): "of what was just written as JSON",
     ("io/exr_files.py", "File"): "its header alone first, whose size is looked at",

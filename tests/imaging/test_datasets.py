@@ -182,6 +182,29 @@ def test_a_killed_command_goes_on(files):
     assert_alike(contents(files / "set"), contents(files / "same"))
 
 
+def test_zarr_groups_hold_the_same_pictures(files):
+    zarr = pytest.importorskip("zarr")
+    made = rendered(files, "zarrs", form="zarr", copies=1)
+    other = rendered(files, "tif", form="tif", copies=1)
+    assert [file.name for file in made[0].files] == ["000000.zarr", "000000.json"]
+    for one, two in zip(made, other, strict=True):
+        group, key = zarr.open_group(one.files[0], mode="r"), f"{two.number:06d}"
+        assert np.array_equal(group["image"][:], lm.imaging.read_photo(two.files[0]).values)
+        assert np.array_equal(group["sharp"][3:9, 2:4], lm.imaging.read_photo(two.files[1]).values[3:9, 2:4])
+        assert np.array_equal(group["depth"][:], np.load(files / "tif" / f"{key}.depth.npy"))
+        assert np.array_equal(group["index"][:], np.asarray(Image.open(files / "tif" / f"{key}.index.png")))
+        with np.load(files / "tif" / f"{key}.psfs.npz") as table:
+            assert np.array_equal(group["psfs"][:], table["psfs"])
+            assert np.allclose(group["defocus"][:], table["defocus"])
+        assert dict(group.attrs) == one.facts
+        assert group["psfs"].metadata.dimension_names == ("step", "channel", "row", "column")
+    before = zarr.open_group(made[1].files[0], mode="r")["image"][:]
+    (files / "zarrs" / "000001.json").unlink()
+    (files / "zarrs" / "000001.zarr" / "image" / "zarr.json").write_text("of a process that was killed")
+    assert [each.number for each in rendered(files, "zarrs", form="zarr", copies=1, workers=2)] == [1]
+    assert np.abs(zarr.open_group(made[1].files[0], mode="r")["image"][:] - before).max() < 1e-6
+
+
 def test_exr_files_hold_linear_light(files):
     exr = pytest.importorskip("OpenEXR")
     made = rendered(files, form="exr", copies=1)[0]

@@ -34,7 +34,7 @@ from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_depth, re
 from lommel.optics.lens import Lens
 from lommel.optics.wavefront.wavefront import Wavefront
 
-FORMATS = ("png", "tif", "exr")
+FORMATS = ("png", "tif", "exr", "zarr")
 """Formats of the images: 16-bit PNG in the encoding of the photo, or linear light in float32."""
 
 _RECORD = "dataset.json"
@@ -263,9 +263,9 @@ def render_dataset(
         Number of pictures of each photo, by other lenses.
     noise : Noise, optional
         Photon and read noise of the blurred image, `white` being the electrons at white.
-    form : {"png", "tif", "exr"}, default "png"
+    form : {"png", "tif", "exr", "zarr"}, default "png"
         Format of the images: 16-bit PNG in the encoding of the photo, or linear light in float32 (EXR needs the
-        package OpenEXR).
+        package OpenEXR). Zarr is a group of arrays for each picture, images in chunks of 512 by 512 pixels.
     shard : int, optional
         Number of pictures in each tar file ``shard-000000.tar``, as WebDataset reads them; by default a file each.
     encoding : {"srgb", "linear"}, optional
@@ -324,6 +324,8 @@ def render_dataset(
         validation.integer("shard", shard, least=1, most=1_000_000)
     if form == "exr":
         library("OpenEXR", "EXR files need", "exr")
+    if form == "zarr":
+        library("zarr", "Zarr groups need", "zarr")
     job = _Job(
         lenses=lenses,
         seed=validation.integer("seed", seed, least=0, most=2**63 - 1),
@@ -483,8 +485,10 @@ def _write(
         # The last one says that all are there.
         with atomic.together() as put:
             for name, data in files.items():
-                put(folder / f"{key}.{name}", data)
-    return [f"{key}.{name}" for name in files], facts
+                target = folder / f"{key}.{name}"
+                target.parent.mkdir(parents=True, exist_ok=True)  # of a Zarr array
+                put(target, data)
+    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts
 
 
 def _tar(files: dict[str, bytes]) -> bytes:
@@ -517,15 +521,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     if job.noise is not None:
         electrons = np.multiply(np.maximum(seen, 0.0), np.asarray(job.noise.white), dtype=np.float64)
         seen = job.noise.record(electrons, random).astype(seen.dtype)
-    files = {
-        f"image.{job.form}": _encoded(job.form, seen, picture.encoding),
-        f"sharp.{job.form}": _sharp(job.form, picture, light),
-        "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
-    }
-    if job.psfs:
-        defocus, index, table = _psfs(blur, job.psfs)
-        files["index.png"] = png_of_16_bits(index, None, 1)
-        files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=table)
+    table = _psfs(blur, job.psfs) if job.psfs else None
     facts = {
         "photo": photo.name,
         "depth": depth.name,
@@ -542,8 +538,40 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "lost": float(f"{blur.lost:.4g}"),
         "error": float(f"{blur.error:.2g}"),
     }
+    if job.form == "zarr":
+        arrays = {"image": seen, "sharp": light, "depth": metres}
+        if table:
+            arrays |= dict(zip(("defocus", "index", "psfs"), table, strict=True))
+        files = _zarr(arrays, facts)
+    else:
+        files = {
+            f"image.{job.form}": _encoded(job.form, seen, picture.encoding),
+            f"sharp.{job.form}": _sharp(job.form, picture, light),
+            "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
+        }
+        if table:
+            defocus, index, psfs = table
+            files["index.png"] = png_of_16_bits(index, None, 1)
+            files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs)
     files["json"] = json.dumps(facts, indent=1).encode()
     return files, facts
+
+
+_CHUNK = 512  # pixels on each side
+_AXES = {"defocus": ("step",), "psfs": ("step", "channel", "row", "column")}
+
+
+def _zarr(arrays: dict[str, Values], facts: dict[str, Any]) -> dict[str, bytes]:
+    """Return the files of a Zarr group of arrays, in single precision but for indices."""
+    zarr = library("zarr", "Zarr groups need", "zarr")
+    files: dict[str, Any] = {}
+    group = zarr.open_group(zarr.storage.MemoryStore(files), mode="w", attributes=facts)
+    for name, values in arrays.items():
+        kept = values if values.dtype.kind == "u" else values.astype(np.float32)
+        sides = kept.shape if name in _AXES else (*(min(side, _CHUNK) for side in kept.shape[:2]), *kept.shape[2:])
+        axes = _AXES.get(name, ("y", "x", "channel")[: kept.ndim])
+        group.create_array(name, data=kept, chunks=sides, dimension_names=axes)
+    return {f"zarr/{name}": part.to_bytes() for name, part in files.items()}
 
 
 def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:

@@ -89,13 +89,37 @@ def test_the_psf_widget_computes_what_the_library_does(viewer):
     viewer.layers.clear()
 
 
-def test_the_deconvolution_widget_restores_the_sample_and_can_be_stopped(viewer):
+def test_the_deconvolution_widget_restores_the_sample_by_depth_as_the_command_does(viewer):
+    viewer.open_sample("lommel", "beads")
+    panel = panel_of(viewer, "Deconvolution")
+    fields = {one.label: one for one in panel.widget if hasattr(one, "label")}
+    assert fields["pixel in sample (nm)"].value == pytest.approx(6500 / 63, abs=0.01)
+    assert fields["step (nm)"].value == 200.0
+    fields["depth (um)"].value = 6.0
+    fields["steps at most"].value = 4
+    panel.start()
+    wait(lambda: panel.run.enabled)
+    found = viewer.layers["beads deconvolved"]
+    assert panel.status.value.startswith("4 steps, discrepancy "), panel.status.value
+    assert "The noise was estimated from the stack" in " ".join(panel.status.value.split())
+    microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
+    given = {"pixel": 6.5e-6, "step": 200e-9, "depth": 6e-6, "wavelength": microscope.wavelength}
+    way = lm.imaging.RichardsonLucy(steps=4, target=1.0)
+    truth = lm.microscopy.restore(viewer.layers["beads"].data, microscope, method=way, **given)
+    np.testing.assert_allclose(found.data, truth.values, rtol=1e-3, atol=1e-2)
+    viewer.layers.clear()
+
+
+def test_the_deconvolution_widget_takes_a_psf_of_its_own_and_can_be_stopped(viewer):
     panel = panel_of(viewer, "Deconvolution")
     panel.start()
     assert panel.status.value.startswith("open a stack")
     viewer.open_sample("lommel", "beads")
     fields = {one.label: one for one in panel.widget if hasattr(one, "label")}
     assert fields["stack"].value == "beads"
+    fields["PSF"].value = "PSF of the beads"
+    panel.start()
+    assert panel.status.value.startswith("choose a camera")
     fields["camera"].value = "hamamatsu-orca-flash4-v3"
     assert fields["offset (counts)"].value == 100.0
     fields["steps at most"].value = 12

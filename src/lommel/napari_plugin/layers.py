@@ -15,6 +15,7 @@ LayerData: TypeAlias = tuple[Any, dict[str, Any], str]
 """Data, options and type of a layer."""
 
 KEY = "lommel"  # of what a layer's metadata holds for this plugin
+_METRES = {"meter": 1.0, "millimeter": 1e-3, "micrometer": 1e-6, "nanometer": 1e-9, "picometer": 1e-12}
 
 
 def layer_of(psf: PSF, name: str) -> LayerData:
@@ -57,3 +58,13 @@ def reader(path: str | Sequence[str]) -> Callable[[str | Sequence[str]], list[La
         return None
     # Read once: napari calls the function at once with the same path.
     return lambda _: [layer_of(psf, Path(path).name.partition(".")[0])]
+
+
+def voxel_of(layer: Any) -> tuple[float, float] | None:
+    """Return the pixel and the step between planes of a stack, metres; None of a layer that has no scale."""
+    scale = [float(each) for each in layer.scale[-3:]]
+    if all(each == 1.0 for each in scale):
+        return None
+    # Readers that state no unit mean micrometres, as napari's scale bar does.
+    units = [_METRES.get(str(each), 1e-6) for each in layer.units[-3:]]
+    return scale[2] * units[2], scale[0] * units[0]

@@ -1,14 +1,37 @@
-"""The part that both widgets share: buttons to start and stop, progress, and a line of text."""
+"""What both widgets share: the choice of an objective; buttons to start and stop, progress, and a line of text."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles.microscope_files import Microscope, load_microscope
 from lommel.napari_plugin import work
 
 if TYPE_CHECKING:
     from magicgui.widgets import Container
+
+
+class ObjectiveFields:
+    """Two fields: an objective of the examples, or the file of one."""
+
+    def __init__(self) -> None:
+        from magicgui.widgets import ComboBox, FileEdit
+
+        self.name = ComboBox(label="objective", choices=list(of_kind("objective")), value="zeiss-63x-1.4-oil")
+        self.file = FileEdit(label="or file", filter="*.toml", nullable=True, value=None)
+
+    def chosen(self) -> Microscope:
+        """Return the microscope of the file, or of the example where there is none."""
+        own = self.file.value is not None and Path(self.file.value).is_file()
+        return load_microscope(self.file.value if own else of_kind("objective")[self.name.value])
+
+    def connect(self, fill: Callable[[], object]) -> None:
+        """Call a function whenever another one is chosen."""
+        self.name.changed.connect(fill)
+        self.file.changed.connect(fill)
 
 
 class Panel:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from lommel.lensfiles.camera_files import load_camera
 from lommel.lensfiles.example_files import of_kind
-from lommel.lensfiles.microscope_files import Microscope, load_microscope
 from lommel.napari_plugin.layers import layer_of
-from lommel.napari_plugin.panel import Panel
+from lommel.napari_plugin.panel import ObjectiveFields, Panel
 from lommel.psf import PSF, psf
 
 if TYPE_CHECKING:
@@ -23,12 +22,11 @@ _OWN = "of the file"
 def psf_widget() -> Container[Any]:
     """Return the widget: an objective of the examples or of a file, a camera, depth, light, planes and window."""
     import napari
-    from magicgui.widgets import ComboBox, FileEdit, FloatSpinBox, SpinBox
+    from magicgui.widgets import ComboBox, FloatSpinBox, SpinBox
 
     viewer = napari.current_viewer()
 
-    objective = ComboBox(label="objective", choices=list(of_kind("objective")), value="zeiss-63x-1.4-oil")
-    file = FileEdit(label="or file", filter="*.toml", nullable=True, value=None)
+    objective = ObjectiveFields()
     camera = ComboBox(label="camera", choices=[_OWN, *of_kind("camera")])
     depth = FloatSpinBox(label="depth (um)", min=0.0, max=1000.0, step=0.5)
     light = FloatSpinBox(label="wavelength (nm)", min=200.0, max=2000.0, step=5.0)
@@ -36,17 +34,13 @@ def psf_widget() -> Container[Any]:
     step = FloatSpinBox(label="step (nm)", min=1.0, max=100_000.0, step=10.0)
     side = SpinBox(label="pixels", min=3, max=1025, value=65)
 
-    def chosen() -> Microscope:
-        own = file.value is not None and Path(file.value).is_file()
-        return load_microscope(file.value if own else of_kind("objective")[objective.value])
-
     def fill() -> None:
-        found = chosen()
+        found = objective.chosen()
         depth.value, light.value = 1e6 * found.depth, 1e9 * found.wavelength
         planes.value, step.value = found.planes, 1e9 * abs(found.step) or 100.0
 
     def begin() -> Callable[[Callable[[float], None]], PSF]:
-        found = chosen()
+        found = objective.chosen()
         kept = found.camera if camera.value == _OWN else load_camera(camera.value)
         asked = replace(
             found,
@@ -66,11 +60,14 @@ def psf_widget() -> Container[Any]:
         return work
 
     def done(made: PSF) -> str:
-        data, options, _ = layer_of(made, f"PSF {objective.value if file.value is None else Path(file.value).stem}")
+        data, options, _ = layer_of(
+            made, f"PSF {objective.name.value if objective.file.value is None else Path(objective.file.value).stem}"
+        )
         viewer.add_image(data, **options)
         return "" if made.error_bound is None else f"error at most {made.error_bound:.1e} of the peak"
 
-    objective.changed.connect(fill)
-    file.changed.connect(fill)
+    objective.connect(fill)
     fill()
-    return Panel([objective, file, camera, depth, light, planes, step, side], "Compute", begin, done).widget
+    return Panel(
+        [objective.name, objective.file, camera, depth, light, planes, step, side], "Compute", begin, done
+    ).widget

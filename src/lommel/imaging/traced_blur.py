@@ -179,9 +179,11 @@ class TracedBlur:
             images, each has its own lens.
         defocus : array, optional
             C_d that is added, radians; broadcasts with `distance`.
-        zernike : array, shape (k,) or (n, k), optional
+        zernike : array, shape (k,) or (n, k), or (rows, columns, k) or (n, rows, columns, k), optional
             Zernike coefficients that are added to the wavefront, radians at the edge of the pupil and the wavelength
-            of the lens, in the order of the terms that the blur was made with; with n as above.
+            of the lens, in the order of the terms that the blur was made with; with n as above. Of rows and columns,
+            they are those of a lens over its field, at nodes that are spaced equally from the first pixel to the last
+            one: PSFs are interpolated linearly between the nodes, each of which takes the time of a blur.
         occlusion : bool, default False
             Whether near objects occlude far ones, in at most 16 layers: the difference between layers that are
             composited, as by :class:`lommel.imaging.Occlusion` but for hidden points, and layers that are added, is
@@ -209,6 +211,10 @@ class TracedBlur:
         given = dict(zip(_OPTICS, (focus_distance, f_number, defocus, zernike), strict=True))
         lens = {name: None if value is None else self._array(name, value) for name, value in given.items()}
         self._require_optics(lens, tuple(image.shape))
+        if occlusion and lens["zernike"] is not None and len(lens["zernike"].shape) > 2:
+            raise ValueError(
+                "occlusion needs the same aberrations all over the field: zernike of the shape (k,) or (n, k)"
+            )
         if check:
             self._require_values(image, distance, lens)
         if static.namespace.name == "jax":  # operation by operation takes seconds
@@ -219,7 +225,7 @@ class TracedBlur:
         """Return the blurred images, each of a batch by its own lens where there are several."""
         along = {"image", "distance", *_several(lens)}
         if len(along) == 2:
-            return self._made(image, distance, lens, occlusion=occlusion)
+            return self._over_field(image, distance, lens, occlusion=occlusion)
         given: dict[str, Operand] = {"image": image, "distance": distance, **lens}
         if lens["defocus"] is not None and len(lens["defocus"].shape) == len(distance.shape):
             along.add("defocus")
@@ -228,7 +234,8 @@ class TracedBlur:
         given |= {name: given[name][0, ...] for name in along if axes[name] is None}
 
         def one(of: Mapping[str, Operand]) -> Tensor:
-            return self._made(of["image"], of["distance"], {name: of[name] for name in _OPTICS}, occlusion=occlusion)
+            optics = {name: of[name] for name in _OPTICS}
+            return self._over_field(of["image"], of["distance"], optics, occlusion=occlusion)
 
         xp, count = self._static.namespace.xp, image.shape[0]
         if self._static.namespace.name == "jax" and count > 1:
@@ -239,6 +246,44 @@ class TracedBlur:
         parts = [{n: value if axes[n] is None else value[k, ...] for n, value in given.items()} for k in range(count)]
         made: Tensor = xp.stack([one(part) for part in parts], axis=0)
         return made
+
+    def _over_field(
+        self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool
+    ) -> Tensor:
+        """Return the blurred image, points between nodes over the field by sums of the PSFs of these."""
+        static = self._static
+        xp, nodes = static.namespace.xp, lens["zernike"]
+        if nodes is None or len(nodes.shape) < 3:
+            return self._made(image, distance, lens, occlusion=occlusion)
+        count, across = math.prod(nodes.shape[:2]), nodes.shape[1]
+        down, along = (self._hats(image, axis, nodes.shape[axis]) for axis in (0, 1))
+        nodes = xp.reshape(nodes, (count, nodes.shape[-1]))
+
+        def one(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
+            share = xp.expand_dims(row, axis=-1) * column
+            return self._made(image * share, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
+
+        if static.namespace.name == "jax":
+            import jax
+
+            given = xp.repeat(down, across, axis=0), xp.tile(along, (count // across, 1)), nodes
+            start = xp.zeros(image.shape, dtype=image.dtype)
+            total: Tensor = jax.lax.scan(lambda before, of: (before + one(*of), None), start, given)[0]
+            return total
+        made: Any = 0.0
+        for k in range(count):
+            made = made + one(down[k // across, ...], along[k % across, ...], nodes[k, ...])
+        whole: Tensor = made
+        return whole
+
+    def _hats(self, image: Operand, axis: int, count: int) -> Tensor:
+        """Return the weights of nodes along an axis of the image, shape (count, points): linear between them."""
+        xp, side = self._static.namespace.xp, image.shape[axis - 2]
+        where = {} if self._static.namespace.name in ("jax", "numpy") else {"device": image.device}
+        at = xp.astype(xp.arange(side, **where), image.dtype) * ((count - 1) / max(1, side - 1))
+        node = xp.reshape(xp.astype(xp.arange(count, **where), image.dtype), (-1, 1))
+        hats: Tensor = xp.clip(1.0 - xp.abs(at - node), 0.0, 1.0)
+        return hats
 
     def _made(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
         """Return the blurred image (..., channels, height, width) from arrays that are checked."""
@@ -333,12 +378,15 @@ class TracedBlur:
                 raise ValueError(f"{name} is fixed in this blur; give its range, {option}=, to traced_blur")
         count, batch = len(optics.zernike), image[:-3][:1]
         for name, shape in (("focus_distance", ()), ("f_number", ()), ("zernike", (count,))):
-            if lens[name] is not None and tuple(lens[name].shape) not in (shape, (*batch, *shape)):
+            found = shape if lens[name] is None else tuple(lens[name].shape)
+            over_field = (*found[-3:-1], *shape) if name == "zernike" and len(found) > 2 and 0 not in found else shape
+            if found not in (shape, (*batch, *shape), over_field, (*batch, *over_field)):
                 each = f" or, one for each image, {(*batch, *shape)}" if batch else ""
-                raise ValueError(f"{name} must have the shape {shape}{each}, got {tuple(lens[name].shape)}")
+                nodes = f" or, over the field, (rows, columns, {count})" if name == "zernike" else ""
+                raise ValueError(f"{name} must have the shape {shape}{each}{nodes}, got {found}")
         if lens["zernike"] is not None and self._static.namespace.concrete(lens["zernike"]):
-            found = np.abs(self._static.namespace.to_numpy(lens["zernike"])).reshape(-1, count).max(axis=0)
-            for value, (term, most) in zip(found, optics.zernike, strict=True):
+            largest = np.abs(self._static.namespace.to_numpy(lens["zernike"])).reshape(-1, count).max(axis=0)
+            for value, (term, most) in zip(largest, optics.zernike, strict=True):
                 if not value <= most * (1.0 + _SLACK):
                     raise ValueError(f"zernike of the term {term} must be at most {most:g} rad, got {value:.4g}")
 
@@ -520,8 +568,8 @@ class TracedBlur:
 
 def _several(lens: Mapping[str, Operand]) -> list[str]:
     """Return the parts of the lens of which each image of a batch has its own."""
-    single = {"focus_distance": 0, "f_number": 0, "zernike": 1}
-    return [name for name, axes in single.items() if lens[name] is not None and len(lens[name].shape) > axes]
+    several = {"focus_distance": (1,), "f_number": (1,), "zernike": (2, 4)}
+    return [name for name, axes in several.items() if lens[name] is not None and len(lens[name].shape) in axes]
 
 
 def _pieces(ns: Namespace, x: Operand, size: int) -> list[Operand]:

@@ -119,6 +119,30 @@ def pixels(seed: int, stars: int, telescope: simulated.Telescope) -> tuple[float
     return ours, theirs
 
 
+def charts(count: int) -> list[str]:
+    """Return rows of charts of 35 crossings, five terms of degree 2: errors over standard errors, chi2, seconds."""
+    rows, telescope = [], simulated.Telescope(5)
+    for seed in range(count):
+        draw = np.random.default_rng(seed)
+        waves = simulated.field(draw, 5, degree=2)
+        places, images, true = simulated.corners(
+            draw, 5, 7, waves, telescope, side=33, pixel=0.5, sigma=0.6, pitch=40.0
+        )
+        began = time.process_time()
+        fit = lm.fit_field(
+            images, places, lm.Pupil(), sensor=SENSOR, pixel=0.5, noise=NOISE, degree=2, terms=5, targets="crossing",
+            size=20.0, integrate=True,
+        )  # fmt: skip
+        seconds = time.process_time() - began
+        values, errors = fit.at(*position(places, 0.5))
+        signs = np.where(EVEN[:5], -1.0, 1.0), np.ones(5)
+        ratio = min(float(np.sqrt((((values - sign * true) / errors) ** 2).mean())) for sign in signs)
+        rows.append(
+            f"chart {seed}: errors over standard errors {ratio:.2f}, chi2 {fit.chi2:.3f}, cpu {seconds:.1f} s"
+        )
+    return rows
+
+
 def table(settings: Settings) -> Table:
     """Random fields, beside polynomials of pixels."""
     found = Table(
@@ -154,7 +178,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--fields", type=int, default=2, help="random fields of each row")
     parser.add_argument("--rows", type=int, nargs="*", default=[0, 1, 3], help="rows, from 0; all without a number")
+    parser.add_argument("--charts", type=int, default=0, help="charts of 35 crossings")
     chosen = parser.parse_args()
+    if chosen.charts:
+        print("\n".join(charts(chosen.charts)))
+        return
     telescope = simulated.Telescope()
     print("| stars | found | converged | error over bound | chi2 | held out | doubles caught, others lost | cpu s |")
     print("|---|---|---|---|---|---|---|---|")

@@ -188,6 +188,24 @@ def test_a_search_settles_at_the_limit_of_a_parameter():
     assert taken < 5
 
 
+class Swinging(Bounded):
+    """A parabola whose information is stated as little more than half of its curvature."""
+
+    def scores(self, x, *, fast=False, rows=None):
+        found = super().scores(x)
+        return found._replace(information=np.full((len(x), 1, 1), 0.505))
+
+    def within(self, x, before):
+        return x
+
+
+def test_steps_that_swing_beside_the_answer_are_damped():
+    x, _, settled, taken = climb(Swinging(), np.array([[2.2]]), 20, lambda *_: None, fast=False)
+    assert settled[0]
+    assert abs(x[0, 0] - 3.0) < 0.1
+    assert taken < 10
+
+
 def test_stars_without_blur_settle_at_none():
     draw = np.random.default_rng(8)
     scope = simulated.Telescope(3, side=96)

@@ -397,6 +397,7 @@ class StarImages:
 
 _SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
 _NEARLY = 1.0  # the same of a fast search, whose last step is taken
+_SWINGS = 0.5  # damping of steps that swing
 _FAR = 2.0  # radians rms: no step changes the wavefront by more
 _DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and where a search gives up
 _STRETCH = 16.0  # times the length of a step, at most
@@ -455,6 +456,9 @@ def climb(
         longer = np.minimum(2.0 * np.maximum(reach, 1.0), _STRETCH)
         stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
         damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
+        # Near the end, steps that gain little of what they promise go to and fro beside the answer.
+        swings = better & (promised < 1.0) & (gain < 0.25 * promised)
+        damping[at[swings]] = np.maximum(damping[at[swings]], _SWINGS)
         np.maximum(damping, _DAMPING[1], out=damping)
         slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - goodness_of_fit.most(now.spread[at])))
         idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))

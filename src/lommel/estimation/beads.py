@@ -403,9 +403,9 @@ def fit_beads(
         default depth 20 nm, sample 0.003, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is within a wavelength
         of the glass. Empty to fix all.
     apodization : int, default 0
-        Number of radial terms of the logarithm of the amplitude to estimate, 0 to 4: "apodization_2", ... are
-        the coefficients that :meth:`lommel.Apodization.zernike` takes, of degree 2, 4, ... They are also names of
-        `priors`.
+        Number of radial terms of the amplitude over the pupil to estimate, 0 to 4. They are the coefficients of its
+        logarithm of degree 2, 4, ... that :meth:`lommel.Apodization.zernike` takes, and are named "apodization_2",
+        ..., also in `priors`.
     drift : bool, default False
         Estimate a lateral drift of each bead, linear in time.
     mask : array_like of bool, optional

@@ -242,7 +242,7 @@ def poppy() -> Iterator[Case]:
             lambda pitch=pitch: np.array([p.measure_fwhm(file(pitch, 256)) / scale]),
             lambda: (np.array([lm.psf(pupil, 33, 0.1, threads=1).fwhm()]), math.nan),
             np.array([airy_fwhm()]),
-            "the profile is averaged in rings",
+            "the width of a Gaussian that is fitted to the core",
             measure=True,
         )
     radii = np.array([0.6, 1.2, 2.4])
@@ -344,7 +344,7 @@ def prysm() -> Iterator[Case]:
         width,
         lambda: (np.array([lm.psf(pupil, 33, 0.1, threads=1).fwhm()]), math.nan),
         np.array([airy_fwhm()]),
-        "the contour at half the maximum, pixel by pixel",
+        "radii of whole samples, and the sign of what is between them",
         measure=True,
     )
 

@@ -187,7 +187,7 @@ class Disks {
         try {
             lommel::DiskStack stack = stack_of();
             stack.shrink();
-            return lommel::ChordalRenderer<S>(stack, window, tol, plan.threads, answer).run_if_cheaper(false);
+            return lommel::ChordalRenderer<S>(stack, window, tol, plan.threads, answer).run_if_cheaper();
         } catch (const lommel::LimitExceeded&) {
         } catch (const lommel::ToleranceNotMet&) {
         }

@@ -63,6 +63,20 @@ def test_the_header_and_the_example_are_strict_c(language):
         )
 
 
+def test_the_interface_agrees_with_its_header_and_with_the_core():
+    compiler, core = shlex.split(os.environ.get("CXX", "c++")), ROOT / "cpp"
+    macros = "-DLOMMEL_COMPILED", "-DLOMMEL_BUILDS_C", '-DLOMMEL_VERSION=""'
+    run(
+        *compiler,
+        "-std=c++17",
+        "-Wno-psabi",
+        "-fsyntax-only",
+        *macros,
+        f"-I{core / 'include'}",
+        core / "c" / "lommel.cpp",
+    )
+
+
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory) -> Path:
     if not os.environ.get("LOMMEL_C"):

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "lommel/imaging/field_spread.hpp"
 #include "lommel/imaging/spread.hpp"
 
 #include "check.hpp"
@@ -75,8 +76,64 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
     check(std::abs(one - two) <= 2.0 * allowed, "transpose of spreading", one - two);
 }
 
+// The same of windows mixed of splines over the field, whose weights here are any.
+template <class T>
+void field_spreading_and_collecting(std::mt19937& random, std::size_t height, std::size_t width, std::size_t side,
+                                    std::size_t order, int threads) {
+    using Spreader = lommel::FieldSpreader<T>;
+    std::uniform_real_distribution<double> share(0.5, 1.5), place(-0.1, 1.1);
+    const auto some = [&](std::size_t count) {
+        std::vector<T> values(count);
+        for (T& value : values) {
+            value = static_cast<T>(share(random));
+        }
+        return values;
+    };
+    const std::size_t intervals = order == 1 ? 1 : 3, depth = intervals + order - 1, places = 5;
+    const std::size_t size = (side * side + Spreader::step - 1) / Spreader::step * Spreader::step;
+    const std::size_t high = height + side - 1, wide = width + side - 1 + Spreader::step;
+    std::vector<T> windows = some(2 * 9 * depth * size), image = some(height * width), other = some(high * wide);
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        windows[i] = i % size < side * side ? windows[i] : T(0);
+    }
+    const std::vector<T> down = some(height * 2), weights = some(places * 9), shares = some(3 * width);
+    const std::vector<T> powers = some(intervals * order * order);
+    std::vector<std::int64_t> tiles(width), rows(height), columns(width);
+    std::iota(rows.begin(), rows.end(), 0);
+    std::iota(columns.begin(), columns.end(), 0);
+    for (std::int64_t& tile : tiles) {
+        tile = static_cast<std::int64_t>(random() % 2);
+    }
+    std::vector<double> defocus(height * width), breaks{0.0, 0.2, 0.7, 1.0};
+    for (double& value : defocus) {
+        value = place(random);
+    }
+    std::vector<T> out(high * wide, T(0)), taken(height * width);
+    const Spreader spreader({windows.data(), 2, 9, depth, side, size},
+                            {down.data(), weights.data(), shares.data(), tiles.data(), rows.data(), columns.data(), places,
+                             height, width, defocus.data(), breaks.data(), powers.data(), width, intervals, order},
+                            threads);
+    spreader.forward(image.data(), out.data());
+    spreader.adjoint(other.data(), taken.data());
+    double one = 0.0, two = 0.0;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        one += static_cast<double>(out[i]) * static_cast<double>(other[i]);
+    }
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        two += static_cast<double>(image[i]) * static_cast<double>(taken[i]);
+    }
+    check(std::abs(one - two) <= (sizeof(T) == 4 ? 1e-5 : 1e-12) * one, "transpose of spreading over the field", one - two);
+}
+
 inline void every_path_of_the_spreader(unsigned seed) {
     std::mt19937 random(seed);
+    for (const std::size_t order : {std::size_t{1}, std::size_t{4}, std::size_t{6}}) {
+        for (const std::size_t side : {std::size_t{1}, std::size_t{5}, std::size_t{9}, std::size_t{17}, std::size_t{27}}) {
+            field_spreading_and_collecting<float>(random, 3, 5, side, order, 1);
+            field_spreading_and_collecting<double>(random, 70, 9, side, order, 3);
+            field_spreading_and_collecting<float>(random, 70, 19, side, order, 3);
+        }
+    }
     for (const std::size_t widest : {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{9}, std::size_t{35}}) {
         for (const int threads : {1, 3}) {
             for (const bool hiding : {false, true}) {

@@ -282,3 +282,15 @@ def test_a_spherical_aberration_is_found_from_the_stack():
     crop = refinement.crop_of(stack, 17)
     _, found = refinement.refined(stack, crop, model, CAMERA, np.inf, ["spherical"], 1, lambda _: None)
     assert found["spherical"] == pytest.approx(0.12, abs=0.02)
+
+
+def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_so(deep):
+    microscope = lm.load_microscope(lm.example_files()["zeiss-63x-1.4-oil"])
+    given = {"noise": CAMERA, "direction": "up", "slabs": 1, "wavelength": WAVE, "psf_shape": (5, 9)}
+    way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
+    said = " ".join(lm.microscopy.restore(deep[:5], microscope, method=way, **given).notes)
+    pixel = 1e6 * microscope.pixel
+    assert f"does not say its pixel: that of the objective file was taken, {pixel:g} um on the camera; pixel=" in said
+    assert "does not say its step: that of the objective file was taken" in said
+    sized = lm.microscopy.restore(deep[:5], microscope, method=way, pixel=PIXEL, step=STEP, **given)
+    assert "objective file" not in " ".join(sized.notes)

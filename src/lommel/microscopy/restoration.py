@@ -366,7 +366,11 @@ class _Sizes:
                 f"{what} does not say the voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
             )
         if told is None:
-            notes.append(f"The {name} of the objective file, {format_length(float(other or 0.0))}, was taken.")
+            where = "on the camera" if name == "pixel" else "of the stage"
+            notes.append(
+                f"The stack does not say its {name}: that of the objective file was taken, "
+                f"{format_length(float(other or 0.0))} {where}; {name}= states another."
+            )
             return float(other or 0.0)
         if other is not None and abs(other - told) > _OFF * told:
             notes.append(

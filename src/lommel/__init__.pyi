@@ -32,6 +32,7 @@ from lommel.estimation.beads import (
     fit_beads as fit_beads,
 )
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
+from lommel.estimation.distortion import Distortion as Distortion
 from lommel.estimation.field_fit import FieldFit as FieldFit, FittedStars as FittedStars, fit_field as fit_field
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.fisher import Information as Information
@@ -55,6 +56,7 @@ from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope_files import Microscope as Microscope
 from lommel.lensfiles.microscope_files import load_microscope as load_microscope
+from lommel.localize.lattice import grid_indices as grid_indices
 from lommel.localize.crossings import Crossings as Crossings, find_crossings as find_crossings
 from lommel.localize.point_sources import PointSources as PointSources, find_spots as find_spots
 from lommel.measures.aperture_means import (

@@ -112,7 +112,7 @@ def chart(tmp_path_factory):
 def test_a_picture_of_a_checkerboard_becomes_a_table(chart, call_lommel):
     folder, waves = chart
     options = ("--targets", "crossing", "--read", 2, "--degree", 1, "--terms", 3, "--saturation", 60000)
-    written = ("-o", "field.csv", "--twin", "twin.csv", "--spots", "spots.png", "--json")
+    written = ("--distortion", 1, "-o", "field.csv", "--twin", "twin.csv", "--spots", "spots.png", "--json")
     found = json.loads(call_lommel("fit-field", "chart.npy", "lens.toml", *options, *written, folder=folder).stdout)
     assert found["converged"], found["message"]
     assert "crossings, degree 1" in found["message"]
@@ -128,7 +128,15 @@ def test_a_picture_of_a_checkerboard_becomes_a_table(chart, call_lommel):
             break
     else:
         pytest.fail(f"the terms are off: {found['waves']}")
-    assert (folder / "field.csv").read_text(encoding="utf-8").startswith("# converged: ")
+    bent = found["distortion"]
+    assert abs(bent["spacing"] - 30.0) < 0.02
+    assert abs(abs(bent["rotation"]) - 0.08) < 0.002
+    for each in bent["pixels"].values():
+        assert (np.abs(each["displacement"]) < 4.0 * np.array(each["deviation"]) + 1e-9).all()
+        assert max(each["deviation"]) < 0.1
+    text = (folder / "field.csv").read_text(encoding="utf-8")
+    assert text.startswith("# converged: ")
+    assert "x,y,Z2,Z3,Z4" in text
     assert (folder / "spots.png").stat().st_size > 5_000
 
 
@@ -175,6 +183,7 @@ def test_a_picture_of_pinholes_becomes_a_table(tmp_path, call_lommel):
         (("chart.npy", "--targets", "crossing", "--saturation", 3000), "17 saturated: expose less, below saturation"),
         (("chart.npy", "--targets", "crossing", "--window", 61), "at least 4 crossings of a checkerboard; "),
         (("chart.npy", "--targets", "pinhole"), "--size must be the diameter of the pinholes"),
+        (("blank.npy", "--distortion", 3), "--distortion must be left out for stars"),
         (("chart.npy", "--size", "8um"), "--size must be left out for stars"),
     ],
 )

@@ -18,14 +18,16 @@ from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.noise import Noise
 from lommel.estimation.phase_retrieval import label
 from lommel.io.photos import read_images
-from lommel.localize.crossings import find_crossings
+from lommel.localize.crossings import Crossings, find_crossings
+from lommel.localize.lattice import grid_indices
 from lommel.localize.point_sources import find_spots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from lommel.base.arrays import Array
+    from lommel.estimation.distortion import Distortion
     from lommel.estimation.field_fit import FieldFit
-    from lommel.localize.crossings import Crossings
     from lommel.localize.point_sources import PointSources
 
 _MOST_CROSSINGS = 100
@@ -41,6 +43,9 @@ _MOST_CROSSINGS = 100
            help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
            "measured by default."),
     Option("--degree", type=click.IntRange(0, 6), default=3, help="Degree of the polynomials of the position."),
+    Option("--distortion", type=click.IntRange(0, 9), metavar="DEGREE",
+           help="Estimate distortion, too: displacements as polynomials of this degree, 3 or 5, from the even grid "
+           "of pinholes or squares."),
     Option("--terms", type=click.IntRange(1, 60), default=11, help="Number of Zernike terms from Noll 4 on."),
     Option("--defocus", metavar="NUMBERS",
            help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
@@ -84,6 +89,7 @@ def fit_field(
     targets: str,
     size: float | None,
     degree: int,
+    distortion: int | None,
     terms: int,
     defocus: str | None,
     known_blur: float | None,
@@ -124,6 +130,11 @@ def fit_field(
             raise ValueError(f"{name} must end in .csv, got {path.name}")
     if targets == "star" and size is not None:
         raise ValueError("--size must be left out for stars, which are points; choose --targets")
+    if targets == "star" and distortion is not None:
+        raise ValueError(
+            "--distortion must be left out for stars, whose places are not known; lommel.fit_field takes those of a "
+            "catalogue as ideal"
+        )
     if targets == "pinhole" and size is None:
         raise ValueError(
             "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
@@ -157,6 +168,9 @@ def fit_field(
             save_figure(cast("Figure", found.plot().figure), spots)
         if len(found) < 4:
             raise ValueError(_too_few(targets, found))
+        known_places: dict[str, Any] = {}
+        if distortion is not None:
+            known_places = {"ideal": _grid(found), "distortion": distortion}
         started("fitting")
         made = fit(
             found.windows,
@@ -173,6 +187,7 @@ def fit_field(
             size=size,
             saturation=saturation,
             integrate=instrument.integrate,
+            **known_places,
             progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
     if output is not None:
@@ -182,6 +197,19 @@ def fit_field(
     if figure is not None:
         save_figure(made.plot(), figure)
     return Report(_facts(made, found), _parts(made, found), made.converged) + written([output, twin, figure, spots])
+
+
+def _grid(found: PointSources | Crossings) -> Array:
+    """Return the places of pinholes or crossings on their grid, NaN where not known."""
+    try:
+        ideal = found.indices if isinstance(found, Crossings) else grid_indices(found.centers)
+    except ValueError:
+        ideal = np.full((len(found), 2), np.nan)
+    if (known := int(np.isfinite(ideal[:, 0]).sum())) < 4:
+        raise ValueError(
+            f"--distortion needs an even grid with neighbours in the image, got {known} of {len(found)} points of one"
+        )
+    return ideal
 
 
 def _too_few(targets: str, found: PointSources | Crossings) -> str:
@@ -211,26 +239,53 @@ def _parts(made: FieldFit, found: PointSources | Crossings) -> list[Any]:
         cells = [f"{values[j]:+.4f} +- {errors[j]:.4f}" for values, errors in spots.values()]
         rows.append([label(name), *cells])
     blur = ", ".join(f"{w:.3f} +- {d:.3f}" for w, d in zip(made.blur, made.blur_deviation, strict=True))
+    if (bent := made.distortion) is not None:
+        for j, name in enumerate(("rows", "columns")):
+            rows.append(
+                [f"distortion of {name}, pixels", *(f"{v[j]:+.3f} +- {d[j]:.3f}" for v, d in _bent(made, bent))]
+            )
     table = table_of(("term, waves rms", *spots), rows)
     return [table, "", f"blur: {blur} pixels", found.message, "", Wrapped(made.message)]
 
 
 def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
     """Return terms and standard errors, waves rms, in the middle, at the right edge and in a corner."""
+    return {
+        name: tuple(part / (2.0 * math.pi) for part in made.at(*at))  # type: ignore[misc]
+        for name, at in _positions(made).items()
+    }
+
+
+def _positions(made: FieldFit) -> dict[str, tuple[float, float]]:
     x, y = made.extent
-    places = {"middle": (0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])), "corner": (x[1], y[1])}
-    return {name: tuple(part / (2.0 * math.pi) for part in made.at(*at)) for name, at in places.items()}  # type: ignore[misc]
+    return {"middle": (0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])), "corner": (x[1], y[1])}
+
+
+def _bent(made: FieldFit, bent: Distortion) -> list[tuple[Any, Any]]:
+    """Return displacements and standard errors, pixels, in the middle and in a corner."""
+    return [bent.at(*at) for at in _positions(made).values()]
 
 
 def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
     """Return the results as JSON can hold them."""
     held_out = made.held_out if np.isfinite(made.held_out) else None
+    distortion: Facts | None = None
+    if (bent := made.distortion) is not None:
+        spots = zip(_positions(made), _bent(made, bent), strict=True)
+        distortion = {
+            "degree": bent.degree,
+            "spacing": float(math.hypot(*bent.pose[:, 0])),
+            "rotation": float(math.atan2(bent.pose[1, 0], bent.pose[0, 0])),
+            "scatter": bent.scatter,
+            "pixels": {name: {"displacement": v.tolist(), "deviation": d.tolist()} for name, (v, d) in spots},
+        }
     return {
         "converged": made.converged,
         "message": made.message,
         "chi2": made.chi2,
         "held_out": held_out,
         "degree": made.degree,
+        "distortion": distortion,
         "terms": [label(name) for name in made.names],
         "waves": {
             name: {"coefficients": values.tolist(), "deviation": errors.tolist()}

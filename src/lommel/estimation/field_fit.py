@@ -18,7 +18,9 @@ from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.estimation import goodness_of_fit
 from lommel.estimation.chart_light import relative_light
+from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_search import Found, Search
+from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import FieldStars, WholeField
 from lommel.estimation.noise import Noise, random_numbers
@@ -35,9 +37,10 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_MOST_DEGREE = 6
+_MOST_DEGREE, _MOST_DISTORTION = 6, 9
 _MOST_SIDE = 10**6
 _GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exact up to degree 3
+_AXES = "rows", "columns"
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
@@ -75,7 +78,8 @@ class FieldFit:
     Attributes
     ----------
     field : FieldMap
-        The estimated terms at every position of the sensor, and the fixed ones of `pupil`.
+        The estimated terms at every position of the sensor, and the fixed ones of `pupil`; tilts, where `distortion`
+        is known.
     twin : FieldMap or None
         The field with the even part of all phases negated, which has the same images in one focus; None where the
         images tell the sign.
@@ -98,6 +102,8 @@ class FieldFit:
         The verdict: "converged", "the steps did not settle", "misfit" or "interrupted", and why.
     degree : int
         Of the polynomials.
+    distortion : Distortion or None
+        Displacement of the images, where `ideal` places were given.
     stars : FittedStars
     images, model : ndarray, shape (n, e, height, width)
         Images in electrons, NaN where left out, and the fitted model.
@@ -115,6 +121,7 @@ class FieldFit:
     converged: bool
     message: str
     degree: int
+    distortion: Distortion | None
     stars: FittedStars
     images: Array = attribute(repr=False)
     model: Array = attribute(repr=False)
@@ -189,7 +196,7 @@ class FieldFit:
                 "metres"
             )
         terms, rest = self._table
-        x, y = self._sensor.grid(_GRID[self.degree <= 3])
+        x, y = self._sensor.grid(_GRID[_splines(self.degree, self.distortion)])
         across, down = (part.ravel() for part in np.meshgrid(x, y))
         values = rest(chosen, across, down)
         order = np.argsort([_noll(term) for term in terms])
@@ -200,6 +207,9 @@ class FieldFit:
             errors = self.at(*spot)[1] / (2.0 * math.pi)
             told = ", ".join(f"{name} {error:.2g}" for name, error in zip(used, errors, strict=True))
             lines.append(f"# standard errors in {what}, waves rms: {told}")
+            if self.distortion is not None:
+                down_error, across_error = self.distortion.at(*spot)[1]
+                lines.append(f"# the same of rows and columns, pixels: {down_error:.2g}, {across_error:.2g}")
         lines.append(",".join(["x", "y", *columns]))
         for a, b, row in zip(across, down, values[:, order], strict=True):
             lines.append(",".join([f"{a:.9g} m", f"{b:.9g} m", *(f"{value:.9g}" for value in row)]))
@@ -228,6 +238,9 @@ class FieldFit:
         x, y = self._sensor.grid(25)
         values, errors = self.at(x, y[:, None])
         maps = [(label(name), values[..., j] / factor, errors[..., j] / factor) for j, name in enumerate(self.names)]
+        if self.distortion is not None:
+            moved, off = self.distortion.at(x, y[:, None])
+            maps += [(f"distortion of {name}, pixels", moved[..., j], off[..., j]) for j, name in enumerate(_AXES)]
         x_star, y_star = self._sensor.positions(self.stars.places)
         marks = x_star, y_star, self.stars.chi2, self.stars.used
         return show.field_fits.field(
@@ -236,34 +249,6 @@ class FieldFit:
 
     def __repr__(self) -> str:
         return f"<FieldFit: {self.message}>"
-
-
-@dataclass(frozen=True)
-class Sensor:
-    """Rows and columns of a sensor, its pixel pitch, and the row and column of the axis."""
-
-    shape: tuple[int, int]
-    pixel: float
-    axis: tuple[float, float]
-
-    def positions(self, places: Array) -> tuple[Array, Array]:
-        """Return x and y of rows and columns (n, 2)."""
-        y, x = ((places[:, i] - self.axis[i]) * self.pixel for i in (0, 1))
-        return np.asarray(x), np.asarray(y)
-
-    def relative(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Return positions over the sensor, from -1 to 1."""
-        row, column = (part / self.pixel + at for part, at in zip((y, x), self.axis, strict=True))
-        v, u = (2.0 * (part + 0.5) / side - 1.0 for part, side in zip((row, column), self.shape, strict=True))
-        return np.asarray(u), np.asarray(v)
-
-    def grid(self, count: int) -> tuple[Array, Array]:
-        """Return x and y of so many positions from edge to edge."""
-        y, x = (
-            (np.linspace(-0.5, side - 0.5, count) - at) * self.pixel
-            for side, at in zip(self.shape, self.axis, strict=True)
-        )
-        return np.asarray(x), np.asarray(y)
 
 
 def fit_field(
@@ -282,6 +267,9 @@ def fit_field(
     targets: str = "star",
     size: float | None = None,
     axis: tuple[float, float] | None = None,
+    ideal: ArrayLike | None = None,
+    pose: str = "free",
+    distortion: int = 3,
     mask: ArrayLike | None = None,
     saturation: float | None = None,
     integrate: bool | None = None,
@@ -332,6 +320,15 @@ def fit_field(
     axis : (float, float), optional
         Row and column of the optical axis on the sensor, from which positions of the map are measured; by default
         the middle.
+    ideal : array_like, shape (n, 2), optional
+        Row and column of each target without distortion, such as those of a grid of pinholes or of a catalogue of
+        stars in the tangent plane; NaN where not known. With them distortion is estimated.
+    pose : {"free", "known"}, default "free"
+        Whether the shift, rotation and magnification of `ideal` are estimated, so that any unit and origin will do,
+        or they are rows and columns of the sensor, from which any shift is distortion.
+    distortion : int, default 3
+        Total degree of the displacement in x and y, 0 to 9, lower where there are fewer than two known places for
+        each coefficient: 3 is distortion of third order (W311), 5 is of fifth.
     mask : array_like of bool, shape of `windows`, optional
         True where a pixel is to be left out.
     saturation : float, optional
@@ -373,8 +370,14 @@ def fit_field(
 
     One focus leaves the common sign of the even terms of the whole field open: `start` decides it, and without it the
     map with the smaller wavefront beside a known defocus is returned, or else the one whose first even term is
-    positive in the mean; the other is `twin`. A second exposure at another known defocus tells it. Tilts (distortion)
-    are not known, since places are not.
+    positive in the mean; the other is `twin`. A second exposure at another known defocus tells it.
+
+    Distortion is not known where places are not. With `ideal` places the fitted ones, with the errors that they share
+    with coma and light, are made polynomials of the ideal position by generalised least squares; tilts of the map
+    move the light by them (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` is the one that leaves the
+    least displacement over the whole sensor, so that there is none of the mean magnification. What places differ by
+    beside noise is `scatter`, and in the standard errors. Each exposure after the first may be shifted, turned and
+    magnified.
 
     Examples
     --------
@@ -406,6 +409,10 @@ def fit_field(
     known = np.broadcast_to(known, exposures)
     most = _MOST_DEGREE if degree is None else validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     validation.optional("start", start, FieldMap)
+    far = validation.integer("distortion", distortion, least=0, most=_MOST_DISTORTION)
+    holes = None if ideal is None else checked_ideal(ideal, pose, at)
+    if ideal is None:
+        validation.choice("pose", pose, POSES)
     validation.function("progress", progress, required=False)
     draw = random_numbers(seed)
     pitch = validation.pixel(pixel, metric=given.wavelength is not None)
@@ -447,7 +454,9 @@ def fit_field(
         if search.latest is None or search.latest.best is None:
             raise
         interrupted = True
-    return _answer(search, state, interrupted, given, start, chip, at, images, (noise, valid, lit))
+    return _answer(
+        search, state, interrupted, given, start, chip, at, images, (noise, valid, lit), (holes, pose, far)
+    )
 
 
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:
@@ -576,10 +585,10 @@ def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int,
 
 
 def _map(
-    chip: Sensor, pupil: Pupil, degree: int, edge: Callable[[Array, Array], Array], terms: tuple[Term, ...]
+    chip: Sensor, pupil: Pupil, splines: bool, edge: Callable[[Array, Array], Array], terms: tuple[Term, ...]
 ) -> FieldMap:
     """Return the map of wavefronts whose edge terms are functions of relative positions."""
-    x, y = chip.grid(_GRID[degree <= 3])
+    x, y = chip.grid(_GRID[splines])
     u, v = chip.relative(*np.meshgrid(x, y))
     wavefront = Wavefront.trusted(terms, edge(u, v))
     aperture = pupil.unaberrated()
@@ -596,6 +605,7 @@ def _answer(
     places: Array,
     images: Array,
     camera: tuple[Noise, NDArray[np.bool_], Array],
+    grid: tuple[Array | None, str, int],
 ) -> FieldFit:
     """Return the answer of a search."""
     stars, one = search.stars, search.stars.one
@@ -611,13 +621,19 @@ def _answer(
     # What is fixed beside them: of the pupil one wavefront, of a map those of its positions.
     fixed_of = None if start is None else _fixed_of(start, chip, one)
 
+    distortion = _distortion(found, chip, places, grid)
+
     def edge_of(coefficients: Array) -> Callable[[Array, Array], Array]:
         def edge(u: Array, v: Array) -> Array:
             fixed = one.fixed if fixed_of is None else fixed_of(u, v)
-            return np.asarray(fixed + monomials(u, v, degree) @ coefficients.T @ one.directions)
+            made = np.asarray(fixed + monomials(u, v, degree) @ coefficients.T @ one.directions)
+            if distortion is not None:
+                made[..., one.tilts] += displaced(distortion, u, v) * one.tilt_of_pixel
+            return made
 
         return edge
 
+    splines = _splines(degree, distortion)
     covariance = found.model.covariance(found.scores)
     k, m = polynomials.shape
     twin = None
@@ -633,12 +649,12 @@ def _answer(
             turned = np.kron(signs, np.eye(m))
             covariance[: k * m, : k * m] = turned @ covariance[: k * m, : k * m] @ turned.T
             found.x[0, : k * m] = polynomials.ravel()
-        twin = _map(chip, pupil, degree, edge_of(other), one.terms)
+        twin = _map(chip, pupil, splines, edge_of(other), one.terms)
         nearer = "add a second defocus, or give start"
         if start is not None or stars.defocused:
             nearer = f"the one nearer to {'start' if start is not None else 'the known defocus'} is given"
         message_sign = f"; {_SIGN}: {nearer}, the other is twin"
-    made = _map(chip, pupil, degree, edge_of(polynomials), one.terms)
+    made = _map(chip, pupil, splines, edge_of(polynomials), one.terms)
     squares = found.squares()
     errors = np.sqrt(np.diag(covariance))[k * m :]
     width = np.sqrt(np.maximum(squares, 0.0))
@@ -670,6 +686,8 @@ def _answer(
     if len(lost):
         why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
         work += f"; {len(lost)} {noun}{'s' * (len(lost) > 1)} rejected ({why})"
+    if distortion is not None:
+        work += f"; {distortion.message}"
     if interrupted:
         message = f"interrupted: {work}"
     elif chi2 >= limit:
@@ -695,6 +713,8 @@ def _answer(
         return np.stack(columns, axis=-1) / (2.0 * math.pi)
 
     estimated = {term for term, column in zip(pad, np.abs(one.directions).max(axis=0), strict=True) if column > 0.0}
+    if distortion is not None:
+        estimated |= {one.terms[column] for column in one.tilts}
     kept = tuple(term for term in pad if term in estimated or start is not None)
     return FieldFit(
         field=made,
@@ -709,12 +729,32 @@ def _answer(
         converged=settled and not interrupted,
         message=message + message_sign,
         degree=degree,
+        distortion=distortion,
         stars=FittedStars(places, centers, own[:, 2].copy(), own[:, 3].copy(), each.chi2, used),
         images=np.where(valid, noise.electrons(images), np.nan),
         model=model.reshape(images.shape) * lit,
         _sensor=chip,
         _table=(kept, table),
     )
+
+
+def _splines(degree: int, distortion: Distortion | None) -> bool:
+    """Return whether cubic splines reproduce the polynomials of a map."""
+    return max(degree, 0 if distortion is None else distortion.degree) <= 3
+
+
+def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | None, str, int]) -> Distortion | None:
+    """Return the distortion from ideal places, None without them."""
+    ideal, pose, degree = grid
+    if ideal is None:
+        return None
+    used, tilt = found.model.chosen, found.model.of.one.tilt_of_pixel
+    known = np.isfinite(ideal[used]).all(axis=1)
+    if known.sum() < 4:
+        raise ValueError(f"ideal must have at least 4 places of {len(used)} windows that fit, got {known.sum()}")
+    seen = found.of_stars()[:, :2].swapaxes(1, 2) / tilt + places[used][:, None]
+    blocks = found.scores.information[0]
+    return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
 
 
 def _fixed_of(start: FieldMap, chip: Sensor, one: Any) -> Callable[[Array, Array], Array]:

@@ -16,6 +16,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
+from lommel.localize.lattice import grid_indices
 from lommel.localize.point_sources import Refused, planes_of, refusals, saturated, windows_around
 
 if TYPE_CHECKING:
@@ -48,6 +49,9 @@ class Crossings:
         Row and column of the saddle of the smoothed image, to a tenth of a pixel or so.
     windows : ndarray, shape (n, rows, columns), of exposures (n, exposures, rows, columns)
         Cut from the image, in its unit and type.
+    indices : ndarray, shape (n, 2)
+        Row and column of each on the board, as of :func:`lommel.grid_indices`: ideal places, but for distortion. NaN
+        where not known.
     contrast : ndarray, shape (n,)
         White less black squares, electrons a pixel in all exposures together; a rough estimate.
     square : float
@@ -61,6 +65,7 @@ class Crossings:
 
     places: NDArray[np.int64]
     centers: Array
+    indices: Array
     windows: Values
     contrast: Array
     square: float
@@ -188,6 +193,7 @@ def find_crossings(
     return Crossings(
         places=middle[order],
         centers=center[order],
+        indices=_indices(center)[order],
         windows=cut[:, 0] if single else cut,
         contrast=contrast[order],
         square=square,
@@ -244,6 +250,14 @@ def _spread(center: Array, kept: NDArray[np.intp], most: int | None) -> NDArray[
         away = ((places - places[chosen[-1]]) ** 2).sum(axis=1)
         far = np.minimum(far, away) if k else away
     return kept[chosen]
+
+
+def _indices(center: Array) -> Array:
+    """Return the row and column of each crossing on the board, NaN where there is none."""
+    try:
+        return grid_indices(center)
+    except ValueError:
+        return np.full_like(center, np.nan)
 
 
 def _nearest(center: Array) -> Array:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 import numpy as np
 
+from lommel.base.units import parse_length
 from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
 from lommel.cli.options import FILE, JSON, MICROMETRES, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
@@ -50,6 +51,9 @@ _MOST_CROSSINGS = 100
     Option("--defocus", metavar="NUMBERS",
            help="Known defocus coefficient C_d of each exposure in radians, such as -3 3; positive where the sensor "
            "was moved towards the lens. One wave of defocus is C_d = pi. By default 0."),
+    Option("--wavelengths", metavar="LENGTHS",
+           help="Wavelength of each exposure through a filter, such as 600nm,450nm: the wavefront in metres is "
+           "that of all. By default that of the lens."),
     Option("--known-blur", type=click.FloatRange(0.0), metavar="PIXELS",
            help="Standard deviation of blur by seeing or jitter, where it is known; by default it is estimated."),
     Option("-o", "--output", type=FILE, help="Table for `[field] file =` of the lens file: .csv."),
@@ -92,6 +96,7 @@ def fit_field(
     distortion: int | None,
     terms: int,
     defocus: str | None,
+    wavelengths: str | None,
     known_blur: float | None,
     output: Path | None,
     twin: Path | None,
@@ -143,7 +148,8 @@ def fit_field(
     noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
     with progress("reading") as started:
         exposures = read_images(list(images))
-        if defocus is None and len(exposures) > 1:
+        colours = None if wavelengths is None else _lengths(wavelengths, len(exposures))
+        if defocus is None and colours is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
         started(f"finding {targets}s")
         known = numbers_of(defocus or "0")
@@ -182,6 +188,7 @@ def fit_field(
             degree=degree,
             terms=terms,
             defocus=known,
+            wavelengths=colours,
             blur=True if known_blur is None else known_blur,
             targets=targets,
             size=size,
@@ -197,6 +204,16 @@ def fit_field(
     if figure is not None:
         save_figure(made.plot(), figure)
     return Report(_facts(made, found), _parts(made, found), made.converged) + written([output, twin, figure, spots])
+
+
+def _lengths(text: str, exposures: int) -> list[float]:
+    """Return the wavelengths of an option, one for each exposure."""
+    words = text.replace(",", " ").split()
+    if len(words) != exposures:
+        raise ValueError(
+            f"--wavelengths must be one for each of {exposures} exposures, such as 600nm,450nm, got {text!r}"
+        )
+    return [parse_length(word) for word in words]
 
 
 def _grid(found: PointSources | Crossings) -> Array:

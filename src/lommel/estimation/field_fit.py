@@ -262,6 +262,7 @@ def fit_field(
     degree: int | None = 3,
     terms: int | Sequence[tuple[int, int] | str] = 11,
     defocus: ArrayLike = 0.0,
+    wavelengths: ArrayLike | None = None,
     blur: bool | float = True,
     start: FieldMap | None = None,
     targets: str = "star",
@@ -304,7 +305,12 @@ def fit_field(
     terms : int or sequence, default 11
         Terms to estimate, as of :func:`lommel.retrieve`: 11 are Noll's 4 to 14.
     defocus : float or array_like, shape (e,), default 0
-        Known additional C_d of each exposure, radians; positive where the sensor was moved towards the lens.
+        Known additional C_d of each exposure, radians at the wavelength of the pupil; positive where the sensor was
+        moved towards the lens.
+    wavelengths : array_like, shape (e,), optional
+        Of each exposure, metres, as of channels or filters; by default that of the pupil. The wavefront in metres and
+        the f-number are those of all; places (lateral colour), light and blur are of each. Axial colour is that of
+        the lens of the pupil, if it has one, and else to be part of `defocus`.
     blur : bool or float, default True
         Gaussian blur by seeing, jitter or charge diffusion: True estimates the standard deviation in each exposure,
         False is without, and a number is a known standard deviation in pixels.
@@ -407,6 +413,7 @@ def fit_field(
             f"defocus must be a number, or one for each of {exposures} exposures, got shape {known.shape}"
         )
     known = np.broadcast_to(known, exposures)
+    colours = None if wavelengths is None else _wavelengths(wavelengths, given, exposures)
     most = _MOST_DEGREE if degree is None else validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     validation.optional("start", start, FieldMap)
     far = validation.integer("distortion", distortion, least=0, most=_MOST_DISTORTION)
@@ -435,7 +442,7 @@ def fit_field(
     stars = FieldStars(
         electrons, read, valid, begun, known, unknowns, pitch,
         blurred=blur is True, integrate=plan.grid(given).integrate, tol=plan.tol, threads=plan.threads,
-        known=width_given or 0.0, target=target,
+        known=width_given or 0.0, target=target, wavelengths=colours,
     )  # fmt: skip
     if stars.tested < 1:
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
@@ -457,6 +464,19 @@ def fit_field(
     return _answer(
         search, state, interrupted, given, start, chip, at, images, (noise, valid, lit), (holes, pose, far)
     )
+
+
+def _wavelengths(wavelengths: ArrayLike, pupil: Pupil, exposures: int) -> Array:
+    """Return the wavelength of each exposure."""
+    found = validation.real_array("wavelengths", wavelengths)
+    if found.shape != (exposures,):
+        raise ValueError(
+            f"wavelengths must be one for each of {exposures} exposures (windows of shape (n, exposures, height, "
+            f"width)), got shape {found.shape}"
+        )
+    if pupil.wavelength is None:
+        raise ValueError("wavelengths need a pupil with wavelength and f_number, and pixel in metres, got lambda*N")
+    return np.array([validation.wavelength(float(each)) for each in found])
 
 
 def _target(kind: str, size: float | None, pixel: float) -> Target | None:

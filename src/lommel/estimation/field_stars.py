@@ -30,6 +30,14 @@ _OWN = 4  # parameters of an image: row, column, flux, background; then angles
 _TURNED = 0.05  # radians: the longest step of an angle
 
 
+class Light(NamedTuple):
+    """What exposures of one wavelength have in common: which they are, pupil, pixel in lambda*N."""
+
+    exposures: NDArray[np.intp]
+    pupil: Pupil
+    pixel: float
+
+
 class Quality(NamedTuple):
     """Chi2 of single stars, (r,), and its standard deviation where the model is right."""
 
@@ -42,6 +50,8 @@ class FieldStars:
 
     Parameters of a star are the k coefficients of its wavefront (radians rms), the squared widths of the blur of each
     exposure (pixels^2), and of each image its tilts by row and column, flux, background, and of corners two angles.
+    Wavefronts, tilts and defocus are radians at the wavelength of the pupil; `wavelengths` (e,) are those of the
+    exposures, which have the same path differences.
     """
 
     def __init__(
@@ -60,6 +70,7 @@ class FieldStars:
         threads: int,
         known: float = 0.0,
         target: Target | None = None,
+        wavelengths: Array | None = None,
     ) -> None:
         self.count, self.exposures, *shape = electrons.shape
         self.shape = (shape[0], shape[1])
@@ -71,7 +82,22 @@ class FieldStars:
         self.cornered = self.own > _OWN
         plan = Plan(self.shape, pixel, tol=tol, integrate=integrate, threads=threads or None)
         first = pupil if pupil.shape == () else pupil[0]
-        self._first = first
+        own = float(first.wavelength or 1.0)
+        light = np.full(self.exposures, own) if wavelengths is None else wavelengths
+        #: Phases there over those at the wavelength of the pupil.
+        self.ratio: Array = own / light
+        seen = {float(w): first if w == own else first.in_light(float(w)) for w in light}
+        self._lights = [
+            Light(np.flatnonzero(light == w), one, pixel / float(one.scale)) for w, one in sorted(seen.items())
+        ]
+        added: dict[int, Wavefront] = {}
+        for group in self._lights:  # what the colour of the lens adds to the same path differences
+            factor = float(self.ratio[group.exposures[0]])
+            changed = (group.pupil.wavefront + first.wavefront * -factor) * (1.0 / factor)
+            if any(abs(value) > 1e-9 for value in changed.edge_terms().values()):
+                added |= dict.fromkeys(group.exposures.tolist(), changed)
+        for changed in added.values():
+            first = first.carrying(first.wavefront + changed * 0.0, first.geometry)
         #: The images of one star, whose terms are those of all.
         self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
         self.size = len(unknowns.terms) + (1 + self.own) * self.exposures
@@ -91,11 +117,13 @@ class FieldStars:
         fixed: Array = whole - self.start @ self.one.directions
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
         self.base[:, :, 0] += defocus[None]
+        for i, changed in added.items():
+            for term, value in changed.edge_terms().items():
+                self.base[:, i, self.one.terms.index(term)] += value
+                self.one.base[i, self.one.terms.index(term)] += value
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Name, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
-        self._scale = float(first.scale)
-        self._pixel = pixel / self._scale
-        self._reader: StarReadout | TargetReadout | None = None
+        self._readers: list[StarReadout | TargetReadout | None] = [None] * len(self._lights)
         tested = self.star[3].sum(axis=(1, 2)) - self.size
         self.tested = int(tested.mean())
 
@@ -116,33 +144,34 @@ class FieldStars:
         list is (r * e, height, width). `slopes` may be "own", by tilts and angles, those by the wavefront being 0, or
         "none": values alone.
         """
-        reader = self._readout(float(squares.max(initial=0.0)))
-        lattice = self.shape if reader is None else reader.shape
-        each = self.exposures * math.prod(lattice) * (len(self._slopes) + 2)
+        readers = [self._readout(k, float(squares.max(initial=0.0))) for k in range(len(self._lights))]
+        lattice = max(math.prod(self.shape if one is None else one.shape) for one in readers)
+        each = self.exposures * lattice * (len(self._slopes) + 2)
         block = max(1, int(_AT_ONCE / each))
         parts = [
-            self._block(reader, stars[s], waves[s], squares[s], tilts[s], rest[s, 2:], fast=fast, slopes=slopes)
+            self._block(readers, stars[s], waves[s], squares[s], tilts[s], rest[s, 2:], fast=fast, slopes=slopes)
             for s in (slice(first, first + block) for first in range(0, len(stars), block))
         ]
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
-    def _readout(self, square: float) -> StarReadout | TargetReadout | None:
+    def _readout(self, k: int, square: float) -> StarReadout | TargetReadout | None:
         """Return what reads pixels from samples for blur of this squared width; None where samples are the pixels."""
+        reader, pixel = self._readers[k], self._lights[k].pixel
         if self.target is not None:
-            if self._reader is None:
-                self._reader = TargetReadout(self.shape, self._pixel, self.target, integrate=self.integrate)
-            return self._reader
+            if reader is None:
+                self._readers[k] = TargetReadout(self.shape, pixel, self.target, integrate=self.integrate)
+            return self._readers[k]
         if not (self.blurred or self.integrate or self.fixed):
             return None
         width = math.sqrt(square)
-        if self._reader is None or not self._reader.widest - 2.0 * _ROOM <= width <= self._reader.widest:
+        if reader is None or not reader.widest - 2.0 * _ROOM <= width <= reader.widest:
             widest = width + _ROOM if self.blurred else width
-            self._reader = StarReadout(self.shape, self._pixel, widest, integrate=self.integrate)
-        return self._reader
+            self._readers[k] = StarReadout(self.shape, pixel, widest, integrate=self.integrate)
+        return self._readers[k]
 
     def _block(
         self,
-        reader: StarReadout | TargetReadout | None,
+        readers: Sequence[StarReadout | TargetReadout | None],
         stars: NDArray[np.intp],
         waves: Array,
         squares: Array,
@@ -155,13 +184,40 @@ class FieldStars:
         edge = self.base[stars] + (waves @ self.one.directions)[:, None]
         for j, column in enumerate(self.one.tilts):
             edge[:, :, column] += tilts[:, j]
+        edge *= self.ratio[:, None]
+        parts = []
+        for light, reader in zip(self._lights, readers, strict=True):
+            at = light.exposures
+            own = edge[:, at], squares[:, at], angles[:, :, at]
+            parts.append(self._in_light(light, reader, *own, fast=fast, slopes=slopes))
+        if len(parts) == 1:
+            return parts[0]
+        found = [np.empty((len(stars), self.exposures, *self.shape), one.dtype) for one in parts[0]]
+        for light, part in zip(self._lights, parts, strict=True):
+            for place, images in zip(found, part, strict=True):
+                place[:, light.exposures] = images.reshape(len(stars), -1, *self.shape)
+        return [place.reshape(-1, *self.shape) for place in found]
+
+    def _in_light(
+        self,
+        light: Light,
+        reader: StarReadout | TargetReadout | None,
+        edge: Array,
+        squares: Array,
+        angles: Array,
+        *,
+        fast: bool,
+        slopes: str,
+    ) -> list[Array]:
+        """Return images of exposures of one wavelength, of edge terms (r, e, terms) there, and slopes by these."""
         wavefront = Wavefront.trusted(self.one.terms, edge.reshape(-1, edge.shape[-1]))
-        pupil = cast("Pupil", carrying(self._first, wavefront))
+        pupil = cast("Pupil", carrying(light.pupil, wavefront))
         tol = self.loosest if fast else self.tol
-        shape, pitch = (self.shape, self._pixel) if reader is None else (reader.shape, reader.step)
-        plan = Plan(shape, pitch * self._scale, tol=tol, integrate=False, threads=self.threads or None)
-        light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        asked = asked_about(pupil, light, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
+        shape, pitch = (self.shape, light.pixel) if reader is None else (reader.shape, reader.step)
+        pixel = pitch * float(light.pupil.scale)
+        plan = Plan(shape, pixel, tol=tol, integrate=False, threads=self.threads or None)
+        facts = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
+        asked = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", output_type(None, tol), self.threads)
         by = {"all": self._slopes, "own": self._slopes[-2:], "none": ()}[slopes]
         _, made, rates = asked.images(pupil, by)
         samples = [made.values, *(slope.values for slope in rates)]
@@ -198,12 +254,12 @@ class FieldStars:
         # From derivatives of PSFs by edge terms, tilts, blur; the PSF, 1 and the residual last.
         chain = np.zeros((r, e, self.size + 1, d))
         flux = light[:, 0]
-        chain[:, :, :k, :edge] = self.one.unknowns.directions * flux[:, :, None, None]
+        chain[:, :, :k, :edge] = self.one.unknowns.directions * (self.ratio * flux)[:, :, None, None]
         for i in range(e):
             at = k + e + np.arange(self.own) * e + i
             if self.blurred:
                 chain[:, i, k + i, edge + 2] = flux[:, i]
-            chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = flux[:, i]
+            chain[:, i, at[0], edge] = chain[:, i, at[1], edge + 1] = self.ratio[i] * flux[:, i]
             chain[:, i, at[2], d - 3] = chain[:, i, at[3], d - 2] = 1.0
             for j in range(_OWN, self.own):
                 chain[:, i, at[j], edge + 2 + self.blurred + j - _OWN] = flux[:, i]

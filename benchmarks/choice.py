@@ -4,7 +4,8 @@
 
 Each question is asked by a prepared computation, on one thread, of the chordal rule, of the series, and of what is
 chosen, in turn. Prints quantiles of the processor time of the last over that of the better one, and the worst
-questions. With `--write` the times of both methods are written, in microseconds, which the tests hold the choice to.
+questions, with vectors of 512 and of 256 bits where the processor has both. With `--write` the times of both methods
+are written, in microseconds, which the tests hold the choice to.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 import lommel as lm
+from lommel import _core
 from lommel.core.answers import Declined
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "shared"))
@@ -72,31 +74,43 @@ def seconds(calls: Sequence[Call | None]) -> list[float]:
     return least
 
 
+def asked(first: int, count: int, *, averages: bool) -> list[tuple[float, float, float, int]]:
+    """Ask, and print; return the seconds of chords, of the series and of what is chosen, and the number."""
+    found = []
+    for index in range(first, first + count):
+        question = disk_question(index, averages=averages)
+        chords, series, chosen = seconds(
+            [prepared(question, method) for method in (lm.ChordalGauss(), lm.NijboerZernike(), None)]
+        )
+        if min(chords, series) < math.inf:
+            found.append((chords, series, chosen, index))
+    ratios = np.array([chosen / min(chords, series) for chords, series, chosen, _ in found])
+    print(
+        f"{_core.instructions()}, {len(found)} questions; at most 1.25 of the better: {np.mean(ratios <= 1.25):.1%}"
+    )
+    print("quantiles 50, 90, 95, 99 %, largest:", *np.round(np.quantile(ratios, [0.5, 0.9, 0.95, 0.99, 1.0]), 2))
+    for k in np.argsort(-ratios)[:10]:
+        chords, series, _, index = found[k]
+        question = disk_question(index, averages=averages)
+        print(f"{ratios[k]:6.2f}  chords {1e3 * chords:.3g} ms, series {1e3 * series:.3g} ms: {index}, {question}")
+    return found
+
+
 def main() -> None:
-    """Ask, and print."""
+    """Ask with the vectors of each width that the processor has."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=300)
     parser.add_argument("--averages", action="store_true")
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    rows, ratios = [], []
-    for index in range(options.first, options.first + options.count):
-        question = disk_question(index, averages=options.averages)
-        chords, series, chosen = seconds(
-            [prepared(question, method) for method in (lm.ChordalGauss(), lm.NijboerZernike(), None)]
-        )
-        if min(chords, series) == math.inf:
-            continue
-        rows.append(f"{index},{1e6 * chords:.1f},{1e6 * series:.1f}")
-        ratios.append((chosen / min(chords, series), chords, series, question))
-    found = np.array([ratio for ratio, *_ in ratios])
-    print(f"{len(found)} questions; at most 1.25 of the better method: {np.mean(found <= 1.25):.1%}")
-    print("quantiles 50, 90, 95, 99 %, largest:", *np.round(np.quantile(found, [0.5, 0.9, 0.95, 0.99, 1.0]), 2))
-    for ratio, chords, series, question in sorted(ratios, key=lambda each: -each[0])[:10]:
-        print(f"{ratio:6.2f}  chords {1e3 * chords:.3g} ms, series {1e3 * series:.3g} ms: {question}")
+    widest, rows = _core.instructions(), ["instructions,question,chords,series"]
+    for level in [widest] if widest != "avx512" else ["avx512", "avx2"]:
+        _core.limit_instructions(level)
+        found = asked(options.first, options.count, averages=options.averages)
+        rows += [f"{level},{index},{1e6 * chords:.1f},{1e6 * series:.1f}" for chords, series, _, index in found]
     if options.write:
-        options.write.write_text("question,chords,series\n" + "\n".join(rows) + "\n", encoding="utf-8")
+        options.write.write_text("\n".join(rows) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ struct ChordalBudget {
     static constexpr double single = 0.6, rounding = 0.7;
     // Of what is asked of U, and of what single precision may leave, where the variance of the phase is large: such images may be
     // dimmer than is guessed, and to ask for less costs a few chords where to do all again costs as much again.
-    static constexpr double large = 10.0, dim = 0.25, dim_single = 0.8;
+    static constexpr double large = 10.0, dim = 0.25, dim_single = 0.7;
     // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked.
     static constexpr double again = 0.3, least = 1e-3;
 };
@@ -271,39 +271,36 @@ class ChordalRenderer {
     }
 
     // Nanoseconds of one processor that images of these are likely to take, all tables at hand; benchmarks/choice.py fits them.
+    // A vector takes about as long whatever its width.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
-        constexpr bool single = sizeof(Real) < 8;
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
-        const double pixels = static_cast<double>(rows_.count * columns_.at.size());
-        const auto groups = grouped<Real>(pending, pupils);
-        // Fitted with the widest vectors, of which one takes as long as two of half the width. Without them chords and the series
-        // take longer than their models; 0.7 of the former is what chose best among 544 questions.
-        const double each = processor_level() == Level::avx512 ? 1.0 : 0.35;
+        const double height = static_cast<double>(rows_.count), columns = static_cast<double>(columns_.at.size());
         double sum = 0.0;
-        for (const Group& group : groups) {
+        for (const Group& group : grouped<Real>(pending, pupils)) {
             for (const ChordCount& count : {group.far, group.near}) {
-                const double chords = static_cast<double>(count.chords), nodes = count.size();
+                const double chords = static_cast<double>(count.chords);
                 if (chords > 0.0 && group.lone) {
-                    sum +=
-                        (single ? 2500.0 : 1900.0) + ((single ? 4.8 * terms + 0.9 * rows : 1.6 * terms + 1.9 * rows) * nodes +
-                                                      (single ? 1.8 : 1.5) * chords * pixels) /
-                                                         lanes;
+                    const double nodes = std::ceil(0.5 * chords / lanes) * static_cast<double>(count.nodes);
+                    // The table of rows, beyond what caches close to the processor hold, at the speed of memory.
+                    const double table = 2.0 * nodes * rows * lanes * static_cast<double>(sizeof(Real));
+                    sum += 590.0 + (12.5 + 0.73 * terms + 0.26 * rows) * nodes + 0.0262 * std::max(0.0, table - 4e6) +
+                           (0.51 * chords * std::ceil(columns / lanes) + 2.0 * columns) * height;
                 } else if (chords > 0.0) {
-                    sum += (single ? 11400.0 : 2600.0) +
-                           (single ? 5.0 + 0.54 * terms + 0.29 * rows : 8.5 + 0.36 * terms + 0.8 * rows) * nodes +
-                           (single ? 1.3 : 1.0) * chords * pixels;
+                    sum += 1540.0 + (1.6 + 0.14 * terms + 0.65 * rows) * count.size() +
+                           (0.1 * chords + 1.0 * static_cast<double>(group.here)) * columns * height;
                 }
             }
         }
-        return each * sum;
+        return sum;
     }
 
     // Once it is known how many chords and nodes they take.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
-        costs_.first = 12900.0 + 330.0 * count + nanoseconds<double>(pending.data() + singles, pending.size() - singles);
+        costs_.first = 8100.0 + 44.0 * count * static_cast<double>(stack_.terms.size()) +
+                       nanoseconds<double>(pending.data() + singles, pending.size() - singles);
         if constexpr (sizeof(T) == sizeof(float)) {
             costs_.first += nanoseconds<float>(pending.data(), singles);
         }

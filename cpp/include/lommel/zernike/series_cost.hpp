@@ -14,7 +14,7 @@ namespace lommel {
 
 // Nanoseconds of one processor, all tables at hand; benchmarks/choice.py fits them.
 struct SeriesCost {
-    static constexpr double least = 32500.0;     // of any image
+    static constexpr double least = 27000.0;     // of any image
     static constexpr double declined = 20000.0;  // of what chords have looked at before it is asked, and of their error
     static constexpr double circles = 1.2e-10;  // errors of interpolation between circles, of no dim image
     // Of the error that the tolerance allows, on roundings of the expansion: beyond, circles do not serve; and, perhaps, nothing.
@@ -51,22 +51,25 @@ struct SeriesCost {
         // Eight pixels at once where the axis is in the window.
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
-        const double orders = cost.orders_, expansion = cost.sum_;
+        const double orders = cost.orders_, wide = widths();
         if (PolarImage::pays(reach, orders, cost.degrees_, pixels) && circles * dim <= tol && rounding <= rounded) {
             // Taps, and their oversampling, are in number as the digits that are asked for.
             const double digits = std::log10(std::max(10.0, dim / tol)), square = digits * digits;
-            return expansion + 29000.0 + 8.8 * orders * cost.degrees_ + 0.19 * square * reach * orders +
-                   (18.0 + 0.84 * square) * groups;
+            return cost.calls_ + 8600.0 +
+                   wide * (cost.sum_ + 0.089 * square * reach * orders + (4.6 + 0.556 * square) * groups);
         }
         // Of an obscured pupil both disks are interpolated on every ring.
-        const double within = area > 1e-18 ? 75.0 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
-        const double each = tol >= 1e-6 ? 1.06 : 1.8;
+        const double within = area > 1e-18 ? 46.0 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
+        const double each = tol >= 1e-6 ? 0.34 : 0.86;
         const double image =
-            29000.0 + 16.0 * orders * cost.degrees_ + (10.0 + within) * reach * orders + (3.0 + each * orders) * groups;
-        return (expansion + image) * (rounding > lost ? 20.0 : 1.0);
+            8.3 * orders * cost.degrees_ + (2.2 + within) * reach * orders + (5.5 + each * orders) * groups;
+        return cost.calls_ + 12700.0 + wide * (cost.sum_ + image) * (rounding > lost ? 20.0 : 1.0);
     }
 
    private:
+    // What narrower vectors than those of eight doubles take, over these.
+    static double widths() { return std::pow(0.125 * static_cast<double>(vector_lanes(processor_level())), -0.81); }
+
     // How much larger U is at the peak of an image without aberration, likely.
     static double dimness(const ZernikePhase& phase) {
         double variance = 0.0;
@@ -82,14 +85,15 @@ struct SeriesCost {
         const double degrees = static_cast<double>(size.degrees), orders = static_cast<double>(size.orders),
                      rings = static_cast<double>(DiskRule::rings_for(exact)),
                      nodes = rings * static_cast<double>(DiskRule::points_for(exact));
-        sum_ += 3550.0 + 0.07 * degrees * degrees * rings + 4.75 * degrees * orders + 0.36 * size.samples +
-                (3.4 + 0.039 * static_cast<double>(phase.list.pairs.size())) * nodes;
+        calls_ += 19300.0;
+        sum_ += 0.065 * degrees * degrees * rings + 6.4 * degrees * orders + 0.215 * size.samples +
+                (1.56 + 0.017 * static_cast<double>(phase.list.pairs.size())) * nodes;
         rounding_ = std::max(rounding_, 0.71 * degrees * (25.0 + rings + 4.0 * degrees));
         orders_ = std::max(orders_, orders);
         degrees_ = std::max(degrees_, degrees);
     }
 
-    double sum_ = 0.0, orders_ = 0.0, degrees_ = 0.0, rounding_ = 0.0;
+    double calls_ = 0.0, sum_ = 0.0, orders_ = 0.0, degrees_ = 0.0, rounding_ = 0.0;
 };
 
 }  // namespace lommel

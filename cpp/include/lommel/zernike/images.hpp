@@ -115,16 +115,16 @@ class ZernikeRenderer {
                                              static_cast<double>(tiles.height * tiles.width));
         image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * work));
         const PolarPupil pupil(field);
-        for (const double share : {1.0, PolarBudget::again}) {
-            if (!image.prepare(pupil, share * tol)) {
-                break;
-            }
+        // Pixels far apart may all miss what is brightest between them: then again, as their own peak asks for.
+        double share = 1.0;
+        for (int attempt = 0; attempt < 2 && image.prepare(pupil, share * tol); ++attempt) {
             image.paint(to.scale, to.values);
             peak = image.peak();
             const double bound = finished_error<T>(over_peak(image.wrong(), peak, image.error_at_peak()), divide, true);
             if (bound <= tol_) {
                 return bound;
             }
+            share = PolarBudget::again * tol_ / bound;
         }
         return 1e300;
     }

@@ -20,8 +20,8 @@ struct PolarBudget {
     static constexpr double image = 0.9, brighter = 1.15;
     // Of what that allows U to be off by: what a style may promise, and what orders left out may add to it.
     static constexpr double promise = 0.95, orders = 0.05;
-    // What is asked of all styles where that did not do.
-    static constexpr double again = 0.3;
+    // What is asked of all styles where that did not do: this part of what the brightest pixel asks for.
+    static constexpr double again = 0.7;
 };
 
 struct PolarZone {

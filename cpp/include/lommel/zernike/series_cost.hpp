@@ -16,7 +16,8 @@ namespace lommel {
 struct SeriesCost {
     static constexpr double least = 27000.0;     // of any image
     static constexpr double declined = 20000.0;  // of what chords have looked at before it is asked, and of their error
-    static constexpr double circles = 1.2e-10;  // errors of interpolation between circles, of no dim image
+    static constexpr double circles = 1.2e-10;  // errors of interpolation between circles, of no dim image; strong aberrations may
+                                                // make it twice as dim as is likely
     // Of the error that the tolerance allows, on roundings of the expansion: beyond, circles do not serve; and, perhaps, nothing.
     static constexpr double rounded = 0.17, lost = 0.25;
 
@@ -52,7 +53,7 @@ struct SeriesCost {
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
         const double orders = cost.orders_, wide = widths();
-        if (PolarImage::pays(reach, orders, cost.degrees_, pixels) && circles * dim <= tol && rounding <= rounded) {
+        if (PolarImage::pays(reach, orders, cost.degrees_, pixels) && circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded) {
             // Taps, and their oversampling, are in number as the digits that are asked for.
             const double digits = std::log10(std::max(10.0, dim / tol)), square = digits * digits;
             return cost.calls_ + 8600.0 +

@@ -16,8 +16,8 @@ namespace lommel {
 struct SeriesCost {
     static constexpr double least = 27000.0;     // of any image
     static constexpr double declined = 20000.0;  // of what chords have looked at before it is asked, and of their error
-    static constexpr double circles = 1.2e-10;  // errors of interpolation between circles, of no dim image; strong aberrations may
-                                                // make it twice as dim as is likely
+    // Errors of interpolation between circles, of no dim image. Strong aberrations may make it twice as dim as is likely.
+    static constexpr double circles = 1.2e-10;
     // Of the error that the tolerance allows, on roundings of the expansion: beyond, circles do not serve; and, perhaps, nothing.
     static constexpr double rounded = 0.17, lost = 0.25;
 
@@ -53,7 +53,8 @@ struct SeriesCost {
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
         const double orders = cost.orders_, wide = widths();
-        if (PolarImage::pays(reach, orders, cost.degrees_, pixels) && circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded) {
+        const bool serve = circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
+        if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels)) {
             // Taps, and their oversampling, are in number as the digits that are asked for.
             const double digits = std::log10(std::max(10.0, dim / tol)), square = digits * digits;
             return cost.calls_ + 8600.0 +
@@ -62,8 +63,7 @@ struct SeriesCost {
         // Of an obscured pupil both disks are interpolated on every ring.
         const double within = area > 1e-18 ? 46.0 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
         const double each = tol >= 1e-6 ? 0.34 : 0.86;
-        const double image =
-            8.3 * orders * cost.degrees_ + (2.2 + within) * reach * orders + (5.5 + each * orders) * groups;
+        const double image = 8.3 * orders * cost.degrees_ + (2.2 + within) * reach * orders + (5.5 + each * orders) * groups;
         return cost.calls_ + 12700.0 + wide * (cost.sum_ + image) * (rounding > lost ? 20.0 : 1.0);
     }
 

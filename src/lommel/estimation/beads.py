@@ -216,6 +216,7 @@ class BeadFit:
     steps: int
     _state: State = field(repr=False)
     _images: BeadImages = field(repr=False)
+    _priors: dict[str, Prior] = field(repr=False)
 
     def pupil(self, *, depth: ArrayLike, z: ArrayLike = 0.0) -> ObjectivePupil:
         """Return the fitted pupil with an emitter at a depth and the stage at z, metres, for :func:`lommel.psf`.
@@ -734,6 +735,7 @@ def _fitted(
         steps=search.steps,
         _state=state,
         _images=joint.images,
+        _priors=dict(joint.priors),
     )
 
 

@@ -1,0 +1,345 @@
+"""Field maps of objectives: aberrations over the field from beads that were fitted one place at a time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.estimation import goodness_of_fit
+from lommel.estimation.bead_images import Setup
+from lommel.estimation.beads import BeadFit
+from lommel.estimation.field_sensor import Sensor
+from lommel.estimation.field_signs import monomials, robust
+from lommel.methods.derivative_names import Term
+from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective_pupil import ObjectivePupil
+from lommel.optics.wavefront.wavefront import Wavefront
+from lommel.special import zernike
+
+_MOST_DEGREE = 4
+_OUTLIER, _LEAST = 10.0, 0.03  # times the median distance from the polynomials, radians rms, or this one
+_MOST_LOST = 0.2  # of the fits
+_HALVINGS = 40
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ObjectiveField:
+    """Aberrations of an objective over the field: the answer of :func:`lommel.fit_objective_field`.
+
+    Attributes
+    ----------
+    names : tuple of (n, m)
+        The k Zernike terms.
+    coefficients : ndarray, shape (k, m)
+        Of each term (radians rms) in products of Legendre polynomials of the position, -1 to 1 over the sensor.
+    constants : dict of str to float
+        Of the microscope, those that the fits estimated: one value for all of the field.
+    covariance : ndarray, shape (k * m + c, k * m + c)
+        Of the coefficients, row by row, and the constants.
+    objective : Objective
+        With these constants.
+    degree : int
+        Of the polynomials.
+    scatter : float
+        Standard deviation of each term about the polynomials beside the noise of the fits, radians rms; standard
+        errors include it.
+    chi2 : float
+        Of the fits about the polynomials, per degree of freedom, with their stated errors alone.
+    used : ndarray of bool, shape (n,)
+        Fits that converged and are not far from the polynomials.
+    residuals : ndarray, shape (n, k)
+        Terms of each fit less those of the map, radians rms.
+    message : str
+    """
+
+    names: tuple[Term, ...]
+    coefficients: Array
+    constants: dict[str, float]
+    covariance: Array
+    objective: Objective
+    degree: int
+    scatter: float
+    chi2: float
+    used: Any
+    residuals: Array = field(repr=False)
+    message: str
+    _setup: Setup = field(repr=False)
+    _fixed: Wavefront = field(repr=False)
+    _sensor: Sensor = field(repr=False)
+
+    def at(self, row: ArrayLike, column: ArrayLike) -> tuple[Array, Array]:
+        """Return the terms and their standard errors at positions of the image.
+
+        Parameters
+        ----------
+        row, column : array_like
+            Pixels of the camera, as `places`; they broadcast.
+
+        Returns
+        -------
+        coefficients, deviation : ndarray, shape ``(..., k)``
+            Radians rms, in the order of `names`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a position is not finite or outside of the sensor.
+        """
+        down, across = validation.broadcast(
+            "row and column", validation.real_array("row", row), validation.real_array("column", column)
+        )
+        u, v = self._sensor.relative(across, down)
+        if (np.maximum(np.abs(u), np.abs(v)) > 1.0 + 1e-9).any():
+            raise ValueError("row and column must be on the sensor that was stated, got a position outside of it")
+        basis = monomials(u, v, self.degree)
+        k, m = self.coefficients.shape
+        blocks = self.covariance[: k * m, : k * m].reshape(k, m, k, m)[np.arange(k), :, np.arange(k)]
+        variance = np.einsum("...i,kij,...j->...k", basis, blocks, basis)
+        return basis @ self.coefficients.T, np.sqrt(np.maximum(variance, 0.0))
+
+    def aberrations(self, row: float, column: float) -> Wavefront:
+        """Return the aberrations at a position, with what the fits held fixed, as of :meth:`lommel.Objective.pupil`.
+
+        Parameters
+        ----------
+        row, column : float
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`at`.
+        """
+        values = self.at(validation.real("row", row), validation.real("column", column))[0]
+        edge = {term: value * zernike.rms_factor(*term) for term, value in zip(self.names, values, strict=True)}
+        whole = self._fixed.edge_terms() | edge
+        return Wavefront.zernike(whole, normalization="edge")
+
+    def pupil(self, row: float, column: float, *, depth: ArrayLike, z: ArrayLike = 0.0) -> ObjectivePupil:
+        """Return the pupil at a position, with an emitter at a depth and the stage at z, metres.
+
+        Parameters
+        ----------
+        row, column : float
+        depth, z : array_like
+            As of :meth:`lommel.BeadFit.pupil`.
+
+        Returns
+        -------
+        ObjectivePupil
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`at`, or if a depth or z is out of range.
+        """
+        one = self._setup
+        return self.objective.pupil(
+            depth=depth,
+            z=z,
+            wavelength=one.wavelength,
+            emitter=one.emitter,
+            aberrations=self.aberrations(row, column),
+        )
+
+    def __repr__(self) -> str:
+        return f"<ObjectiveField: {self.message}>"
+
+
+def fit_objective_field(
+    fits: Sequence[BeadFit], places: ArrayLike, *, sensor: tuple[int, int], degree: int = 2
+) -> ObjectiveField:
+    """Combine fits of beads all over the image into aberrations of the objective as polynomials of the position.
+
+    Parameters
+    ----------
+    fits : sequence of BeadFit, n
+        Of :func:`lommel.fit_beads`, each of a bead, or of some beads side by side, with the same terms, constants
+        and priors. Those that did not converge are left out.
+    places : array_like, shape (n, 2)
+        Row and column of each in the image.
+    sensor : (int, int)
+        Rows and columns of the image.
+    degree : int, default 2
+        Total degree of the polynomials in row and column, 0 to 4, lower where there are fewer than two fits for each
+        coefficient.
+
+    Returns
+    -------
+    ObjectiveField
+
+    Raises
+    ------
+    TypeError, ValueError
+        If fits are of different microscopes or terms, fewer than four converged, or places are outside of the image.
+
+    Notes
+    -----
+    Of each fit the terms and constants with their covariance are what its images say, and the priors of constants,
+    which are taken out of all of them and put in once: a wrong prior is one error, not n. The terms are polynomials
+    and the constants are the same all over the field (generalised least squares). What terms differ by beyond their
+    errors is `scatter`. Tilts of the field (distortion) and defocus (field curvature) are not in it, for beads have
+    unknown places and depths.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> oil = lm.Objective(NA=1.3, magnification=63, immersion=1.518, sample=1.33)
+    >>> z, places = np.linspace(-0.6e-6, 0.6e-6, 5), [(0, 0), (0, 999), (999, 0), (999, 999)]
+    >>> camera, fits = lm.Noise(read=1.6), []
+    >>> for row, column in places:
+    ...     wave = lm.Wavefront.zernike({5: 0.2, 7: 3e-4 * column}, order="noll")
+    ...     truth = oil.pupil(depth=0.0, z=z, wavelength=600e-9, aberrations=wave)
+    ...     bead = camera.record(2e4 * lm.psf(truth, 13, 6.5e-6, tol=1e-4).values + 10, seed=row + column)
+    ...     options = {"z": z, "wavelength": 600e-9, "pixel": 6.5e-6, "noise": camera, "priors": {}}
+    ...     fits.append(lm.fit_beads(bead, oil, terms=["noll 5", "noll 7"], **options))
+    >>> found = fit_objective_field(fits, places, sensor=(1000, 1000), degree=1)
+    >>> found.at(500, [100, 900])[0].round(1).tolist()
+    [[0.2, 0.0], [0.2, 0.3]]
+    """
+    if not isinstance(fits, Sequence) or not all(isinstance(one, BeadFit) for one in fits):
+        raise TypeError(f"fits must be a sequence of BeadFit, got {validation.shown(fits)}")
+    if not (isinstance(sensor, Sequence | np.ndarray) and len(sensor) == 2):
+        raise TypeError(f"sensor must be its rows and columns, got {validation.shown(sensor)}")
+    rows, columns = (validation.integer("sensor", side, least=1, most=10**6) for side in sensor)
+    at = validation.real_array("places", places)
+    if at.shape != (len(fits), 2):
+        raise ValueError(f"places must be a row and a column for each of {len(fits)} fits, got shape {at.shape}")
+    if ((at < -0.5) | (at > np.array([rows, columns]) - 0.5)).any():
+        raise ValueError(f"places must be in the image of {rows} x {columns} pixels, got one outside")
+    order = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
+    used = np.array([one.converged for one in fits], dtype=bool)
+    if used.sum() < 4:
+        raise ValueError(f"fits must be at least 4 that converged, got {int(used.sum())} of {len(fits)}")
+    first = fits[int(np.flatnonzero(used)[0])]
+    _require_alike(first, [one for one, good in zip(fits, used, strict=True) if good])
+    names = tuple(name for name in first.coefficients if not isinstance(name, str))
+    chip = Sensor((rows, columns), 1.0, (0.0, 0.0))
+    u, v = chip.relative(at[:, 1], at[:, 0])
+    while order and (order + 1) * (order + 2) > used.sum():
+        order -= 1
+    basis = monomials(u, v, order)
+    waves = np.array([[one.coefficients.get(name, math.nan) for name in names] for one in fits])
+    _, apart = robust(basis[used], waves[used], np.ones(int(used.sum())), np.eye(len(names)))
+    near = apart <= _OUTLIER * max(1.4826 * float(np.median(apart)), _LEAST)
+    converged = int(used.sum())
+    if near.mean() >= 1.0 - _MOST_LOST:
+        used[np.flatnonzero(used)[~near]] = False
+    joined = _Joined([one for one, good in zip(fits, used, strict=True) if good], names, basis[used])
+    chi2, scatter = joined.solved(0.0)[2], 0.0
+    if chi2 > 1.0:
+        low, high = 0.0, 4.0 * float(np.sqrt(((waves[used] - waves[used].mean(axis=0)) ** 2).mean())) + 1e-6
+        for _ in range(_HALVINGS):
+            scatter = 0.5 * (low + high)
+            low, high = (scatter, high) if joined.solved(scatter)[2] > 1.0 else (low, scatter)
+    solution, covariance, _ = joined.solved(scatter)
+    k, m = len(names), basis.shape[1]
+    coefficients = solution[: k * m].reshape(k, m)
+    constants = dict(zip(joined.constants, solution[k * m :].tolist(), strict=True))
+    setup = first._state.setup
+    for name, value in constants.items():
+        setup = setup.having(name, value)
+    message = f"terms of degree {order} from {len(joined.fits)} fits, chi2 {chi2:.3g}"
+    if chi2 >= float(goodness_of_fit.most(math.sqrt(2.0 / joined.tested))):
+        message += f": they scatter by {scatter:.2g} radians rms beside their errors"
+    if lost := converged - len(joined.fits):
+        message += f"; {lost} far off rejected"
+    if converged < len(fits):
+        message += f"; {len(fits) - converged} did not converge"
+    fixed = {term: value for term, value in first.aberrations.edge_terms().items() if term not in names}
+    return ObjectiveField(
+        names=names,
+        coefficients=coefficients,
+        constants=constants,
+        covariance=covariance,
+        objective=setup.objective,
+        degree=order,
+        scatter=scatter,
+        chi2=chi2,
+        used=used,
+        residuals=waves - basis @ coefficients.T,
+        message=message,
+        _setup=setup,
+        _fixed=Wavefront.zernike(fixed, normalization="edge"),
+        _sensor=chip,
+    )
+
+
+def _require_alike(first: BeadFit, fits: Sequence[BeadFit]) -> None:
+    """Raise ValueError unless fits are of one microscope."""
+
+    def known(one: BeadFit) -> Setup:
+        setup = one._state.setup
+        for name in (name for name in first.coefficients if isinstance(name, str)):
+            setup = setup.having(name, first.coefficients[name])
+        return setup
+
+    for k, one in enumerate(fits):
+        if tuple(one.coefficients) != tuple(first.coefficients):
+            raise ValueError(
+                f"fits must have the same terms and constants, got {len(one.coefficients)} of fit {k} that differ "
+                f"from the {len(first.coefficients)} of the first"
+            )
+        if known(one) != known(first) or one._priors != first._priors:
+            raise ValueError(f"fits must be of one objective, camera, wavelength and priors, got another of fit {k}")
+
+
+class _Joined:
+    """What fits say of polynomials and constants together, the priors of these counted once."""
+
+    def __init__(self, fits: Sequence[BeadFit], names: tuple[Term, ...], basis: Array) -> None:
+        self.fits, self.basis = fits, basis
+        self.waves = len(names)
+        self.constants = [name for name in fits[0].coefficients if isinstance(name, str)]
+        self.scale = np.sqrt(np.diag(fits[0].covariance))
+        values = np.array([list(one.coefficients.values()) for one in fits]) / self.scale
+        posterior = np.array([np.linalg.inv(one.covariance / np.outer(self.scale, self.scale)) for one in fits])
+        self.prior = np.zeros(len(self.scale))
+        self.mean = np.zeros(len(self.scale))
+        for j, name in enumerate(self.constants, self.waves):
+            given = fits[0]._priors[name]
+            self.prior[j] = (self.scale[j] / given.deviation) ** 2
+            self.mean[j] = given.value / self.scale[j]
+        self.information = posterior - np.diag(self.prior)
+        vectors = np.einsum("nij,nj->ni", posterior, values) - self.prior * self.mean
+        self.values = np.einsum("nij,nj->ni", np.linalg.pinv(self.information, rcond=1e-9, hermitian=True), vectors)
+        c, m = len(self.constants), basis.shape[1]
+        self.size = self.waves * m + c
+        self.design = np.zeros((len(fits), self.waves + c, self.size))
+        for j in range(self.waves):
+            self.design[:, j, j * m : (j + 1) * m] = basis / self.scale[j]
+        for j in range(c):
+            self.design[:, self.waves + j, self.waves * m + j] = 1.0
+        self.tested = len(fits) * (self.waves + c) + int((self.prior > 0.0).sum()) - self.size
+
+    def solved(self, scatter: float) -> tuple[Array, Array, float]:
+        """Return the solution, its covariance and chi2 per degree of freedom."""
+        k = self.waves
+        weight = self.information
+        if scatter > 0.0:
+            loose = np.diag((self.scale[:k] / scatter) ** 2) + weight[:, :k, :k]
+            weight = weight - weight[:, :, :k] @ np.linalg.solve(loose, weight[:, :k])
+        normal = np.einsum("nip,nij,njq->pq", self.design, weight, self.design)
+        right = np.einsum("nip,nij,nj->p", self.design, weight, self.values)
+        at = np.arange(self.size - len(self.constants), self.size)
+        normal[at, at] += self.prior[k:]
+        right[at] += (self.prior * self.mean)[k:]
+        scale = 1.0 / np.sqrt(np.diag(normal))
+        inverse = np.linalg.inv(normal * np.outer(scale, scale)) * np.outer(scale, scale)
+        found = inverse @ right
+        off = self.design @ found - self.values
+        total = float(np.einsum("ni,nij,nj->", off, weight, off))
+        total += float((self.prior[k:] * (found[at] - self.mean[k:]) ** 2).sum())
+        units = np.ones(self.size)
+        units[at] = self.scale[k:]
+        return found * units, inverse * np.outer(units, units), total / self.tested

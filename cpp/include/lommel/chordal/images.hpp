@@ -46,7 +46,7 @@ struct ChordalBudget {
     static constexpr double single = 0.6, rounding = 0.7;
     // Of what is asked of U, and of what single precision may leave, where the variance of the phase is large: such images may be
     // dimmer than is guessed, and to ask for less costs a few chords where to do all again costs as much again.
-    static constexpr double large = 10.0, dim = 0.25, dim_single = 0.7;
+    static constexpr double large = 100.0, dim = 0.25, dim_single = 0.7;
     // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked.
     static constexpr double again = 0.3, least = 1e-3;
 };

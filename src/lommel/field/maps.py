@@ -15,6 +15,7 @@ from lommel.base import options, validation
 from lommel.base.arrays import Array, Json, Numbers, numbers
 from lommel.base.options import shares
 from lommel.channel_psf import colour_psf
+from lommel.field.distortion import Spectrum, inverse, shift_of, spectrum_of, tilt_by
 from lommel.field.psf_grid import PSFGrid, sides
 from lommel.methods import Method
 from lommel.optics.aperture.shapes import CatEye
@@ -395,6 +396,107 @@ class FieldMap:
             raise ValueError("x and y must be one position where vignetting changes the aperture; psf takes arrays")
         return replace(pupil, vignetting=self.vignetting.at(float(across), float(down)))
 
+    def displacement(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
+        """Return how far the tilt of the wavefront moves the light at positions (x, y): distortion, lateral colour.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Positions without distortion, in :attr:`unit`; they broadcast.
+        wavelength : float or sequence of (float, float), optional
+            Metres, or pairs of wavelength and weight, of which the mean is taken; by default that of the map. With
+            the lateral colour of the lens of the aperture (:class:`lommel.Colour`).
+
+        Returns
+        -------
+        dx, dy : ndarray
+            In :attr:`unit`. Exact: a phase ``c rho cos(theta)`` moves a PSF by ``c lambda N / pi`` and changes
+            nothing else.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a position lies beyond the map, or a wavelength beyond the colour of the lens.
+
+        Examples
+        --------
+        >>> field = lm.FieldMap.from_seidel(20e-3, W311=-400.0, wavelength=500e-9, f_number=4.0)  # barrel distortion
+        >>> dx, dy = field.displacement(20e-3, 0.0)
+        >>> round(1e3 * float(dx), 6)  # 2 W311 lambda N, -8 % of 20 mm
+        -1.6
+        """
+        across, down = positions(x, y)
+        bare = replace(self, vignetting=None)
+        return shift_of(bare.pupil(across, down), spectrum_of(wavelength))
+
+    def undistorted(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
+        """Return the positions without distortion whose light arrives at (x, y): the inverse of `displacement`.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Positions on the sensor, in :attr:`unit`; they broadcast.
+        wavelength : float or sequence of (float, float), optional
+            As of :meth:`displacement`.
+
+        Returns
+        -------
+        x, y : ndarray
+            Displaced they are the given ones, to 1e-9 of the farthest from the middle of the map.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`displacement`; also if light at a position comes from beyond the map, or the displacement
+            changes as fast as the position.
+
+        Examples
+        --------
+        >>> field = lm.FieldMap.from_seidel(20e-3, W311=-400.0, wavelength=500e-9, f_number=4.0)
+        >>> x, y = field.undistorted(18.4e-3, 0.0)
+        >>> round(1e3 * float(x), 6)
+        20.0
+        """
+        across, down = positions(x, y)
+        spectrum, bare = spectrum_of(wavelength), replace(self, vignetting=None)
+
+        def moved(x: Array, y: Array) -> tuple[Array, Array]:
+            return shift_of(bare.pupil(x, y), spectrum)
+
+        of_map = self._wavefronts
+        a, d, found = inverse(np.atleast_1d(across), np.atleast_1d(down), moved, of_map.contains, of_map.middle)
+        if not found.all():
+            at = tuple(float(np.atleast_1d(part)[~found].flat[0]) for part in (across, down))
+            raise ValueError(
+                f"light at (x, y) = ({at[0]:.6g}, {at[1]:.6g}) {self.unit} must come from within the map, "
+                f"{of_map.limits(self.unit)}, and its distortion must not fold the picture"
+            )
+        return a.reshape(across.shape), d.reshape(across.shape)
+
+    def untilted(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> Pupil:
+        """Return the pupil whose light arrives at (x, y), without the tilt that moves it there.
+
+        Its PSF, centred at (x, y), is that of the map, centred at the position without distortion.
+
+        Parameters
+        ----------
+        x, y, wavelength
+            As of :meth:`undistorted`.
+
+        Returns
+        -------
+        Pupil
+            At the wavelength of the map; a stack of the shape of the positions.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`undistorted` and :meth:`pupil`.
+        """
+        pupil = self.pupil(*self.undistorted(x, y, wavelength))
+        dx, dy = shift_of(pupil, spectrum_of(wavelength))
+        return pupil.carrying(pupil.wavefront + Wavefront.from_edge(tilt_by(pupil, -dx, -dy)), None)
+
     def seen_through(self, vignetting: Vignetting | None = None, shading: Shading | None = None) -> FieldMap:
         """Return the map with vignetting and shading off the axis.
 
@@ -619,6 +721,9 @@ class WavefrontsOnSensor(ABC):
     reach: float
     """Distance from the axis of the farthest position."""
 
+    middle: tuple[float, float] = (0.0, 0.0)
+    """A position inside."""
+
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Return which positions are inside: here within a circle around the axis."""
         return np.asarray(np.hypot(x, y) <= self.reach * (1.0 + _ROUNDING))
@@ -646,6 +751,7 @@ class OnGrid(WavefrontsOnSensor):
         columns = np.moveaxis(values, -1, 0)
         self.splines = [RectBivariateSpline(down, across, column, **degrees, s=0) for column in columns]
         self.reach = float(np.hypot(np.abs(self.x).max(), np.abs(self.y).max()))
+        self.middle = float(self.x[[0, -1]].mean()), float(self.y[[0, -1]].mean())
 
     def _scaled(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Return positions over the extent of the grid, clipped against rounding."""
@@ -689,7 +795,7 @@ class Scattered(WavefrontsOnSensor):
             at = order[np.flatnonzero(same)[0]]
             raise ValueError(f"positions must all be different, got ({across[at]:.6g}, {down[at]:.6g}) twice")
         self.x, self.y = across, down
-        self.middle = np.array([across.mean(), down.mean()])
+        self.middle = float(across.mean()), float(down.mean())
         self.size = float(max(np.ptp(across), np.ptp(down)))
         points = self._scaled(across, down)
         try:

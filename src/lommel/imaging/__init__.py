@@ -5,6 +5,7 @@ from lommel.imaging.datasets import LensRanges, Rendered, render_dataset
 from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
 from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.field_photograph import field_photograph
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field
@@ -34,6 +35,7 @@ __all__ = [
     "TotalVariation",
     "depth_from_defocus",
     "depth_of_field",
+    "field_photograph",
     "read_depth",
     "read_photo",
     "render_dataset",

@@ -129,26 +129,26 @@ class FieldBlur(LinearBlur):
         self.border, self.dtype = settings.border, cast("np.dtype[np.floating]", settings.dtype)
         self.threads = settings.threads or 0
         self._scaled = sensor is not None
+        if channels is not None and not metric:
+            raise ValueError("channels need a map with a wavelength, to which theirs are related")
+        self.spectra = (None,) if channels is None else spectra("channels", channels)
+        self.channels = len(self.spectra)
         self.y, self.x = self._places(center, sensor)
         self.lens, self.defocus = lens, self._focus(depth, lens)
         spans = [(float(along[0]), float(along[-1])) for along in (self.y, self.x)]
         spans.append((float(self.defocus.min()), float(self.defocus.max())))
-        if channels is not None and not metric:
-            raise ValueError("channels need a map with a wavelength, to which theirs are related")
-        colours = (None,) if channels is None else spectra("channels", channels)
-        self.channels = len(colours)
 
         @cache
         def made(
             spectrum: tuple[tuple[float, float], ...] | None,
         ) -> tuple[FieldBank, tuple[WindowBlur | MixedBlur, ...]]:
             phase, accuracy = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
-            light = PointLight(field_map, phase, spectrum, self.pixel, accuracy, settings.threads)
+            light = self._points(field_map, phase, spectrum, self.pixel, accuracy, settings.threads)
             bank = build_field_bank(light, spans, self.shape, settings, tol)
             return bank, self._made(bank)
 
-        self.banks: tuple[FieldBank, ...] = tuple(made(spectrum)[0] for spectrum in colours)
-        self._parts = tuple(made(spectrum)[1] for spectrum in colours)
+        self.banks: tuple[FieldBank, ...] = tuple(made(spectrum)[0] for spectrum in self.spectra)
+        self._parts = tuple(made(spectrum)[1] for spectrum in self.spectra)
 
     @property
     def error(self) -> float:
@@ -223,6 +223,11 @@ class FieldBlur(LinearBlur):
         made._parts = tuple(parts[id(bank)] for bank in self.banks)
         return made
 
+    @property
+    def _points(self) -> type[PointLight]:
+        """What computes the PSF of points."""
+        return PointLight
+
     def window(self, row: int, column: int, channel: int = 0) -> Array:
         """Return the PSF (side, side) of the point at `row`, `column` in a `channel`; ValueError if there is none."""
         height, width = self.shape
@@ -255,7 +260,7 @@ class FieldBlur(LinearBlur):
             for step, n, at in zip(pitch, self.shape, axis, strict=True)
         )
         try:
-            self.field_map.pupil(x[[0, -1]], y[[0, -1], None])
+            self._reached(x[[0, -1]], y[[0, -1], None])
         except ValueError as error:
             height, width = self.shape
             raise ValueError(
@@ -264,6 +269,10 @@ class FieldBlur(LinearBlur):
                 "the axis), or a map of more of the field"
             ) from None
         return y, x
+
+    def _reached(self, x: Array, y: Array) -> None:
+        """Raise ValueError for positions beyond the map."""
+        self.field_map.pupil(x, y)
 
     def _focus(self, depth: ArrayLike | None, lens: Lens | None) -> Array:
         """Return the defocus of each point, 0 without a depth."""

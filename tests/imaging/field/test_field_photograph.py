@@ -1,0 +1,161 @@
+"""Photographs through a field map: against sums of the PSFs of the map, tilts and all."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.imaging import field_photograph
+from lommel.imaging.field_photograph import _places
+
+N, PIXEL, HEIGHT, WIDTH = 4.0, 1e-6, 60, 90  # pixels that resolve the PSF, so that sums over them are integrals
+EDGE = 0.5 * PIXEL * np.hypot(HEIGHT, WIDTH) * 1.4
+LATERAL = (-3e-6, 0.0, 4e-6)  # of red, green, blue at the edge of the map
+COLOUR = lm.Colour([460e-9, 540e-9, 600e-9], lateral=LATERAL[::-1], heights=EDGE)
+# Distortion of 16 pixels at the edge of the map, and lateral colour of 4 and 3.
+LENS = lm.Lens(focal_length=8e-3, f_number=N, focus_distance=np.inf, wavelength=540e-9, colour=COLOUR)
+WAVES = {"W131": 0.8, "W222": 0.5, "W311": -16 * PIXEL / (2 * 540e-9 * N)}
+BENT = lm.FieldMap.from_seidel(EDGE, W311=WAVES["W311"], aperture=LENS.pupil(np.inf).unaberrated())
+FIELD = lm.FieldMap.from_seidel(EDGE, **WAVES, aperture=LENS.pupil(np.inf).unaberrated())
+OPTIONS = {
+    "encoding": "linear",
+    "energy": 0.98,
+    "largest": 30,
+    "border": "zero",
+    "wavelengths": (600e-9, 540e-9, 460e-9),
+}
+SPOTS = [(29.0, 45.0), (9.0, 12.0), (52.0, 78.0)]
+
+
+def coordinates(rows: np.ndarray, columns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return x and y in the field of rows and columns."""
+    return PIXEL * (columns - (WIDTH - 1) / 2), PIXEL * (rows - (HEIGHT - 1) / 2)
+
+
+def spots(sigma: float = 2.0) -> np.ndarray:
+    """Return Gaussian spots all over the picture, smooth enough for their sum over pixels to be an integral."""
+    rows, columns = np.indices((HEIGHT, WIDTH))
+    one = [np.exp(-0.5 * ((rows - r) ** 2 + (columns - c) ** 2) / sigma**2) for r, c in SPOTS]
+    return np.repeat(np.sum(one, axis=0)[..., None], 3, axis=2)
+
+
+def summed(image: np.ndarray, field: lm.FieldMap, wavelength: float, half: int = 30) -> np.ndarray:
+    """Return the sum of the PSFs of all points, with their tilts in the windows."""
+    total = np.zeros((HEIGHT + 2 * half, WIDTH + 2 * half))
+    rows, columns = np.nonzero(image > 1e-6)
+    x, y = coordinates(rows, columns)
+    pupil = field.pupil(x, y).in_light(wavelength)
+    windows = lm.psf(pupil, 2 * half + 1, PIXEL, integrate=True, tol=1e-6, dtype=np.float64).values
+    for row, column, window in zip(rows, columns, windows, strict=True):
+        total[row : row + 2 * half + 1, column : column + 2 * half + 1] += image[row, column] * window
+    return total[half:-half, half:-half]
+
+
+def stretch(field: lm.FieldMap, wavelength: float) -> np.ndarray:
+    """Return how much larger the picture of an area of the scene is, at each pixel of the scene."""
+    x, y = coordinates(*np.indices((HEIGHT, WIDTH)))
+    dx, dy = field.displacement(x, y, wavelength)
+    (xr, xc), (yr, yc) = np.gradient(x + dx, PIXEL), np.gradient(y + dy, PIXEL)
+    return xc * yr - xr * yc
+
+
+def test_spots_are_those_of_the_sum_of_all_psfs_in_every_colour():
+    """Only the 2 % of the light that windows lack, and the spline, may differ."""
+    image = spots()
+    made = field_photograph(image, FIELD, PIXEL, **OPTIONS)
+    assert made.values.shape == image.shape
+    for k, wavelength in enumerate(OPTIONS["wavelengths"]):
+        # The sum conserves the light of points, the photograph the brightness of surfaces.
+        true = summed(image[..., k] * stretch(FIELD, wavelength), FIELD, wavelength)
+        assert np.abs(made.values[..., k] - true).max() < (made.error + 2.0 * made.lost) * image.max()
+        for row, column in SPOTS:
+            near = around(*landing(FIELD, row, column, wavelength))
+            found, wanted = made.values[near][..., k], true[near]
+            share = found.sum() / wanted.sum()
+            assert 1.0 < share < 1.03
+            assert np.abs(found / share - wanted).max() < 5e-3 * wanted.max()
+
+
+def test_distortion_and_lateral_colour_move_spots_by_as_much_as_formulas_say():
+    """Third-order distortion moves light by 2 N lambda W311 H^3, the lateral colour of this table by H times it."""
+    made = field_photograph(spots(), BENT, PIXEL, **OPTIONS).values.astype(float)
+    for row, column in SPOTS:
+        x, y = coordinates(row, column)
+        h = np.hypot(x, y) / EDGE
+        for k, lateral in enumerate(LATERAL):
+            outwards = (-16 * PIXEL * h**3 + lateral * h) / PIXEL / np.hypot(x, y)
+            to = np.array([row + outwards * y, column + outwards * x])
+            near = around(*to)
+            light = made[near][..., k]
+            rows, columns = np.indices(made.shape[:2])
+            found = [(part[near] * light).sum() / light.sum() for part in (rows, columns)]
+            # The stretch changes over a spot, which moves its centroid by sigma^2 times its relative slope.
+            np.testing.assert_allclose(found, to, atol=0.15)
+            moved = outwards * np.hypot(x, y)
+            assert abs(moved) < 0.3 or np.hypot(*(np.array(found) - [row, column])) > 0.5 * abs(moved)
+
+
+def landing(field: lm.FieldMap, row: float, column: float, wavelength: float) -> np.ndarray:
+    """Return the row and column where the light of a row and column arrives."""
+    dx, dy = field.displacement(*coordinates(row, column), wavelength)
+    return np.array([row + float(dy) / PIXEL, column + float(dx) / PIXEL])
+
+
+def around(row: float, column: float) -> tuple[slice, slice]:
+    """Return a window around a spot."""
+    first = [max(0, round(part) - 8) for part in (row, column)]
+    return slice(first[0], round(row) + 9), slice(first[1], round(column) + 9)
+
+
+def test_a_map_without_tilts_gives_the_blur_of_the_field_and_its_shading():
+    field = lm.FieldMap.from_seidel(EDGE, W222=0.4, W040=0.2, wavelength=550e-9, f_number=N)
+    image = np.random.default_rng(0).random((40, 50), dtype=np.float32)
+    blur = lm.imaging.FieldBlur(field, image.shape, PIXEL, channels=[550e-9], energy=0.9)
+    lit = field.seen_through(None, lm.Shading([0.0, EDGE], [1.0, 0.5]))
+    for one in (field, lit):
+        made = field_photograph(image, one, PIXEL, encoding="linear", energy=0.9)
+        light = one.illumination(blur.x, blur.y[:, None])
+        np.testing.assert_allclose(made.values, blur.forward(image) * light, rtol=1e-5)
+        assert (made.lost, made.error, made.window) == (blur.lost, blur.error, blur.window(0, 0).shape[0])
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend"])
+def test_a_white_wall_stays_white_and_bytes_stay_bytes(border):
+    white = np.full((70, 80, 3), 255, np.uint8)
+    made = field_photograph(white, BENT, PIXEL, encoding="srgb", energy=0.9, border=border)
+    assert made.values.dtype == np.uint8
+    np.testing.assert_array_equal(made.values, white)
+
+
+def test_edges_leave_no_negative_light():
+    image = np.zeros((64, 80), np.float32)
+    image[:, 40:] = 1.0
+    made = field_photograph(image, BENT, PIXEL, encoding="linear", energy=0.9)
+    assert made.values.min() >= -1e-6
+    assert made.values[32, :30].max() < 0.05
+
+
+def test_places_between_nodes_are_those_of_the_map():
+    """The picture is that of a scene which is its own position, where nothing blurs it."""
+    shape = (70, 80)
+    y, x = (PIXEL * (np.arange(n) - 0.5 * (n - 1)) for n in shape)
+    found = _places(BENT, y, x, 460e-9, 1e-3 * PIXEL)
+    np.testing.assert_allclose(found, BENT.undistorted(x, y[:, None], 460e-9)[::-1], atol=1e-3 * PIXEL)
+
+
+def test_bad_questions_are_refused():
+    image = np.zeros((20, 30))
+    vignetted = BENT.seen_through(lm.Vignetting([0.0, EDGE], shift=[0.0, 0.5], radius=1.0))
+    with pytest.raises(ValueError, match="must have no vignetting"):
+        field_photograph(image, vignetted, PIXEL, encoding="linear")
+    with pytest.raises(ValueError, match="must come from within the map"):
+        field_photograph(np.zeros((120, 180)), BENT, PIXEL, encoding="linear")
+    bare = lm.FieldMap.from_seidel(100.0, W131=0.5)
+    with pytest.raises(ValueError, match="image must be grey"):
+        field_photograph(np.zeros((20, 30, 3)), bare, 0.5, encoding="linear")
+    assert field_photograph(image, bare, 0.5, encoding="linear", energy=0.9).values.shape == image.shape
+    with pytest.raises(ValueError, match="one for each of the 3 channels"):
+        field_photograph(np.zeros((20, 30, 3)), BENT, PIXEL, encoding="linear", wavelengths=(550e-9,))
+    with pytest.raises(TypeError, match="has no option"):
+        field_photograph(image, BENT, PIXEL, encoding="linear", depth=None)

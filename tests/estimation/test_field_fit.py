@@ -253,6 +253,25 @@ def test_doubles_and_defects_are_rejected():
     assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
 
 
+def test_stars_that_fit_by_themselves_are_taken_back(monkeypatch):
+    places, images, true = case(seed=5, doubles=4)
+    corner = np.argsort(places.sum(axis=1))[:8]
+    regained = Search.regained
+
+    def without_a_corner(search, found):
+        keep = ~np.isin(found.model.chosen, corner)
+        chosen, own = found.model.chosen[keep], found.of_stars()[keep]
+        astray = found.polynomials()
+        astray[:, 3:] += 0.1
+        return regained(search, search.refined(chosen, astray, found.squares(), 10, (0.87, 0.0), own))
+
+    monkeypatch.setattr(Search, "regained", without_a_corner)
+    fit = fitted(images[:, 0], places)
+    assert fit.converged, fit.message
+    assert np.flatnonzero(~fit.stars.used).tolist() == [0, 1, 2, 3]
+    assert min(over_bound(fit, places, true, sign) for sign in (1.0, -1.0)) < 1.6
+
+
 def test_a_wrong_aperture_is_a_misfit():
     places, images, _ = case()
     fit = fitted(images[:8, 0], places[:8], lm.Pupil(obscuration=0.6), degree=1)

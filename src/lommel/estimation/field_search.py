@@ -87,7 +87,9 @@ class Search:
         bright = (valid * (counted - level)).sum(axis=(1, 2))
         return np.sort(np.argsort(-bright, kind="stable")[:_SINGLES])
 
-    def singles(self, chosen: NDArray[np.intp]) -> tuple[Array, Array, NDArray[np.bool_]]:
+    def singles(
+        self, chosen: NDArray[np.intp], share: tuple[float, float] = (0.0, 0.4)
+    ) -> tuple[Array, Array, NDArray[np.bool_]]:
         """Return the best parameters (n, p) of stars fitted by themselves, their chi2, and which are sure.
 
         Those that fit, and those that two starts have led to, are: further starts would not find better ones.
@@ -103,7 +105,7 @@ class Search:
             model = SingleStars(stars, rows, self.widest)
 
             def report(step: int, value: float, turn: int = turn) -> None:
-                self.report(0.4 * (turn + step / _STEPS) / _STARTS, value)
+                self.report(share[0] + share[1] * (turn + step / _STEPS) / _STARTS, value)
 
             with suppress(Declined, ToleranceError):
                 x, scores, _, taken = climb(model, x, _STEPS, report, fast=True)
@@ -322,10 +324,69 @@ class Search:
                 bad[:] = False
             if not np.array_equal(every[~bad], found.model.chosen):
                 wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
-        found, more = self.cleaned(wide or found, (0.85, 0.05))
+        found, _ = self.cleaned(wide or found, (0.85, 0.02))
+        found = self.regained(found)
         own, chosen = found.of_stars(), found.model.chosen
         last = self.refined(chosen, found.polynomials(), found.squares(), 20, (0.9, 0.05), own, fast=False)
-        return last or found, np.sort(np.concatenate([every[bad], more]))
+        return last or found, np.setdiff1d(every, chosen)
+
+    def regained(self, found: Found) -> Found:
+        """Return the fit with stars that it has rejected, if it is the polynomials that were wrong there."""
+        # A star that fits by itself is no double: polynomials that miss it were led astray, or are far from the rest.
+        every = np.arange(self.stars.count)
+        for _ in range(_ROUNDS):
+            chosen = found.model.chosen
+            lost = np.setdiff1d(every, chosen)
+            if not lost.size or self.stars.cornered:  # a corner alone leaves its wavefront open
+                break
+            fits, waves = self._by_themselves(lost, found)
+            here = found.model.basis @ found.polynomials().T
+            again = self._through(found, here, lost[fits], waves[fits]) if fits.any() else None
+            if again is None and not fits.all():
+                again = self._through(found, here, lost, self.basis(lost) @ found.polynomials().T)
+            if again is None:
+                break
+            found = again
+        return found
+
+    def _through(self, found: Found, waves: Array, more: NDArray[np.intp], others: Array) -> Found | None:
+        """Return the fit from wavefronts of its stars and of others on, None where it is not of more, or worse."""
+        every = np.concatenate([found.model.chosen, more])
+        through = np.concatenate([waves, others])
+        polynomials, _ = robust(self.basis(every), through, np.ones(len(every)), self.metric)
+        again = self.refined(np.sort(every), polynomials, found.squares(), 20, (0.87, 0.02))
+        if again is None:
+            return None
+        again, _ = self.cleaned(again, (0.89, 0.01))
+        most = max(1.0 + _ENOUGH * (float(found.scores.chi2[0]) - 1.0), self._limit(again))
+        better = len(again.model.chosen) > len(found.model.chosen) and again.scores.chi2[0] <= most
+        return again if better else None
+
+    def _by_themselves(self, lost: NDArray[np.intp], found: Found) -> tuple[NDArray[np.bool_], Array]:
+        """Return which stars fit from wavefronts of a field on, or from random ones, and the wavefronts (r, k)."""
+        stars, squares = self.stars, found.squares()
+        model = self.basis(lost) @ found.polynomials().T
+        fits, waves = np.zeros(len(lost), dtype=bool), model.copy()
+        with suppress(Declined, ToleranceError):
+            own = self.placed(lost, found.polynomials(), squares)
+            x = stars.joined(model, np.broadcast_to(squares, (len(lost), len(squares))), own[:, :2], own[:, 2:])
+            x, scores, _, taken = climb(SingleStars(stars, lost, self.widest), x, _STEPS, lambda *_: None, fast=True)
+            self.taken += taken
+            fits, waves = scores.chi2 < goodness_of_fit.most(scores.spread, SURE), stars.split(x)[0]
+        if not fits.all():
+            x, chi2, sure = self.singles(lost[~fits], (0.87, 0.0))
+            other = stars.split(x)[0]
+            if stars.one.sign_ambiguous:
+                turned, near = self.negated(lost[~fits], other), model[~fits]
+                apart = [np.einsum("ni,ij,nj->n", w - near, self.metric, w - near) for w in (other, turned)]
+                other = np.where((apart[1] < apart[0])[:, None], turned, other)
+            waves[~fits] = other
+            fits[~fits] = sure & (chi2 < 1.0 + 2.0 * (self._limit(found) - 1.0))
+        return fits, waves
+
+    @staticmethod
+    def _limit(found: Found) -> float:
+        return float(goodness_of_fit.most(found.scores.spread[0], SURE))
 
     def held_out(self, found: Found) -> float:
         """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say."""

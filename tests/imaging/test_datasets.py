@@ -90,6 +90,11 @@ def test_pictures_are_those_of_the_operator_with_the_lens_that_was_drawn(files):
         bank, half = blur.banks[1], psfs.shape[-1] // 2
         inside = slice(half - bank.half, half + bank.half + 1)
         assert np.abs(psfs[0, 1, inside, inside] - bank.window(steps[0])).max() < 1e-6
+        exact = [bank.window(float(c)) for c in np.linspace(steps[0], steps[-1], 101)]
+        nearest = [psfs[np.abs(steps - c).argmin(), 1, inside, inside] for c in np.linspace(steps[0], steps[-1], 101)]
+        off = max(np.abs(a - b).max() / a.max() for a, b in zip(exact, nearest, strict=True))
+        assert 0.2 * facts["psfs_error"] < off < 1.3 * facts["psfs_error"]
+        assert [channel[0][0] for channel in facts["channels"]] == list(lm.imaging.RED_GREEN_BLUE)
     assert len(lenses) == 4
 
 

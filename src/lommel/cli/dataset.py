@@ -59,10 +59,15 @@ def render(out: Path, given: Facts) -> Report:
     Settings(**given)
     start, made = time.perf_counter(), 0
     done = total = 0
-    with progress("reading") as started:
-        for picture in render_dataset(photos, depths, out, lenses, **options, **given):
-            made, done, total = made + 1, picture.done, picture.total
-            started(f"picture {done} of {total}", done / total)
+    try:
+        with progress("reading") as started:
+            for picture in render_dataset(photos, depths, out, lenses, **options, **given):
+                made, done, total = made + 1, picture.done, picture.total
+                started(f"picture {done} of {total}", done / total)
+    except KeyboardInterrupt:
+        there = f"{done} of {total} pictures are there" if made else "no picture was finished"
+        click.echo(f"Interrupted: {there}; the same command goes on.", err=True)
+        raise
     seconds = time.perf_counter() - start
     facts = {"output": str(out), "rendered": made, "seconds": seconds}
     lines = [f"{made} pictures rendered in {seconds:.3g} s" if made else "all pictures were there", f"folder {out}"]

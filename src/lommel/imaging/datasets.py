@@ -28,7 +28,7 @@ from lommel.estimation.noise import Noise
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.photograph import fill_missing
-from lommel.imaging.settings import Keywords, Settings
+from lommel.imaging.settings import Keywords, Settings, spectra
 from lommel.io import exr_files
 from lommel.io.photos import PhotoError, Picture, png_of_16_bits, read_depth, read_photo, write_tiff
 from lommel.optics.lens import Lens
@@ -246,7 +246,9 @@ def render_dataset(
     ``000012.depth.npy`` (metres, float32), ``000012.json`` (lens, noise, names of the files), and for the PSF of each
     pixel ``000012.index.png`` (16 bit) with ``000012.psfs.npz``: arrays `defocus` (n,), C_d in radians, and `psfs`
     (n, channels, side, side), float32, each of unit sum; the pixel (y, x) of the scene is spread by about
-    ``psfs[index[y, x]]``, that of the nearest C_d. WebDataset groups such names into samples.
+    ``psfs[index[y, x]]``, that of the nearest C_d. How far that may be off, over the peak of the PSF, is about
+    `psfs_error` in the JSON file: half of the largest difference between neighbours of the table. `error` is that of
+    the image, which is interpolated. WebDataset groups such names into samples.
 
     Parameters
     ----------
@@ -532,12 +534,16 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
         "sensor_distance": lens.sensor_distance,
         "spherical": float(np.asarray(lens.aberrations.spherical)),
         "pixel": pixel,
+        "wavelength": lens.wavelength,
+        "channels": [[list(line) for line in channel] for channel in spectra("channels", channels)],
         "encoding": picture.encoding if job.form == "png" else "linear",
         "noise": None if job.noise is None else job.noise.to_dict(),
         "window": 2 * max(bank.half for bank in blur.banks) + 1,
         "lost": float(f"{blur.lost:.4g}"),
         "error": float(f"{blur.error:.2g}"),
     }
+    if table:
+        facts["psfs_error"] = float(f"{_coarseness(table[2]):.2g}")
     if job.form == "zarr":
         arrays = {"image": seen, "sharp": light, "depth": metres}
         if table:
@@ -587,6 +593,13 @@ def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
         for number, radians in enumerate(defocus):
             table[number, channel, inside, inside] = bank.window(float(radians))
     return defocus, index, table
+
+
+def _coarseness(psfs: Values) -> float:
+    """Return half of the largest difference between PSFs next to each other, over the peak of the fainter one."""
+    peaks = psfs.max(axis=(2, 3))
+    apart = np.abs(np.diff(psfs, axis=0)).max(axis=(2, 3))
+    return float((0.5 * apart / np.minimum(peaks[1:], peaks[:-1])).max())
 
 
 def _sharp(form: str, picture: Picture, light: Values) -> bytes:

@@ -403,6 +403,9 @@ class TracedBlur:
             return
         if not bool(xp.all(xp.isfinite(image))):
             raise ValueError("image must be finite, got NaN or infinity")
+        metres = ns.to_numpy(ns.stop(distance))
+        if unknown := int(np.isnan(metres).sum()):
+            raise ValueError(f"distance must not be NaN, got NaN at {unknown} of {metres.size} points")
         low, high = static.edges[0], static.edges[-1]
         slack = _SLACK * (high - low)
         least, most = (float(ns.to_numpy(ns.stop(end(c)))) for end in (xp.min, xp.max))
@@ -414,15 +417,16 @@ class TracedBlur:
             )
             raise ValueError(
                 f"distance must be within the range that the blur was made for, C_d from {low:.4g} to {high:.4g} rad "
-                f"({near:.4g} to {far:.4g} m with the lens as given), got C_d from {least:.4g} to {most:.4g} rad"
+                f"({near:.4g} to {far:.4g} m with the lens as given), got C_d from {least:.4g} to {most:.4g} rad "
+                f"({metres.min():.4g} to {metres.max():.4g} m)"
             )
         if scale is not None and ns.concrete(scale):
             size = np.log(ns.to_numpy(ns.stop(scale)).astype(np.float64))
             if not (static.scales[0] - _SLACK <= size.min() and size.max() <= static.scales[1] + _SLACK):
-                raise ValueError(
-                    "focus_distance and f_number must be within the ranges that the blur was made for, "
-                    f"{static.optics.focus} and {static.optics.stops}"
-                )
+                made = {"focus_distance": static.optics.focus, "f_number": static.optics.stops}
+                given = {n: ns.to_numpy(ns.stop(lens[n])) for n in made if lens[n] is not None}
+                told = (f"{n} within {made[n]}, got {v.min():.6g} to {v.max():.6g}" for n, v in given.items())
+                raise ValueError(f"the blur was made for {' and '.join(told)}; clamp what is learned to its range")
 
     def _padding(self, c: Operand, axis: int) -> tuple[Tensor, Tensor]:
         """Return the indices of points within the image for places up to a window beyond it, and which are inside."""

@@ -112,6 +112,45 @@ def test_vignetting_is_refused(triplet):
         adapter.pupil(lens, (0.0, 1.0))
 
 
+@pytest.mark.parametrize("sample", ["CookeTriplet", "ReverseTelephoto"])
+def test_distortion_is_that_of_their_analysis(sample):
+    """Of f tan(theta), in per cent there, at the heights that both trace."""
+    lens = getattr(pytest.importorskip("optiland.samples.objectives"), sample)()
+    analysis = pytest.importorskip("optiland.analysis").Distortion(lens, wavelengths="primary", num_points=5)
+    theirs = 0.01 * np.ravel(np.asarray(analysis.data[0]))[1:]
+    field = adapter.field_map(lens, heights=5, distortion=True, degree=20, tol=0.5)
+    plain = adapter.field_map(lens, heights=5, degree=20, tol=0.5)
+    edge = math.radians(float(lens.fields.max_field))
+    straight = field.reach * np.tan(edge * np.linspace(0.0, 1.0, 5)[1:]) / math.tan(edge)
+    chief = straight * (1.0 + theirs)
+    assert plain.reach == pytest.approx(chief[-1], rel=1e-7)
+    for x, y in ((1.0, 0.0), (0.0, 1.0), (0.6, -0.8)):
+        # The wavefront about the chief ray has a tilt of its own, where there is coma.
+        inside = (1.0 - 1e-9) * np.minimum(chief, plain.reach)
+        found = np.array(field.displacement(straight * x, straight * y))
+        found -= plain.displacement(inside * x, inside * y)
+        np.testing.assert_allclose(found, np.outer((x, y), theirs * straight), atol=1e-7 * field.reach)
+
+
+def test_maps_of_several_wavelengths_differ_by_the_lateral_colour_of_the_chief_rays(triplet):
+    blue, red = (adapter.field_map(triplet, heights=5, distortion=True, wavelength=w) for w in (480e-9, 650e-9))
+    assert blue.reach == red.reach
+    chief = [1e-3 * float(triplet.trace_generic(0.0, 1.0, 0.0, 0.0, w).y[0]) for w in (0.48, 0.65)]
+    rest = [
+        float(adapter.pupil(triplet, (0.0, 1.0), wavelength=w).wavefront.edge_terms()[1, -1] * one.pupil(0, 0).scale)
+        for w, one in ((480e-9, blue), (650e-9, red))
+    ]
+    moved = [float(one.displacement(0.0, -one.reach)[1]) for one in (blue, red)]
+    # Tilts of the wavefronts about the chief rays are those of coma.
+    np.testing.assert_allclose(moved[0] - moved[1], chief[1] - chief[0] + (rest[0] - rest[1]) / math.pi, atol=1e-9)
+    assert abs(chief[0] - chief[1]) > 3e-7
+
+
+def test_distortion_needs_a_symmetric_lens(triplet):
+    with pytest.raises(ValueError, match="fields must be left out with distortion"):
+        adapter.field_map(triplet, fields=[(0.0, 0.0), (0.0, 1.0), (1.0, 0.0)], distortion=True)
+
+
 def test_without_optiland_the_package_to_install_is_named(monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "optiland.optic", None)
     with pytest.raises(ImportError, match="pip install optiland"):

@@ -15,8 +15,9 @@ optiland is optional, and none of it is imported before a function is called.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -72,6 +73,7 @@ def field_map(
     *,
     heights: int = 9,
     fields: Sequence[tuple[float, float]] | None = None,
+    distortion: bool = False,
     wavelength: float | None = None,
     degree: int = 12,
     tol: float = 0.01,
@@ -85,6 +87,11 @@ def field_map(
         Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
         Points (Hx, Hy) to trace instead, as fractions of the largest field, for a lens without that symmetry.
+    distortion : bool, default False
+        Whether positions are those without distortion, f tan(theta) or a constant magnification, and tilts move the
+        light to where the chief rays meet the sensor, as :func:`lommel.imaging.field_photograph` needs it. Otherwise
+        positions are those of the chief rays, and the map has no distortion. The ideal scale is that of the primary
+        wavelength, so that maps of several wavelengths differ by the lateral colour of the lens.
     wavelength, degree, tol
         As of :func:`pupil`.
 
@@ -97,15 +104,36 @@ def field_map(
     Raises
     ------
     ImportError, TypeError, ValueError
-        As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given.
+        As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given, if these are given with
+        `distortion`, or if the fields of the lens are real image heights, of which it is not known.
     """
     trace, metres = _tracer(optic, wavelength)
-    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol)
+    ideal = _ideal(optic) if validation.truth("distortion", distortion) else None
+    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, ideal=ideal)
+
+
+_PARAXIAL = 1e-3  # of the largest field: distortion is 1e-6 of that at the edge there
+
+
+def _ideal(optic: Any) -> Callable[[float], float]:
+    """Return where light arrives without distortion (metres, upwards), at a fraction of the largest field."""
+    kind = type(optic.fields.field_definition).__name__
+    if kind not in ("AngleField", "ObjectHeightField", "ParaxialImageHeightField"):
+        raise ValueError(f"distortion must be False for fields of the type {kind}, which say nothing of the object")
+    edge = math.radians(float(optic.fields.max_field))
+
+    def height(h: float) -> float:
+        return math.tan(h * edge) if kind == "AngleField" else h
+
+    low, near = (
+        1e-3 * float(optic.trace_generic(0.0, h, 0.0, 0.0, optic.primary_wavelength).y[0]) for h in (0.0, _PARAXIAL)
+    )
+    return lambda h: (near - low) * height(h) / height(_PARAXIAL)
 
 
 def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
-    library("optiland", "this needs", "")
+    library("optiland.optic", "this needs", "")
     from optiland.optic import Optic
     from optiland.wavefront import Wavefront
 

@@ -107,8 +107,15 @@ def field_map(
     degree: int,
     tol: float,
     obscuration: float = 0.0,
+    ideal: Callable[[float], float] | None = None,
 ) -> FieldMap:
-    """Return the map over the field, with the f-number on the axis; without `fields` a symmetric lens is required."""
+    """Return the map over the field, with the f-number on the axis; without `fields` a symmetric lens is required.
+
+    `ideal` is where light arrives without distortion (metres, upwards), of a fraction of the edge of the field:
+    positions are then these, and tilts move the light to where chief rays meet the sensor.
+    """
+    if ideal is not None and fields is not None:
+        raise ValueError("fields must be left out with distortion, which is that of a rotationally symmetric lens")
     points = sample_points(degree, tol)
     axis, f_number = fit(trace(0.0, 0.0, *points), degree, tol)
     aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
@@ -130,7 +137,12 @@ def field_map(
         raise ValueError("the field of the lens must not be a single point: its edge is imaged onto the axis")
     made = FieldMap.radial(distances, wavefront, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
     _require_symmetry(made, trace(1.0, 0.0, *points), distances[-1], degree, tol)
-    return made
+    if ideal is None:
+        return made
+    straight = np.array([upwards * ideal(float(h)) for h in np.linspace(0.0, 1.0, count)])
+    tilt = -upwards * math.pi / aperture.scale * (distances - straight)
+    bent = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
+    return FieldMap.radial(straight, bent, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
 
 
 def _require_symmetry(made: FieldMap, across: TracedField, reach: float, degree: int, tol: float) -> None:

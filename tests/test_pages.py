@@ -321,6 +321,11 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
             assert re.search(r"=(bash|zsh|fish)_source( |$)", words[-1] if words[0] == "eval" else words[0])
         elif words[0] in ("git", "cd"):
             assert words[:2] in (["git", "clone"], ["cd", "lommel"]), (name, words)
+        elif words[0] == "cmake":
+            built = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+            options = re.findall(r"-D(\w+)=", " ".join(words))
+            assert options
+            assert all(f"option({option} " in built for option in options), (name, words)
         elif words[0] != "lommel":
             assert words[0] == ".venv/bin/python", (name, words)
             assert words[1] == "-m" or (ROOT / words[1]).exists(), (name, words)

@@ -82,3 +82,13 @@ def test_vignetting_does_not_change_displacements():
     edges = lm.Vignetting([0.0, 20e-3], shift=[0.0, 0.5], radius=1.2)
     places = ([0.0, 10e-3, 15e-3], [[-5e-3], [5e-3]])
     np.testing.assert_array_equal(BARREL.seen_through(edges).displacement(*places), BARREL.displacement(*places))
+
+
+def test_aberrations_are_those_of_the_position_without_distortion():
+    """Coma is proportional to the height there, which is 8 % more than that of the image."""
+    dx, _ = BARREL.displacement(20e-3, 0.0)
+    seen = BARREL.untilted(20e-3 + float(dx), 0.0).wavefront.edge_terms()
+    there = BARREL.pupil(20e-3, 0.0).wavefront.edge_terms()
+    assert abs(dx) > 1.5e-3
+    np.testing.assert_allclose(float(seen[3, 1]), float(there[3, 1]), rtol=1e-8)
+    np.testing.assert_allclose(float(seen[1, 1]), 0.0, atol=1e-6)

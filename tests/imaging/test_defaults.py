@@ -17,6 +17,7 @@ from lommel.imaging.settings import Settings
 EXCEPTIONS: dict[tuple[str, str], str] = {
     ("tol", "FieldBlur"): "bounds a sum of absolute differences, not the error over the peak",
     ("tol", "field_photograph"): "as of FieldBlur",
+    ("tol", "StraightBlur"): "as of FieldBlur",
     ("tol", "bead"): "that of a PSF, as of lommel.psf, not of a blur",
     ("tol", "confocal"): "as of beads",
     ("tol", "light_sheet"): "as of beads",

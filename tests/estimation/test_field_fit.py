@@ -391,3 +391,23 @@ def test_robust_polynomials_ignore_a_few_wild_stars():
     found, distance = robust(basis, waves, np.ones(60), np.eye(3))
     np.testing.assert_allclose(found, true, atol=1e-2)
     assert (distance[8:] < distance[:8].min()).all()
+
+
+def test_windows_that_are_cut_beside_their_stars_change_little():
+    """Polynomials are those of where stars are, not of where windows were cut."""
+    rng, side, noise = np.random.default_rng(5), 400, lm.Noise(read=2.0)
+    grid = np.linspace(40, side - 41, 6).round()
+    at = np.stack(np.meshgrid(grid, grid), axis=-1).reshape(-1, 2)
+    sub = rng.uniform(-0.5, 0.5, at.shape)
+    v, u = (2.0 * (at + sub + 0.5) / side - 1.0).T
+    terms = {(2, 0): 0.3 + 0.4 * u * u, (2, 2): 0.5 * u + 0.3, (2, -2): 0.5 * v, (3, 1): 0.6 * u, (3, -1): 0.6 * v}
+    stars = lm.psf(lm.Pupil(lm.Wavefront.zernike(terms)), 39, 0.5, center=(19 + sub[:, 0], 19 + sub[:, 1]))
+    images = noise.record(1e5 * stars.values + 20.0, seed=5)
+    found = []
+    for off in (np.zeros(at.shape, dtype=int), np.stack([4 * np.sign(u), -3 * np.sign(v)], axis=1).astype(int)):
+        cut = np.stack([image[4 + y : 35 + y, 4 + x : 35 + x] for image, (y, x) in zip(images, off, strict=True)])
+        chip = {"sensor": (side, side), "pixel": 0.5, "noise": noise}
+        found.append(lm.fit_field(cut, at + off, lm.Pupil(), degree=2, terms=5, **chip))
+    errors = np.sqrt(np.diag(found[0].covariance)).reshape(found[0].coefficients.shape)
+    assert all(fit.converged for fit in found)
+    assert np.abs((found[1].coefficients - found[0].coefficients) / errors).max() < 1.0

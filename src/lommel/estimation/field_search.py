@@ -62,12 +62,13 @@ class Found:
 
 
 class Search:
-    """The stages of a search, for stars at `places` (n, 2) in half fields."""
+    """The stages of a search, for stars in windows at `places` (n, 2) in half fields, of which a pixel is a `part` (2,)."""
 
     def __init__(
-        self, stars: FieldStars, places: Array, degree: int, draw: np.random.Generator, report: Report
+        self, stars: FieldStars, places: Array, part: Array, degree: int, draw: np.random.Generator, report: Report
     ) -> None:
         self.stars, self.places, self.degree, self.draw, self.report = stars, places, degree, draw, report
+        self.part = part
         self.square = _BLUR**2 if stars.blurred else stars.fixed**2
         self.widest = (0.25 * min(stars.shape)) ** 2
         self.taken = 0
@@ -327,6 +328,10 @@ class Search:
         found, _ = self.cleaned(wide or found, (0.85, 0.02))
         found = self.regained(found)
         own, chosen = found.of_stars(), found.model.chosen
+        # Windows are cut around light, which aberrations move; polynomials are those of where stars are.
+        moved = own[:, :2].mean(axis=-1) / self.stars.one.tilt_of_pixel
+        self.places = self.places.copy()
+        self.places[chosen] += moved[:, ::-1] * self.part
         last = self.refined(chosen, found.polynomials(), found.squares(), 20, (0.9, 0.05), own, fast=False)
         return last or found, np.setdiff1d(every, chosen)
 

@@ -454,7 +454,7 @@ def fit_field(
     degrees = [best] if degree is not None else list(range(best + 1))
     state: dict[str, Any] = {}
     interrupted = False
-    part = np.subtract(chip.relative(pitch, pitch), chip.relative(0.0, 0.0))
+    part = np.array([2.0 / columns, 2.0 / rows])
     search = Search(stars, np.stack([u, v], axis=1), part, degrees[-1], draw, share)
     try:
         _run(search, degrees, start is not None, state)

@@ -62,7 +62,7 @@ class Found:
 
 
 class Search:
-    """The stages of a search, for stars in windows at `places` (n, 2) in half fields; `part` (2,) of these a pixel."""
+    """The stages of a search, for stars in windows at `places` (n, 2) in half fields, a pixel being `part` (2,)."""
 
     def __init__(
         self, stars: FieldStars, places: Array, part: Array, degree: int, draw: np.random.Generator, report: Report

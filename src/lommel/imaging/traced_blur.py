@@ -403,13 +403,13 @@ class TracedBlur:
             return
         if not bool(xp.all(xp.isfinite(image))):
             raise ValueError("image must be finite, got NaN or infinity")
-        metres = ns.to_numpy(ns.stop(distance))
-        if unknown := int(np.isnan(metres).sum()):
-            raise ValueError(f"distance must not be NaN, got NaN at {unknown} of {metres.size} points")
         low, high = static.edges[0], static.edges[-1]
         slack = _SLACK * (high - low)
         least, most = (float(ns.to_numpy(ns.stop(end(c)))) for end in (xp.min, xp.max))
         if not (low - slack <= least and most <= high + slack):
+            metres = ns.to_numpy(ns.stop(distance))
+            if unknown := int(np.isnan(metres).sum()):
+                raise ValueError(f"distance must not be NaN, got NaN at {unknown} of {metres.size} points")
             optics = static.optics
             near, far = (
                 1.0 / max(c / optics.waves - 1.0 / optics.sensor_distance + 1.0 / optics.focal_length, 1e-12)

@@ -13,7 +13,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.estimation import goodness_of_fit
 from lommel.estimation.field_sensor import Sensor
-from lommel.estimation.field_signs import monomials, robust
+from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.estimation.field_stars import Blocks
 
 POSES = ("free", "known")
@@ -81,11 +81,7 @@ class Distortion:
             If a position is not finite.
         """
         across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
-        basis = monomials(*self._sensor.relative(across, down), self.degree)
-        m = basis.shape[-1]
-        blocks = self.covariance.reshape(2, m, 2, m)[np.arange(2), :, np.arange(2)]
-        variance = np.einsum("...i,kij,...j->...k", basis, blocks, basis)
-        return basis @ self.coefficients.T, np.sqrt(np.maximum(variance, 0.0))
+        return with_errors(*self._sensor.relative(across, down), self.degree, self.coefficients, self.covariance)
 
     def __repr__(self) -> str:
         return f"<Distortion: {self.message}>"

@@ -21,7 +21,7 @@ from lommel.estimation.chart_light import relative_light
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_search import Found, Search
 from lommel.estimation.field_sensor import Sensor
-from lommel.estimation.field_signs import monomials
+from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars, WholeField
 from lommel.estimation.noise import Noise, random_numbers
 from lommel.estimation.phase_retrieval import label
@@ -150,11 +150,7 @@ class FieldFit:
         u, v = self._sensor.relative(across, down)
         if (np.maximum(np.abs(u), np.abs(v)) > 1.0 + 1e-9).any():
             raise ValueError("x and y must be on the sensor that was fitted, got a position outside of it")
-        basis = monomials(u, v, self.degree)
-        k, m = self.coefficients.shape
-        blocks = self.covariance.reshape(k, m, k, m)[np.arange(k), :, np.arange(k)]
-        variance = np.einsum("...i,kij,...j->...k", basis, blocks, basis)
-        return basis @ self.coefficients.T, np.sqrt(np.maximum(variance, 0.0))
+        return with_errors(u, v, self.degree, self.coefficients, self.covariance)
 
     @property
     def extent(self) -> tuple[tuple[float, float], tuple[float, float]]:

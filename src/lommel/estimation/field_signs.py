@@ -29,6 +29,18 @@ def monomials(u: Array, v: Array, degree: int) -> Array:
     return np.stack([first[..., i] * second[..., j] for i, j in powers(degree)], axis=-1)
 
 
+def with_errors(u: Array, v: Array, degree: int, coefficients: Array, covariance: Array) -> tuple[Array, Array]:
+    """Return polynomials (..., k) at positions and their standard errors, of coefficients (k, m) row by row.
+
+    The covariance may be that of further parameters after these.
+    """
+    basis = monomials(u, v, degree)
+    k, m = coefficients.shape
+    blocks = covariance[: k * m, : k * m].reshape(k, m, k, m)[np.arange(k), :, np.arange(k)]
+    variance = np.einsum("...i,kij,...j->...k", basis, blocks, basis)
+    return np.asarray(basis @ coefficients.T), np.sqrt(np.maximum(variance, 0.0))
+
+
 def powers(degree: int) -> list[tuple[int, int]]:
     """Return the degrees in u and v of each polynomial, the constant first."""
     return [(total - j, j) for total in range(degree + 1) for j in range(total + 1)]

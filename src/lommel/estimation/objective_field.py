@@ -16,7 +16,7 @@ from lommel.estimation import goodness_of_fit
 from lommel.estimation.bead_images import Setup
 from lommel.estimation.beads import BeadFit
 from lommel.estimation.field_sensor import Sensor
-from lommel.estimation.field_signs import monomials, robust
+from lommel.estimation.field_signs import monomials, robust, with_errors
 from lommel.methods.derivative_names import Term
 from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.objective_pupil import ObjectivePupil
@@ -98,11 +98,7 @@ class ObjectiveField:
         u, v = self._sensor.relative(across, down)
         if (np.maximum(np.abs(u), np.abs(v)) > 1.0 + 1e-9).any():
             raise ValueError("row and column must be on the sensor that was stated, got a position outside of it")
-        basis = monomials(u, v, self.degree)
-        k, m = self.coefficients.shape
-        blocks = self.covariance[: k * m, : k * m].reshape(k, m, k, m)[np.arange(k), :, np.arange(k)]
-        variance = np.einsum("...i,kij,...j->...k", basis, blocks, basis)
-        return basis @ self.coefficients.T, np.sqrt(np.maximum(variance, 0.0))
+        return with_errors(u, v, self.degree, self.coefficients, self.covariance)
 
     def aberrations(self, row: float, column: float) -> Wavefront:
         """Return the aberrations at a position, with what the fits held fixed, as of :meth:`lommel.Objective.pupil`.

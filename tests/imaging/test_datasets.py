@@ -187,6 +187,59 @@ def test_a_killed_command_goes_on(files):
     assert_alike(contents(files / "set"), contents(files / "same"))
 
 
+def test_a_file_that_cannot_be_used_is_left_out_and_tried_again(files):
+    rendered(files)
+    good = (files / "photos" / "a.png").read_bytes()
+    (files / "photos" / "a.png").write_bytes(good[:200])
+    made = rendered(files, "again", on_error="skip", workers=2)
+    left_out = sorted((each for each in made if each.failure), key=lambda each: each.number)
+    assert [each.number for each in left_out] == [0, 1]
+    assert all("a.png" in each.failure and each.files == () for each in left_out)
+    assert left_out[0].facts == {"photo": "a.png", "depth": "a.tif"}
+    assert sorted(each.number for each in made if not each.failure) == [2, 3]
+    assert max(each.done for each in made) == 2
+    (files / "photos" / "a.png").write_bytes(good)
+    assert sorted(each.number for each in rendered(files, "again", on_error="skip")) == [0, 1]
+    assert_alike(contents(files / "again"), contents(files / "set"))
+
+
+def test_what_cannot_be_read_is_left_out_and_what_cannot_be_written_is_an_error(files, monkeypatch):
+    (files / "photos" / "b.png").unlink()
+    (files / "photos" / "b.png").symlink_to(files / "nowhere.png")
+    photos = [files / "photos" / name for name in ("b.png", "a.png")]
+    depths = [files / "depths" / name for name in ("b.tif", "a.tif")]
+    made = list(render_dataset(photos, depths, files / "set", LENSES, seed=3, psfs=0, shard=2, on_error="skip"))
+    assert made[0].failure.endswith("b.png: No such file or directory")
+    assert made[1].failure is None
+    assert [path.name for path in (files / "set" / "parts").iterdir()] == ["000001.tar"]
+
+    def full(*_):
+        raise OSError(28, "No space left on device", "set")
+
+    (files / "photos" / "b.png").unlink()
+    (files / "depths" / "b.tif").unlink()
+    monkeypatch.setattr("lommel.imaging.datasets.atomic.together", full)
+    with pytest.raises(OSError, match="No space left"):
+        rendered(files, "full", psfs=0, on_error="skip")
+
+
+def test_the_command_leaves_out_what_it_cannot_use_and_says_so(files):
+    (files / "depths" / "a.tif").write_bytes(b"not an image")
+    command = ["blur", "--batch", "photos", "depths", "--focal-length", "50mm", "--f-number", "4", "--focus", "1.2m"]
+    run = [sys.executable, "-m", "lommel", *command, "--pixel", "30um", "--psfs", "0", "--copies", "2", "-o", "set"]
+    made = subprocess.run([*run, "--json"], cwd=files, capture_output=True, text=True, check=False)
+    assert made.returncode == 3
+    assert made.stderr.startswith("Left out: depths/a.tif ")
+    assert made.stderr.count("\n") == 1  # once for both copies
+    facts = json.loads(made.stdout)
+    assert (facts["rendered"], [each["number"] for each in facts["failed"]]) == (2, [0, 1])
+    (files / "depths" / "b.tif").write_bytes(b"not an image")
+    run[-1] = "other"
+    nothing = subprocess.run(run, cwd=files, capture_output=True, text=True, check=False)
+    assert nothing.returncode == 2
+    assert "no picture could be rendered: depths/a.tif" in nothing.stderr
+
+
 def test_zarr_groups_hold_the_same_pictures(files):
     zarr = pytest.importorskip("zarr")
     made = rendered(files, "zarrs", form="zarr", copies=1)

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from lommel.cli.options import Option, documented
+from lommel.cli.options import Option, documented, with_options
 from lommel.cli.output import Facts, Report
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
@@ -19,7 +19,8 @@ OPTIONS = [
     Option("--batch", is_flag=True,
            help="Blur all photos of the folder PHOTO by the depth maps of the same names in the folder DEPTH into "
            "the folder --output, with ground truth. LENS may have pairs in place of numbers, from which a lens is "
-           "drawn for each picture. Again after an interruption, the command goes on."),
+           "drawn for each picture. Again after an interruption, the command goes on. Files that cannot be used are "
+           "reported and left out, with exit code 3."),
     Option("--seed", type=int, default=0, help="Seed of the lenses and of the noise."),
     documented(render_dataset, "copies", type=int),
     documented(render_dataset, "workers", type=int, help="Number of processes."),
@@ -59,19 +60,32 @@ def render(out: Path, given: Facts) -> Report:
     Settings(**given)
     start, made = time.perf_counter(), 0
     done = total = 0
+    failed: list[Facts] = []
     try:
         with progress("reading") as started:
-            for picture in render_dataset(photos, depths, out, lenses, **options, **given):
-                made, done, total = made + 1, picture.done, picture.total
-                started(f"picture {done} of {total}", done / total)
+            for picture in render_dataset(photos, depths, out, lenses, on_error="skip", **options, **given):
+                done, total = picture.done, picture.total
+                if picture.failure is None:
+                    made += 1
+                    started(f"picture {done} of {total}", done / total)
+                    continue
+                reason = with_options(picture.failure)
+                if reason not in [before["reason"] for before in failed]:  # of another copy
+                    click.echo(f"Left out: {reason}", err=True)
+                failed.append({"number": picture.number, **picture.facts, "reason": reason})
     except KeyboardInterrupt:
         there = f"{done} of {total} pictures are there" if made else "no picture was finished"
         click.echo(f"Interrupted: {there}; the same command goes on.", err=True)
         raise
     seconds = time.perf_counter() - start
-    facts = {"output": str(out), "rendered": made, "seconds": seconds}
-    lines = [f"{made} pictures rendered in {seconds:.3g} s" if made else "all pictures were there", f"folder {out}"]
-    return Report(facts, lines)
+    if failed and not done:
+        raise ValueError(f"no picture could be rendered: {failed[0]['reason']}")
+    facts = {"output": str(out), "rendered": made, "seconds": seconds, "failed": failed}
+    said = f"{made} pictures rendered in {seconds:.3g} s" if made or failed else "all pictures were there"
+    lines = [said, f"folder {out}"]
+    if failed:
+        lines.append(f"{len(failed)} of {total} pictures left out; mend their files and give the same command again")
+    return Report(facts, lines, converged=not failed)
 
 
 def _lenses(given: Facts) -> LensRanges:

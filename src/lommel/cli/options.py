@@ -145,8 +145,8 @@ def command(
     """Return a decorator that makes a command of a function: its docstring is the help, its report is printed.
 
     Errors that a user can cause are one line, with exit code 2; errors of the program have exit code 1. A fit that
-    did not converge is printed, with exit code 3. With the
-    environment variable LOMMEL_TRACEBACK set, Python's traceback is shown instead.
+    did not converge, or a data set without some of its pictures, is printed, with exit code 3. With the environment
+    variable LOMMEL_TRACEBACK set, Python's traceback is shown instead.
     """
 
     def made(function: Callable[..., Report | None]) -> Command:
@@ -217,7 +217,7 @@ def _message(error: Exception) -> str:
             return error.strerror
         return f"{brief(line(error.filename), 240)}: {error.strerror}{_hint(error)}"
     if isinstance(error, _CAUSED):
-        return _with_options(str(error) or type(error).__name__)
+        return with_options(str(error) or type(error).__name__)
     return (
         f"this is a bug in lommel, not in your input: {type(error).__name__}: {brief(line(error), 200)}; please "
         "report it with the traceback that LOMMEL_TRACEBACK=1 shows"
@@ -240,7 +240,7 @@ _CALLED = {"scale": "--depth-scale", "zero_is_unknown": "--zero-unknown"}
 _NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
 
 
-def _with_options(message: str) -> str:
+def with_options(message: str) -> str:
     """Return a message of the library with the options of the running command for its arguments and methods."""
     context = click.get_current_context(silent=True)
     params = context.command.params if context else ()

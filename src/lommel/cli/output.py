@@ -33,7 +33,8 @@ Facts: TypeAlias = dict[str, Any]
 class Report:
     """What a command has found: the facts that ``--json`` prints, and lines and tables that say the same.
 
-    The exit code is 3 where a result is not to be trusted: a fit that did not converge.
+    The exit code is 3 where a result is not to be trusted or not whole: a fit that did not converge, a data set
+    without some of its pictures.
     """
 
     facts: Facts

@@ -37,6 +37,9 @@ from lommel.optics.wavefront.wavefront import Wavefront
 FORMATS = ("png", "tif", "exr", "zarr")
 """Formats of the images: 16-bit PNG in the encoding of the photo, or linear light in float32."""
 
+ON_ERROR = ("raise", "skip")
+"""What becomes of a photo or depth map that cannot be used."""
+
 _RECORD = "dataset.json"
 _PARTS = "parts"
 
@@ -134,7 +137,7 @@ def _between(value: Any, share: float) -> float:
 
 @dataclass(frozen=True)
 class Rendered:
-    """One picture of a data set, which :func:`render_dataset` has just written.
+    """One picture of a data set, which :func:`render_dataset` has just written, or could not render.
 
     Attributes
     ----------
@@ -143,9 +146,12 @@ class Rendered:
     done, total : int
         Pictures of the data set that there are now, and that there will be.
     files : tuple of path
-        The files written; with `shard` the one that will hold them.
+        The files written; with `shard` the one that will hold them. None of a picture that could not be rendered.
     facts : dict
         What ``NUMBER.json`` holds: names of the photo and the depth map, the lens (metres, radians), noise, errors.
+        Of a picture that could not be rendered, the names alone.
+    failure : str or None
+        Why the picture could not be rendered; with ``on_error="skip"`` only.
     """
 
     number: int
@@ -153,6 +159,7 @@ class Rendered:
     total: int
     files: tuple[Path, ...]
     facts: dict[str, Any] = field(repr=False)
+    failure: str | None = None
 
 
 def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[PathOf]) -> list[tuple[Path, Path]]:
@@ -233,6 +240,7 @@ def render_dataset(
     psfs: int = 32,
     depth_scale: float | None = None,
     zero_is_unknown: bool = False,
+    on_error: str = "raise",
     workers: int = 1,
     **options: Unpack[Keywords],
 ) -> Iterator[Rendered]:
@@ -278,6 +286,10 @@ def render_dataset(
         Metres per level of depth maps of integers, which need it.
     zero_is_unknown : bool, default False
         Whether the depth 0 means unknown; see `missing`.
+    on_error : {"raise", "skip"}, default "raise"
+        Whether a photo or depth map that cannot be used ends the iteration, or is yielded with the reason as
+        `failure`, and the others are rendered. The next call tries it again. Its shard stays open: the other
+        pictures of the shard wait in the folder ``parts``, a tar file each.
     workers : int, default 1
         Number of processes, each with its share of the processors; 1 renders in this process. More are spawned: a
         script must then call this below ``if __name__ == "__main__":``.
@@ -292,9 +304,10 @@ def render_dataset(
     ------
     TypeError, ValueError
         If an argument is out of range, files have no partner, or `out` holds pictures of other arguments; then, named
-        with the photo, if one of its files cannot be used or its blur exceeds `largest`. What is done is kept.
+        with the photo, if one of its files cannot be used or its blur exceeds `largest`, unless `on_error` is "skip".
+        What is done is kept.
     OSError
-        If a file cannot be read or written.
+        If a file cannot be written or, unless `on_error` is "skip", read.
 
     Notes
     -----
@@ -313,6 +326,7 @@ def render_dataset(
     """
     validation.instance("lenses", lenses, LensRanges)
     validation.optional("noise", noise, Noise)
+    skip = validation.choice("on_error", on_error, ON_ERROR) == "skip"
     if noise is not None and noise.white is None:
         raise ValueError("noise must have a white: electrons at the value 1.0, such as 5000")
     if psfs != 0:
@@ -346,7 +360,7 @@ def render_dataset(
     count = validation.integer("workers", workers, least=1, most=1024)
     folder = validation.path("out", out)
     _begin(folder, job.record(pairs, shard))
-    return _rendered(folder, job, pairs, shard, count)
+    return _rendered(folder, job, pairs, shard, count, skip)
 
 
 def _begin(folder: Path, record: dict[str, Any]) -> None:
@@ -371,7 +385,7 @@ def _begin(folder: Path, record: dict[str, Any]) -> None:
 
 
 def _rendered(
-    folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int
+    folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
     """Yield pictures as they are written."""
     total = len(pairs) * job.copies
@@ -388,10 +402,12 @@ def _rendered(
     if shard is not None:
         for index in range(-(-total // shard)):
             _pack(folder, index, shard, total)
-    make = partial(_write, job, where, shard is not None)
+    make = partial(_write, job, where, shard is not None, skip)
 
-    def told(number: int, files: list[str], facts: dict[str, Any]) -> Rendered:
+    def told(number: int, files: list[str], facts: dict[str, Any], failure: str | None) -> Rendered:
         nonlocal done
+        if failure is not None:
+            return Rendered(number, done, total, (), facts, failure)
         done += 1
         named = tuple(folder / name for name in files)
         if shard is not None:
@@ -404,13 +420,14 @@ def _rendered(
             yield told(number, *make(number, *pairs[number // job.copies]))
         return
     threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
-    make = partial(_write, replace(job, settings=replace(job.settings, threads=threads)), where, shard is not None)
+    shared = replace(job, settings=replace(job.settings, threads=threads))
+    make = partial(_write, shared, where, shard is not None, skip)
     yield from (told(*each) for each in _by_processes(make, left, pairs, job.copies, workers))
 
 
 def _by_processes(
     make: Any, left: list[int], pairs: list[tuple[Path, Path]], copies: int, workers: int
-) -> Iterator[tuple[int, list[str], dict[str, Any]]]:
+) -> Iterator[tuple[int, list[str], dict[str, Any], str | None]]:
     """Yield the numbers of pictures, and what a function returns of each, made by other processes."""
     from multiprocessing import get_context
 
@@ -471,13 +488,19 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
 
 
 def _write(
-    job: _Job, folder: Path, packed: bool, number: int, photo: Path, depth: Path
-) -> tuple[list[str], dict[str, Any]]:
-    """Render a picture and write its files; return their names and the facts."""
+    job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path
+) -> tuple[list[str], dict[str, Any], str | None]:
+    """Render a picture and write its files; return their names, the facts, and why it was skipped."""
     try:
         files, facts = _render(job, number, photo, depth)
-    except ValueError as error:
-        if isinstance(error, PhotoError) or str(depth) in str(error):
+    except (ValueError, OSError) as error:
+        named = isinstance(error, PhotoError | OSError) or str(depth) in str(error)
+        if skip:
+            reason = str(error) if named else f"{validation.line(photo)}: {error}"
+            if isinstance(error, OSError) and error.filename:
+                reason = f"{validation.line(error.filename)}: {error.strerror}"
+            return [], {"photo": photo.name, "depth": depth.name}, reason
+        if named:
             raise
         raise ValueError(f"{validation.line(photo)}: {error}") from None
     key = f"{number:06d}"
@@ -490,7 +513,7 @@ def _write(
                 target = folder / f"{key}.{name}"
                 target.parent.mkdir(parents=True, exist_ok=True)  # of a Zarr array
                 put(target, data)
-    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts
+    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts, None
 
 
 def _tar(files: dict[str, bytes]) -> bytes:

@@ -266,6 +266,25 @@ def test_occlusion_hides_what_is_behind_and_nothing_else():
     assert np.abs(blur(draw, flat, occlusion=True) - blur(draw, flat)).max() < 1e-3
 
 
+@pytest.mark.parametrize("framework", THERE)
+def test_one_distance_is_that_of_all_points(framework):
+    with framework.used() as xp, hasty_programs() if framework.module == "jax.numpy" else nullcontext():
+        blur = lm.imaging.traced_blur(LENS, [1.5, 4.0], PIXEL, xp, device=framework.place(xp))
+
+        def blurred(image, distance):
+            made = blur(framework.array(xp, image), distance)
+            return framework.to_numpy(made)
+
+        whole = blurred(IMAGE, framework.array(xp, np.full_like(IMAGE, 3.0)))
+        assert np.abs(blurred(IMAGE, 3) - whole).max() < 1e-6  # an integer, for a grey image without channels
+        assert np.abs(blurred(IMAGE, framework.array(xp, 3.0)) - whole).max() < 1e-6
+        channels = blurred(np.stack([IMAGE, 1.0 - IMAGE])[:, None], 3.0)
+        assert np.abs(channels[0, 0] - whole).max() < 1e-6
+        each = blurred(np.stack([IMAGE, IMAGE]), framework.array(xp, np.array([1.7, 3.0]).reshape(2, 1, 1)))
+    assert np.abs(each[1] - whole).max() < 1e-6
+    assert np.abs(each[0] - whole).max() > 0.01
+
+
 def test_beyond_the_valid_range_is_an_error_or_nan_and_far_away_is_within():
     blur = lm.imaging.traced_blur(LENS, [1.5, np.inf], PIXEL)
     assert np.isfinite(blur(IMAGE, np.where(DEPTH > 2.0, np.inf, DEPTH))).all()
@@ -284,6 +303,9 @@ def test_beyond_the_valid_range_is_an_error_or_nan_and_far_away_is_within():
         ({"distance": DEPTH[1:]}, ValueError, "must have the shape"),
         ({"image": IMAGE[None, None, None]}, ValueError, "must have the shape"),
         ({"image": np.stack([IMAGE] * 3)}, ValueError, "must have the shape"),
+        ({"image": np.stack([IMAGE] * 3), "distance": 2.0}, ValueError, "must have the shape"),
+        ({"image": IMAGE[0], "distance": 2.0}, ValueError, "must have the shape"),
+        ({"distance": np.nan}, ValueError, "not be NaN"),
         ({"distance": np.where(DEPTH > 3.0, np.nan, DEPTH)}, ValueError, "not be NaN, got NaN at 76 of 180 points"),
         ({"zernike": np.zeros(2)}, ValueError, "zernike is fixed"),
         ({"focus_distance": 3.0}, ValueError, "distance must be within|made for focus_distance within"),

@@ -171,8 +171,9 @@ class TracedBlur:
         image : array, shape (..., channels, height, width) or (..., height, width)
             Linear light. The axis of channels may be missing if there is one: `image` then has as many axes as
             `distance`.
-        distance : array, shape (..., height, width)
-            Metres from the lens; may be infinite.
+        distance : float or array, shape (..., height, width)
+            Metres from the lens; may be infinite. A single number, or an array of the shape (..., 1, 1), is the
+            distance of all points of an image.
         focus_distance, f_number : array, shape () or (n,), optional
             Of the lens, within the ranges that the blur was made for; by default as given. The sensor moves with the
             focus, and the size of the diffraction pattern with both. Of the shape (n,), the first of a batch of
@@ -205,8 +206,12 @@ class TracedBlur:
         xp = static.namespace.xp
         image, distance = self._array("image", image), self._array("distance", distance)
         shape = tuple(image.shape)
+        if not distance.shape:
+            distance = xp.reshape(distance, (1,) * max(2, len(shape) - 1))
         if len(shape) == len(distance.shape):
             image = xp.expand_dims(image, axis=-3) if len(shape) >= 2 else image
+        if tuple(distance.shape[-2:]) == (1, 1) and len(shape) >= 2:
+            distance = xp.broadcast_to(distance, (*distance.shape[:-2], *shape[-2:]))
         self._require_shapes(shape, tuple(image.shape), tuple(distance.shape))
         given = dict(zip(_OPTICS, (focus_distance, f_number, defocus, zernike), strict=True))
         lens = {name: None if value is None else self._array(name, value) for name, value in given.items()}
@@ -339,7 +344,7 @@ class TracedBlur:
         ns, xp = static.namespace, static.namespace.xp
         if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
             values = ns.put(np.asarray(values), getattr(like, "device", None) if ns.name != "jax" else None)
-            if name in _OPTICS:
+            if name in _OPTICS or (name == "distance" and not values.shape):
                 return xp.astype(values, like.dtype)
         if not hasattr(values, "shape") or not xp.isdtype(values.dtype, "real floating"):
             hint = "; scale it to linear light first" if name == "image" else ""

@@ -364,6 +364,23 @@ def test_the_lens_files_of_the_page_about_the_field_work(folder):
         assert lm.load_instrument(folder / "own.toml").field().reach > 0.02
 
 
+def test_the_telescope_of_the_page_about_field_maps_runs_as_it_is_and_with_vanes(folder, call_lommel):
+    sections = [code for code, _ in blocks(ROOT / "docs" / "my-camera.md", "toml")]
+    plain, vanes = sections[1:3]
+    seen = []
+    for text in (plain, plain + vanes):
+        (folder / "own.toml").write_text(text, encoding="utf-8")
+        pupil = lm.load_instrument(folder / "own.toml").pupil()
+        seen.append(pupil.area)
+        assert pupil.obscuration == 0.3
+    assert seen[1] < seen[0]
+    (folder / "own.toml").write_text(plain, encoding="utf-8")
+    options = ("--defocus", 5, "--degree", 1, "--read", 2)
+    result = call_lommel("fit-field", "donuts.fits", "own.toml", *options, folder=folder)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.startswith("converged: ")
+
+
 def number(cell: str) -> float:
     """The number of a cell such as 2.0e-4 or 21 %."""
     return 0.01 * float(cell.removesuffix("%")) if cell.endswith("%") else float(cell)

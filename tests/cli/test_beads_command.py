@@ -37,6 +37,14 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
+CAMERA = """
+name = "a test camera"
+
+[camera]
+pixel = "6.5 um"
+gain = 1.1
+read = 1.6
+"""
 ASKED = ("objective.toml", "--step", "200nm", "--read", "1.6", "--offset", "100", "--terms", "7")
 
 
@@ -86,7 +94,7 @@ def test_beads_of_a_field_are_found_and_fitted_together(folder):
 def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     found = run("bead.tif", "objective.toml", "--step", "-200nm", *ASKED[3:], "--fixed")
     assert found.exit_code == 3
-    assert "reversed z: " in found.output
+    assert found.output.startswith("reversed z: ")
 
 
 @pytest.mark.parametrize(
@@ -94,7 +102,7 @@ def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     [
         (("bead.tif", *ASKED, "-o", "x.csv"), "--output must end in .toml"),
         (("bead.tif", "objective.toml", "--step", "200nm"), "--read is missing"),
-        (("dark.tif", *ASKED), "no isolated bead"),
+        (("dark.tif", *ASKED), "standard deviations high: lower --threshold, or check --offset and --gain"),
     ],
 )
 def test_what_cannot_be_fitted_is_told(folder, words, told):
@@ -105,6 +113,29 @@ def test_what_cannot_be_fitted_is_told(folder, words, told):
     assert told in " ".join(found.output.split())
 
 
+def test_what_camera_and_what_defaults_gain_and_offset_are_from_is_said(folder):
+    (folder / "sensor.toml").write_text(CAMERA, encoding="utf-8")
+    options = ("objective.toml", "--step", "200nm", "--terms", "1", "--fixed")
+    text = run("bead.tif", *options, "--read", "1.6", "--offset", "100").stdout
+    taken = "gain 1 electrons per count (taken, for neither an option nor a camera states it)"
+    assert f"Camera: {taken}, offset 100 counts (by the option)" in " ".join(text.split())
+    text = " ".join(run("bead.tif", *options, "--camera", "sensor.toml", "--offset", "100").stdout.split())
+    assert "gain 1.1 electrons per count (of a test camera, by --camera), offset 100 counts (by the option)" in text
+    assert "read noise 1.6 electrons rms (of a test camera, by --camera)." in text
+
+
+def test_saturation_of_beads_that_is_not_stated_is_suspected(folder):
+    images = np.minimum(tifffile.imread("bead.tif"), 420)
+    tifffile.imwrite("clipped.tif", images, photometric="minisblack")
+    found = run("clipped.tif", *ASKED, "--fixed", "-o", "fitted.toml")
+    assert found.exit_code == 3, found.output
+    text = " ".join(found.stdout.split())
+    assert text.startswith("misfit: ")
+    assert "pixels have exactly the largest value, 420: if they are saturated, state it" in text
+    assert "wrote fitted.toml, of a fit that has not converged: misfit" in text
+    assert "Fitted to beads: misfit: " in lm.load_microscope("fitted.toml").source
+
+
 def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated(folder):
     found = run("field.tif", *ASKED, "--window", "19", "--json")
     assert found.exit_code == 0, found.output
@@ -112,6 +143,7 @@ def test_beads_of_a_field_have_their_places_in_the_image_and_the_light_is_stated
     places = sorted((one["row"], one["column"]) for one in facts["places"])
     np.testing.assert_allclose(places, [(15, 20), (45, 60)], atol=0.1)
     assert facts["wavelength"] == pytest.approx(600e-9)
+    assert facts["noise"]["offset"] == {"value": 100.0, "source": "option"}
 
 
 def test_another_step_in_the_file_is_said_and_so_is_the_verdict_in_what_is_written(folder):

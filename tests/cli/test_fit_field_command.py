@@ -47,6 +47,14 @@ def night(tmp_path_factory):
             mean[row - 16 : row + 17, column - 16 : column + 17] += 4e4 * star
         stack.append(lm.Noise(read=2.0).record(mean, seed=k).astype(np.float32))
     np.save(folder / "stars.npy", np.stack(stack))
+    np.save(folder / "outside.npy", stack[0])
+    np.save(folder / "clipped.npy", np.minimum(stack, np.float32(900.0)))
+    bad = np.stack(stack)
+    bad[:, 80:84, 86:90] = bad[:, 30:60, 100:] = bad[0, 138, 138] = np.nan
+    np.save(folder / "holes.npy", bad)
+    flaws = np.zeros((220, 220), dtype=bool)
+    flaws[20:40, 20:30] = flaws[100, 100] = True
+    np.save(folder / "flaws.npy", flaws)
     (folder / "lens.toml").write_text(LENS, encoding="utf-8")
     return folder
 
@@ -85,14 +93,79 @@ def test_what_the_command_cannot_do_is_told(night, call_lommel):
     assert "--wavelengths must be one for each of 2 exposures" in told("--wavelengths", "550nm")
     assert "wavelength" in told("--wavelengths", "550nm,3km")
     assert "--output must end in .csv" in told("-o", "field.txt")
-    assert "images must show at least 4 isolated stars; 0 spots found" in told("--defocus", 0, 1, "--threshold", 900)
+    said = told("--defocus", 0, 1, "--threshold", 900)
+    assert "images must show at least 4 isolated stars; 0 spots found; refused: none; the highest maximum, at" in said
+    assert "standard deviations high: lower --threshold, check --offset, or give --width" in said
 
 
-def test_a_misfit_has_exit_code_3(night, call_lommel):
+def test_a_misfit_is_the_first_word_and_said_of_what_is_written_and_has_exit_code_3(night, call_lommel):
     options = ("--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 0, "--terms", 1, "--known-blur", 0)
-    result = call_lommel("fit-field", "stars.npy", "lens.toml", *options, folder=night)
+    call = ("fit-field", "stars.npy", "lens.toml", *options, "-o", "wrong.csv")
+    result = call_lommel(*call, folder=night)
     assert result.returncode == 3, result.stderr
-    assert "misfit: " in result.stdout
+    assert result.stdout.startswith("misfit: ")
+    assert "wrote wrong.csv, of a fit that has not converged: misfit" in result.stdout
+    assert (night / "wrong.csv").read_text(encoding="utf-8").startswith("# misfit: ")
+
+
+FOCI = ("--defocus", -2.5, 2.5, "--read", 2, "--window", 25, "--degree", 2, "--terms", 5, "--known-blur", 0)
+
+
+def test_pixels_that_are_masked_or_nan_are_left_out_and_counted(night, call_lommel):
+    call = ("fit-field", "holes.npy", "lens.toml", *FOCI, "--mask", "flaws.npy")
+    found = json.loads(call_lommel(*call, "--json", folder=night).stdout)
+    assert found["converged"], found["message"]
+    assert found["stars"] == 13
+    assert [each["reason"] for each in found["refused"]] == ["masked"] * 3
+    assert found["left_out"] == 2 * (200 + 1 + 16 + 30 * 120) + 1
+    assert "33 of 16250 pixels left out" in found["message"]
+    text = call_lommel(*call, folder=night).stdout
+    assert "13 spots found; refused: 3 masked; 7635 pixels left out (masked or NaN)" in text
+    assert "- row 29, column 29: refused, masked" in text
+    np.save(night / "wrong.npy", np.zeros((10, 10), np.uint8))
+    told = call_lommel("fit-field", "stars.npy", "lens.toml", *FOCI, "--mask", "wrong.npy", folder=night)
+    assert "--mask must have the shape of the images, 220 x 220, one or 2" in told.stderr
+
+
+def test_saturation_that_is_not_stated_is_suspected(night, call_lommel):
+    text = " ".join(call_lommel("fit-field", "clipped.npy", "lens.toml", *FOCI, folder=night).stdout.split())
+    assert "pixels of exposure 0 have exactly the largest value, 900: if they are saturated, state it" in text
+    assert "--saturation 900" in text
+    said = call_lommel("fit-field", "stars.npy", "lens.toml", *FOCI, folder=night).stdout
+    assert "largest value" not in said
+
+
+def test_coma_and_focus_in_the_middle_come_first(night, call_lommel):
+    options = ("--defocus", -2, "--read", 2, "--window", 25, "--degree", 2, "--terms", 5, "--known-blur", 0)
+    call = ("fit-field", "outside.npy", "lens.toml", *options)
+    found = json.loads(call_lommel(*call, "--json", folder=night).stdout)
+    focus, coma = found["focus"], found["coma"]
+    shift = -2.5 * 8.0 * 550e-9 * 8.0**2 / np.pi
+    assert abs(focus["shift"] - shift) < 4.0 * focus["deviation"] < 0.05 * abs(shift)
+    assert coma["waves"] < 5.0 * coma["deviation"]
+    lines = call_lommel(*call, folder=night).stdout.splitlines()
+    at = next(k for k, line in enumerate(lines) if line.startswith("term, waves rms"))
+    assert any(line.startswith("coma in the middle: 0.0") for line in lines[:at])
+    assert any(
+        line.startswith("focus in the middle: the sensor is 22") and line.endswith("away from the lens")
+        for line in lines[:at]
+    )
+
+
+def test_stars_that_the_fit_rejects_are_named(night, call_lommel):
+    images = np.load(night / "stars.npy")
+    images[:, 67:100, 122:152] += 0.6 * (np.roll(images, 5, axis=2)[:, 67:100, 122:152] - 20.0)
+    np.save(night / "double.npy", images)
+    call = ("fit-field", "double.npy", "lens.toml", *FOCI)
+    found = json.loads(call_lommel(*call, "--json", folder=night).stdout)
+    (star,) = found["rejected_stars"]
+    assert found["rejected"] == 1
+    assert abs(star["row"] - 83) < 4
+    assert abs(star["column"] - 136) < 8
+    assert star["reason"].startswith("rejected, chi2 ")
+    place = f"row {star['row']}, column {star['column']}"
+    assert f"- {place}: {star['reason']}" in call_lommel(*call, folder=night).stdout
+    assert f"at {place.replace(',', '')}" in found["message"]
 
 
 def test_json_has_the_terms_and_the_stars(night, call_lommel):

@@ -92,11 +92,26 @@ def test_stars_edges_and_noise_are_no_crossings():
         assert found.message == "0 crossings found; refused: none"
 
 
+def test_crossings_whose_windows_are_masked_are_refused_and_holes_do_not_hide_others():
+    image = NOISE.record(board()[0], seed=1)
+    plain = lm.find_crossings(image, noise=NOISE)
+    (row, column), (hole, beside) = plain.places[3], plain.places[7]
+    out = np.zeros(image.shape, dtype=bool)
+    out[row - 4 : row + 5, column - 4 : column + 5] = out[hole, beside] = True
+    found = lm.find_crossings(np.where(out, np.nan, image), noise=NOISE)
+    assert found.left_out == 82
+    assert "masked" in {each.reason for each in found.refused}
+    near = np.abs(found.places - [hole, beside]).max(axis=1)
+    assert near.min() <= 1
+    assert np.ma.getmaskarray(found.windows)[near.argmin()].sum() == 1
+    assert np.abs(found.places - [row, column]).max(axis=1).min() > 4
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"images": np.zeros((5, 5))}, "at least the window of 9 x 9"),
-        ({"images": np.full((40, 40), np.nan)}, "images must be finite"),
+        ({"images": np.full((40, 40), np.nan)}, "images must have pixels that are neither"),
         ({"window": 3}, "window must be at least 5 x 5"),
         ({"width": 0.5}, "width must be"),
         ({"noise": 2.0}, "noise must be"),

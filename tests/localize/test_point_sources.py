@@ -109,11 +109,41 @@ def test_noise_alone_has_no_spots():
     assert found.windows.shape == (0, 33, 33)
 
 
+def test_where_there_is_no_spot_the_highest_maximum_is_named():
+    image = NOISE.record(sky([(60, 200, 1e4)]), seed=1)
+    found = lm.find_spots(image, noise=NOISE, window=21, threshold=500.0)
+    assert (found.candidate.row, found.candidate.column) == (60, 200)
+    (there,) = lm.find_spots(image, noise=NOISE, window=21, threshold=found.candidate.score - 0.01).score
+    assert there == found.candidate.score
+    assert f"the highest maximum, at row 60, column 200, is {there:.3g} standard deviations high" in found.message
+
+
+@pytest.mark.parametrize("kind", ["nan", "masked", "mask"])
+def test_pixels_left_out_do_not_hide_stars_and_are_masked_in_their_windows(kind):
+    image = NOISE.record(sky([(60, 60, 4e4), (60, 200, 1e5), (180, 120, 2e4)]), seed=1)
+    out = np.zeros(image.shape, dtype=bool)
+    out[60, 60] = out[64:67, 58:62] = out[150:200, 118:180] = out[0] = True
+    given, options = image.copy(), {}
+    if kind == "nan":
+        given[out] = np.nan
+    elif kind == "masked":
+        given = np.ma.MaskedArray(np.where(out, 1e9, image), mask=out)
+    else:
+        given[out], options = 1e9, {"mask": out, "saturation": 1e8}
+    found = lm.find_spots(given, noise=NOISE, window=21, **options)
+    assert found.places.tolist() == [[60, 200], [60, 60]]
+    assert [each.reason for each in found.refused] == ["masked"]
+    np.testing.assert_array_equal(np.ma.getmaskarray(found.windows)[1], out[50:71, 50:71])
+    assert found.left_out == out.sum()
+    assert found.message == f"2 spots found; refused: 1 masked; {out.sum()} pixels left out (masked or NaN)"
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"images": np.zeros((20, 20))}, "images must have the shape .* at least the window of 33 x 33"),
-        ({"images": np.full((60, 60), np.nan)}, "images must be finite"),
+        ({"images": np.full((60, 60), np.nan)}, "images must have pixels that are neither"),
+        ({"mask": np.zeros((60, 60))}, "mask must be True or False for each pixel of images"),
         ({"noise": 2.0}, "noise must be a Noise"),
         ({"window": 3}, "window must be at least 5 x 5"),
         ({"width": 20.0}, "width must be"),

@@ -12,7 +12,7 @@ import numpy as np
 
 from lommel.base.units import format_length
 from lommel.base.validation import line
-from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, microscope_of, noise_of
+from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, microscope_of, noise_facts, noise_in_words, noise_of
 from lommel.cli.options import FILE, JSON, MICROMETRES, NANOMETRES, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figure, table_of, written
 from lommel.cli.progress import progress
@@ -63,6 +63,7 @@ _MOST = 20  # beads
         SQUARE_PIXEL,
         Option("--window", type=click.IntRange(9, 101), default=31,
                help="Side in pixels of the windows around beads, where a file shows a field of them."),
+        documented(find_spots, "threshold", type=float),
     ),
 )  # fmt: skip
 def beads(
@@ -78,6 +79,7 @@ def beads(
     output: Path | None,
     figure: Path | None,
     window: int,
+    threshold: float,
     saturation: float | None,
     pixel: float | None,
     wavelength: float | None,
@@ -90,9 +92,10 @@ def beads(
     [aberrations.zernike], if there is one, where the search starts.
 
     All beads share the aberrations and the constants of the microscope. chi2 is about 1 where the model fits; a wrong
-    constant may leave it there, so all are tested, and the last line names those that the data want changed. What is
-    written with -o is a microscope file with the fitted numbers and their standard errors. The exit code is 3 if the
-    fit did not converge: a misfit, no bead, or planes in reversed order.
+    constant may leave it there, so all are tested, and the first line, the verdict, names those that the data want
+    changed. What is written with -o is a microscope file with the fitted numbers, their standard errors, and the
+    verdict as its source. The exit code is 3 if the fit did not converge: a misfit, no bead, or planes in reversed
+    order.
 
     Examples
     --------
@@ -103,18 +106,21 @@ def beads(
         if output.suffix.lower() != ".toml":
             raise ValueError(f"--output must end in .toml, got {line(output)}")
         require_folder(output)
-    microscope = microscope_of(lens, pixel=pixel, camera=given.pop("camera"))
+    named = given.pop("camera")
+    microscope = microscope_of(lens, pixel=pixel, camera=named)
     if microscope is None:
         raise ValueError(f"lommel beads needs a microscope, a file with a section [objective]; {lens} has none")
     if wavelength is not None:
         microscope = dataclasses.replace(microscope, wavelength=wavelength)
+    options = {name: given[name] for name in ("white", "read", "offset")}
     noise = noise_of(given, microscope.camera)
+    camera = noise_facts(options, microscope.camera, noise)
     with progress("reading") as started:
         windows: list[Values] = []
         names: list[str] = []
         corners: list[tuple[int, int]] = []
         for path in stacks:
-            for k, (each, corner) in enumerate(_beads(path, window, noise, saturation)):
+            for k, (each, corner) in enumerate(_beads(path, window, threshold, noise, saturation)):
                 windows.append(each)
                 corners.append(corner)
                 names.append(f"{path.name} [{k}]")
@@ -143,16 +149,19 @@ def beads(
         )
     if output is not None:
         source = f"{microscope.source} Fitted to beads: {found.message}.".lstrip()
-        named = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
-        named.fitted(found).save(output)
+        changed = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
+        changed.fitted(found).save(output)
     if figure is not None:
         save_figure(found.plot(), figure)
-    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength} | _facts(found, corners)
+    facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": camera} | _facts(found, corners)
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
+    notes.append(noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"))
     notes += [note for path in stacks if (note := _other_step(path, step))]
     if len(windows) > _MOST:
         notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
-    return Report(facts, _parts(found, names, corners, notes), found.converged) + written([output, figure])
+    verdict = "" if found.converged else f", of a fit that has not converged: {found.message.partition(':')[0]}"
+    files = written([output, figure], lambda path: verdict if path == output else "")
+    return Report(facts, _parts(found, names, corners, notes), found.converged) + files
 
 
 def _other_step(path: Path, step: float) -> str:
@@ -168,14 +177,17 @@ def _other_step(path: Path, step: float) -> str:
     return f"{said}; --step {format_length(step, digits=4)} was taken."
 
 
-def _beads(path: Path, window: int, noise: Noise, saturation: float | None) -> list[tuple[Values, tuple[int, int]]]:
+def _beads(
+    path: Path, window: int, threshold: float, noise: Noise, saturation: float | None
+) -> list[tuple[Values, tuple[int, int]]]:
     """Return the windows of the beads of a stack and their first pixels, one if it shows no more than that."""
     planes = read_images([path])
     if max(planes.shape[1:]) <= _FIELD * window:
         return [(planes, (0, 0))]
-    spots = find_spots(planes, noise=noise, window=window, saturation=saturation)
+    spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)
     if not len(spots):
-        raise ValueError(f"{line(path)}: no isolated bead; {spots.message}")
+        advice = "a smaller --window may do" if spots.refused else "lower --threshold, or check --offset and --gain"
+        raise ValueError(f"{line(path)}: no isolated bead; {spots.message}: {advice}")
     first = spots.places - np.array(spots.windows.shape[-2:]) // 2
     return [(one, (row, column)) for one, (row, column) in zip(spots.windows, first.tolist(), strict=True)]
 
@@ -214,7 +226,7 @@ def _plain(value: float) -> float | None:
 def _parts(
     found: BeadFit, names: list[str], corners: list[tuple[int, int]], notes: list[str]
 ) -> list[RenderableType]:
-    """Return the tables of terms, constants, and beads, and the verdict."""
+    """Return the verdict, and the tables of terms, constants, and beads."""
     terms, constants = [], []
     for name, value in found.coefficients.items():
         error = found.deviation[name]
@@ -224,7 +236,12 @@ def _parts(
             constants.append((f"{name} (um)" if metres else name, *_with_error(shown[0], shown[1])))
         else:
             terms.append((label(name), *_with_error(1e3 * value / (2.0 * math.pi), 1e3 * error / (2.0 * math.pi))))
-    parts: list[RenderableType] = [table_of(("term", "milliwaves rms", "std. error"), terms), ""]
+    parts: list[RenderableType] = [
+        Wrapped(found.message, "bold"),
+        "",
+        table_of(("term", "milliwaves rms", "std. error"), terms),
+        "",
+    ]
     if constants:
         parts += [table_of(("constant", "value", "std. error"), constants), ""]
     rows = []
@@ -239,7 +256,7 @@ def _parts(
         cells = [_beside(factor * v, factor * one.deviation.get(key, 0.0)) for key, (v, factor) in values.items()]
         rows.append((name, *cells, f"{one.chi2:.3f}{'' if one.used else ', left out'}"))
     parts.append(table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), rows))
-    return [*parts, "", *(Wrapped(note) for note in notes), Wrapped(found.message)]
+    return [*parts, "", *(Wrapped(note) for note in notes)]
 
 
 def _beside(value: float, error: float) -> str:

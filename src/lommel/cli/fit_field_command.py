@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import click
 import numpy as np
 
-from lommel.base.units import parse_length
+from lommel.base.units import format_length, parse_length
 from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
 from lommel.cli.options import FILE, JSON, MICROMETRES, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
@@ -25,13 +26,16 @@ from lommel.localize.point_sources import find_spots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from numpy.typing import NDArray
 
-    from lommel.base.arrays import Array
+    from lommel.base.arrays import Array, Values
     from lommel.estimation.distortion import Distortion
     from lommel.estimation.field_fit import FieldFit
     from lommel.localize.point_sources import PointSources
+    from lommel.optics.pupil import Pupil
 
 _MOST_CROSSINGS = 100
+_LISTED = 12  # stars left out, that are printed one by one
 
 
 @command(
@@ -70,6 +74,9 @@ _MOST_CROSSINGS = 100
         Option("--width", type=float,
                help="Standard deviation of the smoothing that finds them, pixels; by default 2, or half the radius "
                "of defocused stars (rings) and pinholes."),
+        Option("--mask", "masked", type=FILE,
+               help="Image that is not 0 where pixels are to be left out, such as defects, one for all exposures or "
+               "one for each; NaN in images is left out anyway."),
         Option("--most", type=click.IntRange(1),
                help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of "
                "these."),
@@ -107,6 +114,7 @@ def fit_field(
     window: int | None,
     threshold: float,
     width: float | None,
+    masked: Path | None,
     most: int | None,
     saturation: float | None,
     **given: Any,
@@ -121,8 +129,8 @@ def fit_field(
     astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive defocus in the
     mean; the other by --twin. One exposure well out of focus ("donuts") is enough to collimate.
 
-    The table serves as file of the section [field], with unit = "waves". A misfit is said in the last line, by
-    "converged" of --json, and by exit code 3.
+    The table serves as file of the section [field], with unit = "waves". The first line is the verdict; a misfit is
+    also said in the first line of the table, by "converged" of --json, and by exit code 3.
 
     Examples
     --------
@@ -148,6 +156,7 @@ def fit_field(
     noise = Noise(**{name: given.pop(name) for name in ("white", "read", "offset")})
     with progress("reading") as started:
         exposures = read_images(list(images))
+        out = None if masked is None else _mask(masked, exposures)
         colours = None if wavelengths is None else _lengths(wavelengths, len(exposures))
         if defocus is None and colours is None and len(exposures) > 1:
             raise ValueError(f"--defocus must be given for {len(exposures)} exposures: one number each, such as -3 3")
@@ -161,14 +170,14 @@ def fit_field(
         if targets == "crossing":
             found = find_crossings(
                 exposures, noise=noise, window=window, threshold=threshold, width=width or smoothing,
-                saturation=saturation, most=most or _MOST_CROSSINGS,
+                mask=out, saturation=saturation, most=most or _MOST_CROSSINGS,
             )  # fmt: skip
             if size is None and math.isfinite(found.square):
                 size = found.square * pitch
         else:
             found = find_spots(
                 exposures, noise=noise, window=window or side, threshold=threshold, width=width or smoothing,
-                saturation=saturation, most=most,
+                mask=out, saturation=saturation, most=most,
             )  # fmt: skip
         if spots is not None:
             save_figure(cast("Figure", found.plot().figure), spots)
@@ -203,7 +212,24 @@ def fit_field(
         made.save(twin, twin=True)
     if figure is not None:
         save_figure(made.plot(), figure)
-    return Report(_facts(made, found), _parts(made, found), made.converged) + written([output, twin, figure, spots])
+    told = _headlines(made, pupil, np.atleast_1d(known))
+    report = Report(_facts(made, found) | told, _parts(made, found, told), made.converged)
+    verdict = "" if made.converged else f", of a fit that has not converged: {made.message.partition(':')[0]}"
+    return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
+
+
+def _mask(path: Path, images: Values) -> NDArray[np.bool_]:
+    """Return the pixels of images that a file says to leave out."""
+    found = read_images([path])
+    if found.shape[1:] != images.shape[1:] or len(found) not in (1, len(images)):
+        raise ValueError(
+            f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "
+            f"got {len(found)} of {found.shape[1]} x {found.shape[2]}"
+        )
+    out = np.asarray(found != 0)  # NaN, too
+    if out.all():
+        raise ValueError(f"--mask must be 0 where pixels are to be used, got no 0 in {path}")
+    return out[0] if len(out) == 1 else out
 
 
 def _lengths(text: str, exposures: int) -> list[float]:
@@ -233,12 +259,19 @@ def _too_few(targets: str, found: PointSources | Crossings) -> str:
     """Return why the images cannot be fitted."""
     what = {"star": "isolated stars", "pinhole": "isolated pinholes", "crossing": "crossings of a checkerboard"}
     said = f"images must show at least 4 {what[targets]}; {found.message}"
-    reasons = {each.reason for each in found.refused}
-    if "saturated" in reasons:
+    counts = Counter(each.reason for each in found.refused)
+    if counts["saturated"]:
         return f"{said}: expose less, below saturation"
-    if targets == "crossing" and not found.refused:
+    if counts:
+        advice = {"neighbor": "a smaller --window", "edge": "a smaller --window", "masked": "check --mask"}
+        first = counts.most_common(1)[0][0]
+        return f"{said}: {advice.get(first, 'look at --spots')}"
+    if targets == "crossing":
         return f"{said}: squares must be larger than four times --width, and their contrast above --threshold"
-    return said
+    return (
+        f"{said}: lower --threshold, check --offset, or give --width, about the standard deviation of images in "
+        "pixels, of rings half their radius"
+    )
 
 
 def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, float]:
@@ -248,8 +281,8 @@ def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, flo
     return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1), max(2.0, 0.5 * radius)
 
 
-def _parts(made: FieldFit, found: PointSources | Crossings) -> list[Any]:
-    """Return the table of terms in the middle and at corners, and the verdicts."""
+def _parts(made: FieldFit, found: PointSources | Crossings, told: Facts) -> list[Any]:
+    """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
     spots = _spots(made)
     rows = []
     for j, name in enumerate(made.names):
@@ -262,7 +295,59 @@ def _parts(made: FieldFit, found: PointSources | Crossings) -> list[Any]:
                 [f"distortion of {name}, pixels", *(f"{v[j]:+.3f} +- {d[j]:.3f}" for v, d in _bent(made, bent))]
             )
     table = table_of(("term, waves rms", *spots), rows)
-    return [table, "", f"blur: {blur} pixels", found.message, "", Wrapped(made.message)]
+    first = []
+    if (coma := told["coma"]) is not None:
+        first.append(
+            f"coma in the middle: {coma['waves']:.4f} +- {coma['deviation']:.4f} waves rms, axis at "
+            f"{coma['degrees']:.0f} degrees from columns to rows"
+        )
+    if (focus := told["focus"]) is not None:
+        way = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
+        shift, error = (format_length(abs(focus[name]), digits=3) for name in ("shift", "deviation"))
+        sign = ", or as far the other way" if made.twin is not None and not focus["known"] else ""
+        first.append(f"focus in the middle: the sensor is {shift} +- {error} {way}{sign}")
+    left = _left(made, found)
+    lines = [f"row {row}, column {column}: {why}" for row, column, why in left[:_LISTED]]
+    if len(left) > _LISTED:
+        lines.append(f"and {len(left) - _LISTED} more, in --json")
+    parts: list[Any] = [Wrapped(made.message, "bold"), "", *map(Wrapped, first), *([""] if first else [])]
+    parts += [table, "", f"blur: {blur} pixels", Wrapped(found.message)]
+    return [*parts, *(Wrapped(f"- {each}") for each in lines)]
+
+
+def _left(made: FieldFit, found: PointSources | Crossings) -> list[tuple[int, int, str]]:
+    """Return rows, columns and reasons of stars that were rejected by the fit, then of those refused before."""
+    lost = np.flatnonzero(~made.stars.used)
+    lost = lost[np.argsort(-made.stars.chi2[lost], kind="stable")]
+    of_fit = [(*made.stars.places[k].tolist(), f"rejected, chi2 {made.stars.chi2[k]:.3g}") for k in lost]
+    each = [(one.row, one.column, f"refused, {one.reason}") for one in found.refused]
+    return [(int(row), int(column), why) for row, column, why in (*of_fit, *each)]
+
+
+def _headlines(made: FieldFit, pupil: Pupil, known: Array) -> Facts:
+    """Return the coma and the distance from focus in the middle, each None where its terms were not estimated."""
+    values, errors = made.at(*_positions(made)["middle"])
+    at = {name: j for j, name in enumerate(map(label, made.names))}
+    facts: Facts = {"coma": None, "focus": None}
+    if len(both := [j for name, j in at.items() if name.startswith(("noll 7 ", "noll 8 "))]) == 2:
+        down, across = values[both]
+        size = math.hypot(down, across)
+        spread = math.hypot(down * errors[both[0]], across * errors[both[1]]) / max(size, 1e-300)
+        facts["coma"] = {
+            "waves": size / (2.0 * math.pi),
+            "deviation": spread / (2.0 * math.pi),
+            "degrees": math.degrees(math.atan2(down, across)),
+        }
+    j = next((j for name, j in at.items() if name.startswith("noll 4 ")), None)
+    if j is not None and pupil.wavelength is not None and pupil.f_number is not None and known.size == 1:
+        # C_d (1) is half the phase at the edge; Noll 4 is a sqrt(3) (2 rho^2 - 1).
+        metres = 8.0 * pupil.wavelength * pupil.f_number**2 / math.pi
+        facts["focus"] = {
+            "shift": metres * float(known[0] + math.sqrt(3.0) * values[j]),
+            "deviation": metres * math.sqrt(3.0) * float(errors[j]),
+            "known": bool(known[0]),
+        }
+    return facts
 
 
 def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
@@ -312,5 +397,11 @@ def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
         "blur_deviation": made.blur_deviation.tolist(),
         "stars": len(made.stars.used),
         "rejected": int((~made.stars.used).sum()),
+        "rejected_stars": [
+            {"row": row, "column": column, "reason": why}
+            for row, column, why in _left(made, found)
+            if why.startswith("rejected")
+        ],
+        "left_out": found.left_out,
         "refused": [{"row": each.row, "column": each.column, "reason": each.reason} for each in found.refused],
     }

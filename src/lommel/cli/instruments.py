@@ -180,6 +180,41 @@ def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) 
     return Noise(**{name: value for name, value in found.items() if value is not None})
 
 
+_UNITS = {
+    "white": ("gain", " electrons per count", 1.0),
+    "offset": ("offset", " counts", 0.0),
+    "read": ("read noise", " electrons rms", 0.0),
+}
+
+
+def noise_facts(given: Facts, camera: Camera | None, noise: Noise) -> Facts:
+    """Return gain, offset and read noise of a fit, each with its source: "option", "camera" or "default".
+
+    `given` has the options, None where they are left out.
+    """
+    of_camera = {} if camera is None else {"white": camera.gain, "offset": camera.offset, "read": camera.read}
+    found: Facts = {"camera": None if camera is None else camera.name}
+    for name, (word, _, usual) in _UNITS.items():
+        value = getattr(noise, name)
+        source = "option" if given[name] is not None else "default" if of_camera.get(name) is None else "camera"
+        found[word.replace(" ", "_")] = {"value": usual if value is None else value, "source": source}
+    return found
+
+
+def noise_in_words(facts: Facts, where: str) -> str:
+    """Return gain, offset and read noise in a line, with their sources; `where` is that of the camera."""
+    sources = {
+        "option": "by the option",
+        "camera": f"of {facts['camera']}, {where}",
+        "default": "taken, for neither an option nor a camera states it",
+    }
+    said = []
+    for word, unit, _ in _UNITS.values():
+        each = facts[word.replace(" ", "_")]
+        said.append(f"{word} {each['value']:g}{unit} ({sources[each['source']]})")
+    return f"Camera: {', '.join(said)}."
+
+
 def camera_facts(camera: Camera | None) -> Facts | None:
     """Return what is known of a camera besides its pixels, for reports."""
     names = ("name", "source", "read", "full_well", "gain", "offset")

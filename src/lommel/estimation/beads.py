@@ -14,7 +14,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined
-from lommel.estimation import goodness_of_fit
+from lommel.estimation import clipping, goodness_of_fit
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
 from lommel.estimation.bead_search import (
     DRIFT,
@@ -695,9 +695,8 @@ def _fitted(
     if suspected and not backwards and visible >= _VISIBLE:
         named = ", ".join(map(str, [one for one in suspects if abs(one.sigmas) > 0.5 * _SUSPECT][:3]))
         light = " and the wavelength" if {"pixel", "NA"} & {one.name for one in suspects[:3]} else ""
-        message += f"; the data want {named}: check these constants{light}"
-        if solved is not None and worst is not None and (where := _settled_at(joint, worst, solved)):
-            message += f" ({where})"
+        where = "" if solved is None or worst is None else _settled_at(joint, worst, solved)
+        message += f"; the data want {where}{named}: check these constants{light}"
     if converged and held_out[0] >= goodness_of_fit.most(held_out[1]):
         highest = float(goodness_of_fit.most(held_out[1]))
         message += (
@@ -710,6 +709,8 @@ def _fitted(
         message += f"; left out, beside which the others do not fit: bead {left}"
     for note in notes:
         message += f"; {note}"
+    message += clipping.left_out([np.isfinite(each) for each in values])
+    message += clipping.remark(values, [np.isfinite(each) for each in values], noise, "bead")
     edge = dict(zip(joint.images.solved, state.waves * joint.images.factors, strict=True))
     names = joint.names
     constants = [state.setup.value(str(name)) for name in joint.priors]
@@ -931,7 +932,8 @@ def _settled_at(joint: BeadModel, worst: Suspect, solved: Climbed) -> str:
     if not possible(state.setup, worst.name, value):
         return ""
     shown, _ = _with_error(factor * value, factor * worst.deviation)
-    return f"solved for, {worst.name} is {shown}{unit}, with chi2 {joint.chi2_of(solved.normal.parts)[0]:.4g}"
+    chi2 = joint.chi2_of(solved.normal.parts)[0]
+    return f"{worst.name} = {shown}{unit} (solved for, with chi2 {chi2:.4g}); by score tests "
 
 
 def _freed(joint: BeadModel, found: Climbed, suspect: Suspect) -> Climbed | None:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
-from lommel.estimation import goodness_of_fit
+from lommel.estimation import clipping, goodness_of_fit
 from lommel.estimation.chart_light import relative_light
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
 from lommel.estimation.field_search import Found, Search
@@ -41,6 +41,7 @@ _MOST_DEGREE, _MOST_DISTORTION = 6, 9
 _MOST_SIDE = 10**6
 _GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exact up to degree 3
 _AXES = "rows", "columns"
+_NAMED = 3  # rejected stars, of which the message says where they are
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
@@ -702,7 +703,9 @@ def _answer(
         work += f", held-out chi2 {held_out:.4g}"
     if len(lost):
         why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
-        work += f"; {len(lost)} {noun}{'s' * (len(lost) > 1)} rejected ({why})"
+        named = ", ".join(f"row {places[k, 0]:.0f} column {places[k, 1]:.0f}" for k in lost[:_NAMED])
+        more = f" and {len(lost) - _NAMED} more" if len(lost) > _NAMED else ""
+        work += f"; {len(lost)} {noun}{'s' * (len(lost) > 1)} rejected ({why}) at {named}{more}"
     if distortion is not None:
         work += f"; {distortion.message}"
     if interrupted:
@@ -717,6 +720,8 @@ def _answer(
     else:
         message = f"converged: {work}{goodness_of_fit.remark(chi2, spread)}"
     noise, valid, lit = camera
+    message += clipping.left_out([valid])
+    message += clipping.remark(list(images.swapaxes(0, 1)), list(valid.swapaxes(0, 1)), noise, "exposure")
     pad = tuple(one.terms)
 
     def table(of: FieldMap, x: Array, y: Array) -> Array:

@@ -318,6 +318,8 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Values:
             values = form.read(data)
             if values.ndim == 2:
                 values = values[None]
+            if values.dtype == bool:  # a mask
+                values = values.astype(np.uint8)
             if values.ndim != 3 or 0 in values.shape or values.dtype.kind not in "iuf":
                 raise ValueError(f"it holds {values.dtype} of the shape {values.shape}, not grey images")
         if found and (found[0].shape[1:], found[0].dtype) != (values.shape[1:], values.dtype):

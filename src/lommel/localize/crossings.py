@@ -17,7 +17,16 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
 from lommel.localize.lattice import grid_indices
-from lommel.localize.point_sources import Refused, planes_of, refusals, saturated, windows_around
+from lommel.localize.point_sources import (
+    Refused,
+    filled,
+    hit,
+    planes_of,
+    refusals,
+    saturated,
+    told,
+    windows_around,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,6 +34,7 @@ if TYPE_CHECKING:
 REASONS = {
     "saturated": "a pixel of the window is saturated in an exposure",
     "edge": "the window extends beyond the image",
+    "masked": "a quarter of the window, or of its middle, is masked or NaN",
     "neighbor": "the windows of two crossings would overlap, and the other has more contrast",
 }
 """Why crossings are refused, in the order in which the reasons are tried."""
@@ -48,7 +58,7 @@ class Crossings:
     centers : ndarray, shape (n, 2)
         Row and column of the saddle of the smoothed image, to a tenth of a pixel or so.
     windows : ndarray, shape (n, rows, columns), of exposures (n, exposures, rows, columns)
-        Cut from the image, in its unit and type.
+        Cut from the image, in its unit and type; a masked array if pixels of the image are left out.
     indices : ndarray, shape (n, 2)
         Row and column of each on the board, as of :func:`lommel.grid_indices`: ideal places, but for distortion. NaN
         where not known.
@@ -57,10 +67,12 @@ class Crossings:
     square : float
         Side of a square in the image, pixels: the median distance between neighbours; NaN of fewer than two.
     refused : tuple of Refused
-        Row, column, score (standard deviations of the noise) and reason of the others: "saturated", "edge" or
-        "neighbor".
+        Row, column, score (standard deviations of the noise) and reason of the others: "saturated", "edge",
+        "masked" or "neighbor".
     shape : (int, int)
         Of the image.
+    left_out : int
+        Number of pixels of all exposures that are masked, NaN or infinite.
     """
 
     places: NDArray[np.int64]
@@ -71,6 +83,7 @@ class Crossings:
     square: float
     refused: tuple[Refused, ...]
     shape: tuple[int, int]
+    left_out: int
     _image: Array = field(repr=False)
 
     @property
@@ -79,7 +92,8 @@ class Crossings:
         counts = Counter(each.reason for each in self.refused)
         left = ", ".join(f"{counts[reason]} {reason}" for reason in REASONS if counts[reason])
         apart = f", {self.square:.3g} pixels apart" if math.isfinite(self.square) else ""
-        return f"{len(self)} crossing{'s' * (len(self) != 1)} found{apart}; refused: {left or 'none'}"
+        said = f"{len(self)} crossing{'s' * (len(self) != 1)} found{apart}; refused: {left or 'none'}"
+        return said + told(self.left_out)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Return matplotlib axes with the image, the windows, and the refused crossings by reason.
@@ -116,6 +130,7 @@ def find_crossings(
     window: int | tuple[int, int] | None = None,
     threshold: float = 8.0,
     width: float = 2.0,
+    mask: ArrayLike | None = None,
     saturation: float | None = None,
     most: int | None = None,
 ) -> Crossings:
@@ -125,6 +140,7 @@ def find_crossings(
     ----------
     images : array_like, shape (height, width) or (exposures, height, width)
         As recorded, in the unit of `noise`; exposures are of one chart that did not move.
+        NaN, infinite and masked values are left out.
     noise : Noise
         Gain, offset and read noise of the camera, each a number or a map of the image.
     window : int or (int, int), optional
@@ -134,6 +150,8 @@ def find_crossings(
     width : float, default 2.0
         Standard deviation of the smoothing in pixels, at least 1: about that of the blur of edges. Squares must be
         larger than four of these.
+    mask : array_like of bool, shape of `images` or (height, width), optional
+        True where a pixel is to be left out, such as defects.
     saturation : float, optional
         Values from here on, in the unit of the images, are saturated. In images of integers the largest value of
         their type always is.
@@ -148,7 +166,7 @@ def find_crossings(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, an image is smaller than the window, or a value is not finite.
+        If an argument is out of range, an image is smaller than the window, or all of its pixels are left out.
 
     Notes
     -----
@@ -173,9 +191,9 @@ def find_crossings(
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    planes, single = planes_of(images, "exposures", box or (_LEAST, _LEAST))
-    full = saturated(planes, saturation)
-    electrons = noise.electrons(planes)
+    planes, left, single = planes_of(images, "exposures", box or (_LEAST, _LEAST), mask)
+    full = saturated(planes, left, saturation)
+    electrons = noise.electrons(filled(planes, left, sigma))
     light, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
     center, score, contrast = _saddles(light, variance, sigma, level)
     apart = _nearest(center)
@@ -185,11 +203,11 @@ def find_crossings(
         side = int(min(max(room, _LEAST), _MOST, *light.shape))
         box = (side - 1 + side % 2,) * 2
     middle = np.rint(center).astype(np.int64)
-    reasons = _reasons(middle, contrast, full, box)
+    reasons = _reasons(middle, contrast, full, left, box)
     kept = np.array([not reason for reason in reasons], dtype=bool)
     order = _spread(center, np.flatnonzero(kept), count)
     order = order[np.lexsort((middle[order, 1], middle[order, 0]))]
-    cut = windows_around(planes, middle[order], box)
+    cut = windows_around(planes, left, middle[order], box)
     return Crossings(
         places=middle[order],
         centers=center[order],
@@ -199,6 +217,7 @@ def find_crossings(
         square=square,
         refused=refusals(middle, score, reasons),
         shape=(light.shape[0], light.shape[1]),
+        left_out=int(left.sum()),
         _image=light,
     )
 
@@ -268,15 +287,25 @@ def _nearest(center: Array) -> Array:
     return np.asarray(center[at[:, 1]] - center)
 
 
-def _reasons(middle: NDArray[np.int64], contrast: Array, full: NDArray[np.bool_], box: tuple[int, int]) -> list[str]:
+def _reasons(
+    middle: NDArray[np.int64],
+    contrast: Array,
+    full: NDArray[np.bool_],
+    left: NDArray[np.bool_],
+    box: tuple[int, int],
+) -> list[str]:
     """Return the reason why each crossing is refused, or ""."""
     rows, columns = box
     found = []
     for row, column in middle.tolist():
-        top, left = row - rows // 2, column - columns // 2
-        window = full[max(top, 0) : max(top + rows, 0), max(left, 0) : max(left + columns, 0)]
-        cut = window.shape != box or min(top, left) < 0
-        found.append("saturated" if window.any() else "edge" if cut else "")
+        top, first = row - rows // 2, column - columns // 2
+        window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
+        if window.any():
+            found.append("saturated")
+        elif window.shape != box or min(top, first) < 0:
+            found.append("edge")
+        else:
+            found.append("masked" if hit(left, top, first, box) else "")
     usable = [k for k in np.argsort(-contrast, kind="stable").tolist() if not found[k]]
     taken: list[int] = []
     for k in usable:

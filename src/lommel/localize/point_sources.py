@@ -18,7 +18,6 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
 from lommel.localize.detection import Kernel, smoothed
-from lommel.localize.movies import not_finite
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
 REASONS = {
     "saturated": "a pixel of the window is saturated in a plane",
     "edge": "the window extends beyond the image",
+    "masked": "a quarter of the window, or of its middle, is masked or NaN",
     "neighbor": "another spot is within reach of the window",
     "defect": "all of the light is in one pixel, as of a hot pixel or a cosmic ray",
 }
@@ -34,6 +34,9 @@ REASONS = {
 _STRUCTURE = 0.25  # of a window: maxima that near belong to one image
 # Share of the light of a spot above the background that one pixel holds, at least: sharp images hold less of theirs.
 _ONE_PIXEL = 0.8
+_HIT = 0.25  # share of a window, or of its middle half, that is left out
+_FAR = 1e-3  # of the weights around a pixel, below which it has no others near
+_CANDIDATE = 1.0  # standard deviations, from which on the highest maximum is named where there is no spot
 
 
 class Refused(NamedTuple):
@@ -57,15 +60,19 @@ class PointSources:
     centers : ndarray, shape (n, 2)
         Row and column of the centroid of the light of each, in the image.
     windows : ndarray, shape (n, rows, columns), of a stack (n, planes, rows, columns)
-        Cut from the image, in its unit and type.
+        Cut from the image, in its unit and type; a masked array if pixels of the image are left out.
     score : ndarray, shape (n,)
         Height above the background in standard deviations of its noise.
     flux : ndarray, shape (n,)
         Electrons above the background in the window, of all planes; a rough estimate.
     refused : tuple of Refused
-        Row, column, score and reason of the others: "saturated", "edge", "neighbor" or "defect".
+        Row, column, score and reason of the others: "saturated", "edge", "masked", "neighbor" or "defect".
     shape : (int, int)
         Of the image.
+    left_out : int
+        Number of pixels of all planes that are masked, NaN or infinite.
+    candidate : Refused or None
+        Where there is no spot at all: the highest maximum, which is below the threshold.
     """
 
     places: NDArray[np.int64]
@@ -75,6 +82,8 @@ class PointSources:
     flux: Array
     refused: tuple[Refused, ...]
     shape: tuple[int, int]
+    left_out: int
+    candidate: Refused | None
     _image: Array = field(repr=False)
 
     @property
@@ -82,7 +91,13 @@ class PointSources:
         """How many were found, and how many refused for each reason."""
         counts = Counter(each.reason for each in self.refused)
         left = ", ".join(f"{counts[reason]} {reason}" for reason in REASONS if counts[reason])
-        return f"{len(self)} spot{'s' * (len(self) != 1)} found; refused: {left or 'none'}"
+        said = f"{len(self)} spot{'s' * (len(self) != 1)} found; refused: {left or 'none'}{told(self.left_out)}"
+        if (best := self.candidate) is not None:
+            said += (
+                f"; the highest maximum, at row {best.row}, column {best.column}, is {best.score:.3g} standard "
+                "deviations high"
+            )
+        return said
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Return matplotlib axes with the image, the windows, and the refused spots by reason.
@@ -121,6 +136,7 @@ def find_spots(
     width: float = 2.0,
     apart: float = 1.0,
     faintest: float = 0.02,
+    mask: ArrayLike | None = None,
     saturation: float | None = None,
     most: int | None = None,
 ) -> PointSources:
@@ -130,7 +146,7 @@ def find_spots(
     ----------
     images : array_like, shape (height, width) or (planes, height, width)
         As recorded, in the unit of `noise`; a stack is of one field, such as the planes of a z stack or exposures at
-        several defoci, and spots are found in its sum.
+        several defoci, and spots are found in its sum. NaN, infinite and masked values are left out.
     noise : Noise
         Gain, offset and read noise of the camera, each a number or a map of the image.
     window : int or (int, int), default 33
@@ -146,6 +162,8 @@ def find_spots(
     faintest : float, default 0.02
         Spots dimmer than this share of another do not count as its neighbours. Maxima within a quarter of a window
         are parts of one image.
+    mask : array_like of bool, shape of `images` or (height, width), optional
+        True where a pixel is to be left out, such as defects.
     saturation : float, optional
         Values from here on, in the unit of the images, are saturated. In images of integers the largest value of
         their type always is.
@@ -160,13 +178,14 @@ def find_spots(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, an image is smaller than the window, or a value is not finite.
+        If an argument is out of range, an image is smaller than the window, or all of its pixels are left out.
 
     Notes
     -----
     Detection by a difference of Gaussians, the wide one a third of the window, as of :func:`lommel.localize.find`. A
     window is centred on the pixel nearest to the centroid of the light above three standard deviations of the
-    background within a quarter of a window of the maximum.
+    background within a quarter of a window of the maximum. For the search, pixels that are left out have the mean of
+    those around.
 
     Examples
     --------
@@ -187,13 +206,15 @@ def find_spots(
     far = validation.real("apart", apart, least=0.0, most=100.0)
     faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    planes, single = planes_of(images, "planes", (rows, columns))
-    full = saturated(planes, saturation)
-    electrons = noise.electrons(planes)
+    planes, left, single = planes_of(images, "planes", (rows, columns), mask)
+    full = saturated(planes, left, saturation)
+    electrons = noise.electrons(filled(planes, left, narrow))
     variance = noise.variance(np.zeros_like(electrons)).sum(axis=0)
     light = electrons.sum(axis=0)
     kernel = Kernel(light.shape, narrow, min(rows, columns) / 3.0)
-    row, column, score = kernel.maxima(light, kernel.squared(variance), level)
+    spread = kernel.squared(variance)
+    row, column, score = kernel.maxima(light, spread, level)
+    candidate = None if row.size else _highest(*kernel.maxima(light, spread, _CANDIDATE))
     row, column, score = _one_each(row, column, score, _STRUCTURE * min(rows, columns))
     background = _level(light, (rows, columns))
     bright = (smoothed(light, narrow) - background)[row, column]
@@ -201,10 +222,12 @@ def find_spots(
     for k, at in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
         center[k], flux[k], peak[k] = _centroid(light, background, variance, at, (rows, columns))
     middle = np.rint(center).astype(np.int64)
-    reasons = _reasons(middle, full, (rows, columns), _neighbors(middle / [rows, columns], bright, far, faint), peak)
+    reasons = _reasons(
+        middle, full, left, (rows, columns), _neighbors(middle / [rows, columns], bright, far, faint), peak
+    )
     kept = np.array([not reason for reason in reasons], dtype=bool)
     order = [k for k in np.argsort(-score, kind="stable").tolist() if kept[k]][:count]
-    cut = windows_around(planes, middle[order], (rows, columns))
+    cut = windows_around(planes, left, middle[order], (rows, columns))
     return PointSources(
         places=middle[order],
         centers=center[order],
@@ -213,13 +236,21 @@ def find_spots(
         flux=flux[order],
         refused=refusals(middle, score, reasons),
         shape=(light.shape[0], light.shape[1]),
+        left_out=int(left.sum()),
+        candidate=candidate,
         _image=light,
     )
 
 
-def planes_of(images: ArrayLike, several: str, box: tuple[int, int]) -> tuple[Values, bool]:
-    """Return images with an axis for `several`, and whether they had none; ValueError if smaller than a window."""
-    stored = validation.number_array("images", images)
+def planes_of(
+    images: ArrayLike, several: str, box: tuple[int, int], mask: ArrayLike | None
+) -> tuple[Values, NDArray[np.bool_], bool]:
+    """Return images with an axis for `several`, which of their pixels are left out, and whether they had no axis.
+
+    ValueError if an image is smaller than a window, or all of it is left out.
+    """
+    hidden = np.ma.getmaskarray(images) if isinstance(images, np.ma.MaskedArray) else None
+    stored = validation.number_array("images", np.ma.getdata(images) if hidden is not None else images)
     planes = stored[None] if stored.ndim == 2 else stored
     rows, columns = box
     if planes.ndim != 3 or planes.shape[0] == 0 or planes.shape[1] < rows or planes.shape[2] < columns:
@@ -227,17 +258,56 @@ def planes_of(images: ArrayLike, several: str, box: tuple[int, int]) -> tuple[Va
             f"images must have the shape (height, width) or ({several}, height, width), at least the window of "
             f"{rows} x {columns}, got {stored.shape}"
         )
-    if place := not_finite(planes, 0):
-        raise ValueError(f"images must be finite, got {place}")
-    return planes, stored.ndim == 2
+    left = np.zeros(planes.shape, dtype=bool) if planes.dtype.kind != "f" else ~np.isfinite(planes)
+    if hidden is not None:
+        left |= hidden
+    if mask is not None:
+        out = validation.array("mask", mask)
+        if out.dtype != bool or out.shape not in (stored.shape, planes.shape[1:]):
+            raise ValueError(
+                f"mask must be True or False for each pixel of images {stored.shape}, got {out.dtype} of {out.shape}"
+            )
+        left |= out
+    if left.all(axis=(1, 2)).any():
+        raise ValueError("images must have pixels that are neither masked nor NaN, got an image with none")
+    return planes, left, stored.ndim == 2
 
 
-def windows_around(planes: Values, places: NDArray[np.int64], box: tuple[int, int]) -> Values:
-    """Return the windows around pixels, shape (n, planes, rows, columns)."""
+def filled(planes: Values, left: NDArray[np.bool_], width: float) -> Values:
+    """Return images with the mean of the pixels around, by a Gaussian of this width, where they are left out."""
+    if not left.any():
+        return planes
+    made = np.where(left, 0.0, planes).astype(np.float64)
+    for image, out in zip(made, left, strict=True):
+        if out.any():
+            share = smoothed(1.0 - out, width)
+            around = smoothed(image, width) / np.maximum(share, 1e-300)
+            image[out] = np.where(share > _FAR, around, np.median(image[~out]))[out]
+    return made
+
+
+def told(left_out: int) -> str:
+    """Return what is to be said of pixels that are left out, or ""."""
+    return f"; {left_out} pixel{'s' * (left_out != 1)} left out (masked or NaN)" if left_out else ""
+
+
+def windows_around(
+    planes: Values, left: NDArray[np.bool_], places: NDArray[np.int64], box: tuple[int, int]
+) -> Values:
+    """Return the windows around pixels, shape (n, planes, rows, columns), masked if pixels are left out anywhere."""
     rows, columns = box
-    top, left = places[:, 0] - rows // 2, places[:, 1] - columns // 2
-    down, across = top[:, None, None] + np.arange(rows)[:, None], left[:, None, None] + np.arange(columns)
-    return np.ascontiguousarray(np.moveaxis(planes[:, down, across], 0, 1))
+    top, first = places[:, 0] - rows // 2, places[:, 1] - columns // 2
+    down, across = top[:, None, None] + np.arange(rows)[:, None], first[:, None, None] + np.arange(columns)
+    cut, out = (np.ascontiguousarray(np.moveaxis(part[:, down, across], 0, 1)) for part in (planes, left))
+    return np.ma.MaskedArray(cut, mask=out) if left.any() else cut
+
+
+def hit(left: NDArray[np.bool_], top: int, first: int, box: tuple[int, int]) -> bool:
+    """Return whether too much of a window inside the image is left out."""
+    rows, columns = box
+    part = left[:, top : top + rows, first : first + columns]
+    inner = part[:, rows // 4 : rows - rows // 4, columns // 4 : columns - columns // 4]
+    return bool(max(part.mean(), inner.mean()) >= _HIT)
 
 
 def refusals(places: NDArray[np.int64], score: Array, reasons: Sequence[str]) -> tuple[Refused, ...]:
@@ -247,14 +317,22 @@ def refusals(places: NDArray[np.int64], score: Array, reasons: Sequence[str]) ->
     return tuple(sorted(refused, key=lambda one: -one.score))
 
 
-def saturated(planes: Values, saturation: float | None) -> NDArray[np.bool_]:
-    """Return the pixels that are saturated in a plane."""
+def saturated(planes: Values, left: NDArray[np.bool_], saturation: float | None) -> NDArray[np.bool_]:
+    """Return the pixels that are saturated in a plane, and not left out."""
     full = np.zeros(planes.shape[1:], dtype=bool)
     if planes.dtype.kind in "iu":
-        full |= (planes == np.iinfo(planes.dtype).max).any(axis=0)
+        full |= ((planes == np.iinfo(planes.dtype).max) & ~left).any(axis=0)
     if saturation is not None:
-        full |= (planes >= validation.real("saturation", saturation)).any(axis=0)
+        full |= ((planes >= validation.real("saturation", saturation)) & ~left).any(axis=0)
     return full
+
+
+def _highest(row: Values, column: Values, score: Array) -> Refused | None:
+    """Return the highest of maxima that are no spots."""
+    if not score.size:
+        return None
+    k = int(np.argmax(score))
+    return Refused(int(row[k]), int(column[k]), float(score[k]), "below the threshold")
 
 
 def _one_each(row: Values, column: Values, score: Array, near: float) -> tuple[Values, Values, Array]:
@@ -306,18 +384,25 @@ def _centroid(
 
 
 def _reasons(
-    middle: NDArray[np.int64], full: NDArray[np.bool_], box: tuple[int, int], neighbors: list[bool], peak: Array
+    middle: NDArray[np.int64],
+    full: NDArray[np.bool_],
+    left: NDArray[np.bool_],
+    box: tuple[int, int],
+    neighbors: list[bool],
+    peak: Array,
 ) -> list[str]:
     """Return the reason why each spot is refused, or ""."""
     rows, columns = box
     found = []
     for (row, column), near, share in zip(middle.tolist(), neighbors, peak.tolist(), strict=True):
-        top, left = row - rows // 2, column - columns // 2
-        window = full[max(top, 0) : max(top + rows, 0), max(left, 0) : max(left + columns, 0)]
+        top, first = row - rows // 2, column - columns // 2
+        window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
         if window.any():
             found.append("saturated")
-        elif window.shape != box or min(top, left) < 0:
+        elif window.shape != box or min(top, first) < 0:
             found.append("edge")
+        elif hit(left, top, first, box):
+            found.append("masked")
         elif share > _ONE_PIXEL:
             found.append("defect")
         else:

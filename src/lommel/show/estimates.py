@@ -127,7 +127,13 @@ def fit(
     return figure
 
 
-_REASONS = {"saturated": ("s", "C3"), "edge": ("^", "C1"), "neighbor": ("o", "C4"), "defect": ("x", "C2")}
+_REASONS = {
+    "saturated": ("s", "C3"),
+    "edge": ("^", "C1"),
+    "masked": ("D", "C5"),
+    "neighbor": ("o", "C4"),
+    "defect": ("x", "C2"),
+}
 
 
 def spots(

@@ -216,7 +216,7 @@ def chordal_plan(
         place = row, column, step, tol, threads, scale
         if unmet := compute(terms, flat, obscuration, amplitude, *place, images, numbers):
             raise not_met(tol, unmet, "the largest value in the window")
-        return numbers[0].reshape(stack), float(numbers[1].max())
+        return numbers[0].reshape(stack), max(numbers[1].tolist())
 
     return ask
 

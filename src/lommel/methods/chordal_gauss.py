@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -150,7 +151,7 @@ class ChordalIfCheaper(ChordalGauss):
                 raise Declined("so many samples near the axis take less time by the series")
         return super().images(pupil, grid, wanted)
 
-    @property
+    @cached_property
     def reported(self) -> ChordalGauss:
         """The method that images are said to be by."""
         return ChordalGauss(self.tol)

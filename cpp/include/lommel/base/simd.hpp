@@ -161,6 +161,14 @@ LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
         std::memcpy(&high, c + at[4], sizeof high);
         asm("vinsertf128 $1, %2, %t1, %0" : "=x"(v) : "x"(low), "xm"(high));
     }
+    if constexpr (sizeof(V) == 64) {
+        typedef float Quad __attribute__((vector_size(16), aligned(4), may_alias));
+        const auto quad = [&](std::size_t i) LOMMEL_INLINE_LAMBDA -> const Quad& { return *reinterpret_cast<const Quad*>(c + at[i]); };
+        asm("vbroadcastf32x4 %1, %0" : "=v"(v) : "m"(quad(0)));
+        asm("vbroadcastf32x4 %1, %0%{%2%}" : "+v"(v) : "m"(quad(4)), "Yk"(static_cast<std::uint16_t>(0x00f0)));
+        asm("vbroadcastf32x4 %1, %0%{%2%}" : "+v"(v) : "m"(quad(8)), "Yk"(static_cast<std::uint16_t>(0x0f00)));
+        asm("vbroadcastf32x4 %1, %0%{%2%}" : "+v"(v) : "m"(quad(12)), "Yk"(static_cast<std::uint16_t>(0xf000)));
+    }
 #endif
     return v;
 }
@@ -178,16 +186,16 @@ LOMMEL_INLINE void turned_fours(V a, V b, V c, V d, V (&out)[4]) {
         out[3] = __builtin_shuffle(ab2, cd2, second_half);
     }
 #ifdef LOMMEL_X86
-    if constexpr (sizeof(V) == 32) {
+    if constexpr (sizeof(V) > 16) {
         V ab, cd, ab2, cd2;
-        asm("vunpcklps %2, %1, %0" : "=x"(ab) : "x"(a), "x"(b));
-        asm("vunpcklps %2, %1, %0" : "=x"(cd) : "x"(c), "x"(d));
-        asm("vunpckhps %2, %1, %0" : "=x"(ab2) : "x"(a), "x"(b));
-        asm("vunpckhps %2, %1, %0" : "=x"(cd2) : "x"(c), "x"(d));
-        asm("vunpcklpd %2, %1, %0" : "=x"(out[0]) : "x"(ab), "x"(cd));
-        asm("vunpckhpd %2, %1, %0" : "=x"(out[1]) : "x"(ab), "x"(cd));
-        asm("vunpcklpd %2, %1, %0" : "=x"(out[2]) : "x"(ab2), "x"(cd2));
-        asm("vunpckhpd %2, %1, %0" : "=x"(out[3]) : "x"(ab2), "x"(cd2));
+        asm("vunpcklps %2, %1, %0" : "=v"(ab) : "v"(a), "v"(b));
+        asm("vunpcklps %2, %1, %0" : "=v"(cd) : "v"(c), "v"(d));
+        asm("vunpckhps %2, %1, %0" : "=v"(ab2) : "v"(a), "v"(b));
+        asm("vunpckhps %2, %1, %0" : "=v"(cd2) : "v"(c), "v"(d));
+        asm("vunpcklpd %2, %1, %0" : "=v"(out[0]) : "v"(ab), "v"(cd));
+        asm("vunpckhpd %2, %1, %0" : "=v"(out[1]) : "v"(ab), "v"(cd));
+        asm("vunpcklpd %2, %1, %0" : "=v"(out[2]) : "v"(ab2), "v"(cd2));
+        asm("vunpckhpd %2, %1, %0" : "=v"(out[3]) : "v"(ab2), "v"(cd2));
     }
 #endif
 }

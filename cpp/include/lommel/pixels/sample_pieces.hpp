@@ -137,16 +137,16 @@ struct SamplePieces : Radii {  // where I is wanted, in v
             singles.resize((last - first) * cubics->parts * Cubics::terms);
             float* const scaled = singles.data();
             off = cubics->error(bent) + narrow(isa, *cubics, all, by, scaled);
-            alignas(64) float tops[8] = {}, made[tile];
+            alignas(64) float tops[most_lanes] = {}, made[tile];
             each_tile<float, Cubics::terms>(
                 window, cubics->parts,
                 [&](std::size_t begin, std::size_t count, const std::int32_t* at, const float* x) LOMMEL_INLINE_LAMBDA {
-                    cubics_at(isa, scaled, at, x, count, count % 8 == 0 ? image + begin : made, tops);
-                    if (count % 8 != 0) {
+                    cubics_at(isa, scaled, at, x, count, count % most_lanes == 0 ? image + begin : made, tops);
+                    if (count % most_lanes != 0) {
                         std::copy_n(made, count, image + begin);
                     }
                 });
-            top = static_cast<double>(*std::max_element(tops, tops + 8));
+            top = static_cast<double>(*std::max_element(tops, tops + most_lanes));
         });
         top /= by;
         off += single_roundoff * top;  // of the largest value itself
@@ -154,7 +154,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     }
 
    private:
-    static constexpr std::size_t tile = 64;  // pixels of a row
+    static constexpr std::size_t tile = 128, most_lanes = 16;  // pixels of a row, and of a vector
 
     struct Zone {  // of squares of distances, in squares of pieces: from where on, and which part they are in
         double begin, slope, shift;
@@ -228,12 +228,13 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     // room behind them for whole vectors, in parts that are there.
     template <class Real, std::size_t Apart, class Take>
     LOMMEL_INLINE void each_tile(const PixelWindow& window, std::size_t parts, const Take& take) const {
-        constexpr std::size_t block = 8;
+        constexpr std::size_t block = most_lanes;
         alignas(64) std::int32_t at[tile];
         alignas(64) double squares[tile], place[tile];
         alignas(64) Real x[tile];
         const double pieces = window.step / width;
         const Zones zones = all_zones(static_cast<double>(parts));
+        Glance glance;
         const auto split = [&](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
             // The nearest whole number, in the last bits.
             const double whole = where + 0x1.8p52;
@@ -252,7 +253,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
             const double least = *std::min_element(squares, squares + here), most = *std::max_element(squares, squares + here);
             std::size_t low = 0, high = 0;
             for (std::size_t row = 0; row < window.height; ++row) {
-                look();
+                glance(4 * padded);
                 const double down = pieces * (static_cast<double>(row) - window.center_y), square = down * down;
                 zone_of(zones, least + square, low);
                 zone_of(zones, most + square, high);
@@ -303,7 +304,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     static LOMMEL_INLINE void cubics_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
                                         float* tops) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)
-        using V = typename Vector<(I::lanes > 2 ? 4 : 2)>::floats;
+        using V = typename Vector<I::lanes>::floats;
         constexpr std::size_t lanes = sizeof(V) / sizeof(float);
         V top = load<V>(tops);
         for (std::size_t i = 0; i < count; i += lanes) {
@@ -321,7 +322,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         for (std::size_t i = 0; i < count; ++i) {
             const float *const from = c + at[i], t = x[i];
             to[i] = std::max(0.0f, ((from[3] * t + from[2]) * t + from[1]) * t + from[0]);
-            tops[i % 8] = std::max(tops[i % 8], to[i]);
+            tops[i % most_lanes] = std::max(tops[i % most_lanes], to[i]);
         }
 #endif
     }

@@ -14,6 +14,7 @@ from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import MISFIT, STEPS, TINY, Counts, Course, RichardsonLucy, Tell
 from lommel.imaging.restoration import Restoration, shown
 from lommel.microscopy.stack_blur import Part, TiledBlur, overlap
+from lommel.microscopy.wide_blur import WideBlur
 from lommel.psf import PSF
 
 STACK_MISFIT = (
@@ -25,6 +26,7 @@ STACK_MISFIT = (
 TOO_QUIET = "misfit: the stack is quieter than its noise; is the offset left out, or the read noise too large?"
 
 _LEAST_PLANES = 8  # of the margin, where the PSF has so many
+_MANY = 3.0  # electrons, from which on the mean deviance is 1 and its first correction
 _EVERY = 2  # along each axis, of the voxels that say how far to extrapolate
 
 
@@ -121,7 +123,7 @@ class Counted(Counts):
         read = np.asarray(noise.read, dtype=np.float64)
         added = (read / gain) ** 2 * gain  # the variance of reading over the gain, in units of light
         self.known = np.zeros(len(recorded), dtype=np.int64)  # how many voxels of each plane are
-        total = weights = counts = 0.0
+        total = weights = counts = over = 0.0
         for plane in range(len(recorded)):
             values = np.asarray(recorded[plane])
             if np.isinf(values).any():
@@ -133,6 +135,7 @@ class Counted(Counts):
             weights += float(each.sum())
             counts += float((each * seen).sum())
             total += float((each * np.maximum(seen - added, 0.0)).sum())
+            over += float((known / (6.0 * (each * seen + 1.0))).sum())
         if not self.known.any():
             raise ValueError("stack must have voxels that are known, got NaN or saturated ones everywhere")
         self._all = bool((self.known == np.prod(side)).all())
@@ -146,6 +149,12 @@ class Counted(Counts):
         # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
         self.electrons = self.white * counts / weights
         self.smallest = 1e-6 * max(counts / weights, TINY)
+        # The deviance of the true scene is 1 + 1/(6 m) of m electrons, and 1/m the mean of 1/(1 + those counted).
+        self._expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
+
+    def per_pixel(self, sums: Array) -> Array:
+        """Return the Poisson deviance per known voxel, over that of the true scene."""
+        return super().per_pixel(sums) / self._expected
 
     def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
         """Return counts and weights; both are 0 where nothing is known."""
@@ -176,7 +185,7 @@ class Counted(Counts):
 
         return part
 
-    def discrepancies(self, blur: TiledBlur, specimen: Part, misfit: Values | None = None) -> Array:
+    def discrepancies(self, blur: TiledBlur | WideBlur, specimen: Part, misfit: Values | None = None) -> Array:
         """Return the Poisson deviance per voxel of each plane; `misfit` becomes the weighted ratio less 1."""
 
         def compared(plane: int, rows: slice, columns: slice, light: Values) -> tuple[int, float]:
@@ -217,12 +226,15 @@ class Walk:
     of the same stack.
     """
 
-    def __init__(self, blur: TiledBlur, counted: Counted, paces: Sequence[float] | None = None) -> None:
+    def __init__(self, blur: TiledBlur | WideBlur, counted: Counted, paces: Sequence[float] | None = None) -> None:
         self._blur, self._counted = blur, counted
         self._light = np.full(blur.whole, counted.level, dtype=np.float32)
         self._before: Values | None = None
         self._misfit = np.empty(blur.shape, dtype=np.float32)
         blur.weigh(counted.most_weight)
+        # Of the specimen beyond its margin, if the blur has any.
+        self._outside = None if blur.outside is None else np.full(blur.whole[0], counted.level, dtype=np.float32)
+        self._outside_before = self._outside
         self._given = None if paces is None else list(paces)
         self._pace = 0.0
         self.paces: list[float] = []
@@ -238,6 +250,7 @@ class Walk:
             self._pace = course.pace
             if self._given:
                 self._pace = self._given[min(course.steps + 1, len(self._given) - 1)]
+            self._blur.outside = self._ahead(self._outside, self._outside_before)
             self.discrepancies = self._counted.discrepancies(self._blur, self._guess, self._misfit)
             self.paces.append(self._pace)
             stopped = course.judge(self._counted.mean(self.discrepancies))
@@ -250,10 +263,16 @@ class Walk:
 
     def _guess(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the light, extrapolated."""
-        light = self._light[plane, rows, columns]
-        if self._pace == 0.0 or self._before is None:
+        before = None if self._before is None else self._before[plane, rows, columns]
+        guess = self._ahead(self._light[plane, rows, columns], before)
+        assert guess is not None
+        return guess
+
+    def _ahead(self, light: Values | None, before: Values | None) -> Values | None:
+        """Return light extrapolated from that of the step before."""
+        if self._pace == 0.0 or before is None or light is None:
             return light
-        ahead = np.subtract(light, self._before[plane, rows, columns])
+        ahead = np.subtract(light, before)
         ahead *= self._pace
         ahead += light
         return np.maximum(ahead, self._counted.smallest, out=ahead)
@@ -284,6 +303,10 @@ class Walk:
         misfit = self._misfit
         overlap = sum(self._blur.adjoint(lambda plane, *part: misfit[(plane, *part)], stepped))
         self._before, self._light = self._light, following
+        if isinstance(self._blur, WideBlur):
+            guess = self._blur.outside
+            found = guess * np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
+            self._outside_before, self._outside = self._outside, found
         return overlap
 
     def inside(self, planes: int, pixels: int) -> Values:

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.microscopy.modalities import confocal, light_sheet, two_photon
+from lommel.microscopy.plane_blur import PlaneBlur, RadialTransfer
+from lommel.microscopy.stack_blur import TiledBlur
+from lommel.microscopy.wide_blur import WideBlur, pitch_of, taper
 from lommel.optics.layers.emitter import Beam, Emitter, emitter_of
 from lommel.optics.layers.objective import Objective
+from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import DEPTH_MOST
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import PSF, psf
@@ -20,10 +24,26 @@ from lommel.psf import PSF, psf
 MODALITIES = ("widefield", "confocal", "spinning disc", "light sheet", "two-photon")
 _TURNING = emitter_of("isotropic")
 _TOL = 1e-4
-_LIKE = 0.03  # of the light of a PSF, by which those between two depths may be off their mean
+_LIKE = 0.003  # of the light of a PSF, by which that of another depth may differ from it
+_ALIKE = 0.03  # by which those between two depths may be off their mean
 _MOST = 9  # PSFs
-_LEAST_REACH, _MOST_REACH = 8, 48  # planes and pixels of a PSF beside its middle
+_FAR = 9  # of light far from its emitter, which changes slowly
+_RADIAL = 0.01  # of the rms transfer function, by which it may depend on more than the magnitude of frequencies
+_LEAST_REACH, _MOST_PLANES, _MOST_REACH = 8, 64, 48  # planes and pixels of a PSF beside its middle
+_PARTS, _MOST_NODES = 3, 48  # of the coarse grid: values a node, and nodes beside the middle
+_DARK = 4.0  # thicknesses of a light sheet
 _TABLE = 33  # depths
+
+
+class PSFs(NamedTuple):
+    """The depths of PSFs: of those near their emitters, and of the light far from them; metres.
+
+    With `radial` there is one for each plane, else weights between neighbours are linear.
+    """
+
+    depths: Array
+    nodes: Array
+    radial: RadialTransfer | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,25 +80,90 @@ class DepthModel:
 
     def psf(self, depth: float) -> PSF:
         """Return the PSF of an emitter at a depth, z from its brightest focus."""
-        planes, side = self.window
-        z = (np.arange(planes) - planes // 2) * self.step
-        seen: dict[str, Any] = {"depth": depth, "aberrations": self.aberrations}
+        side = self.window[1]
         if self.modality == "two-photon":
-            assert self.excitation is not None
-            beam = self.objective.pupil(z=z, wavelength=self.excitation, emitter=Beam("circular"), **seen)
-            return two_photon(beam, side, self.pixel, tol=_TOL)
-        emission = self.objective.pupil(z=z, wavelength=self.wavelength, emitter=self.emitter, **seen)
+            return two_photon(self._laser(depth, self._z, "brightest"), side, self.pixel, tol=_TOL)
+        emission = self._emission(depth)
         if self.modality == "light sheet":
             assert self.thickness is not None
-            offset = np.clip(z, -4.0 * self.thickness, 4.0 * self.thickness)
+            offset = np.clip(self._z, -_DARK * self.thickness, _DARK * self.thickness)
             return light_sheet(emission, self.thickness, side, self.pixel, offset=offset, tol=_TOL)
         if self.modality in ("confocal", "spinning disc"):
-            assert self.excitation is not None
-            laser = self.objective.pupil(
-                z=emission.focus, origin="coverslip", wavelength=self.excitation, emitter=Beam("circular"), **seen
-            )
-            return confocal(laser, emission, side, self.pixel, pinhole=self.pinhole, tol=_TOL)
+            beam = self._laser(depth, emission.focus, "coverslip")
+            return confocal(beam, emission, side, self.pixel, pinhole=self.pinhole, tol=_TOL)
         return psf(emission, side, self.pixel, tol=_TOL)
+
+    @property
+    def spreads(self) -> bool:
+        """Whether light out of focus is recorded, all of which counts; else that in the window does."""
+        return self.modality in ("widefield", "light sheet")
+
+    def near(self, depth: float) -> Array:
+        """Return the share of the light of an emitter in each voxel of the window, which fades towards its edge.
+
+        All light is that which the objective collects in as many planes as the window has; where none is recorded
+        out of focus, that in the window.
+        """
+        values = self.psf(depth).values.astype(np.float64)
+        if not self.spreads:
+            return np.asarray(values / values.sum())
+        return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._lit.sum())
+
+    def far(self, depth: float, reach: int) -> Array:
+        """Return what is not :meth:`near`, at every `pitch_of` th pixel up to so many of these, share a pixel.
+
+        What lies beyond these is on the outermost ones.
+        """
+        pitch, side = pitch_of(self.window[1]), 2 * reach + 1
+        lit = self._lit / self._lit.sum()
+        made = psf(self._emission(depth), _PARTS * side, self.pixel * pitch / _PARTS, integrate=False, tol=_TOL)
+        at = np.asarray((np.arange(_PARTS * side) - _PARTS * side // 2) * (pitch / _PARTS), np.float64)
+        values = made.values * (1.0 - taper(self.window[1], pitch, at)) * (_PARTS / pitch) ** 2
+        means = values.reshape(-1, side, _PARTS, side, _PARTS).mean(axis=(2, 4)) * lit[:, np.newaxis, np.newaxis]
+        rim = np.maximum(*np.abs(np.indices((side, side)) - reach)) >= 0.8 * reach
+        asked = np.maximum(lit - self.near(depth).sum(axis=(1, 2)), 0.0) / pitch**2
+        found = np.maximum(means.sum(axis=(1, 2)), 1e-30)
+        means *= np.minimum(asked / found, 1.0)[:, np.newaxis, np.newaxis]
+        return np.asarray(means + np.maximum(asked - found, 0.0)[:, np.newaxis, np.newaxis] * rim / rim.sum())
+
+    def reach(self, shape: tuple[int, int], margin: int) -> int:
+        """Return how many nodes of the coarse grid PSFs reach: over the cone of light, or all of the field."""
+        pitch = pitch_of(self.window[1])
+        field = (max(shape) + margin) / pitch
+        cone = _cone(self.objective, self.wavelength, self.pixel, float(np.abs(self._z).max())) / pitch
+        return max(math.ceil(margin / pitch), min(math.ceil(1.2 * cone), math.ceil(field), _MOST_NODES), 2)
+
+    @property
+    def _z(self) -> Array:
+        return np.asarray((np.arange(self.window[0]) - self.window[0] // 2) * self.step)
+
+    @property
+    def _lit(self) -> Array:
+        """Light collected in each plane of the window, over that in focus."""
+        if self.modality != "light sheet":
+            return np.ones(self.window[0])
+        assert self.thickness is not None
+        return np.asarray(np.exp(-4.0 * math.log(2.0) * np.clip(self._z / self.thickness, -_DARK, _DARK) ** 2))
+
+    def _laser(self, depth: float, z: Array, origin: str) -> ObjectivePupil:
+        assert self.excitation is not None
+        return self.objective.pupil(
+            z=z,
+            wavelength=self.excitation,
+            emitter=Beam("circular"),
+            depth=depth,
+            origin=origin,
+            aberrations=self.aberrations,
+        )
+
+    def _emission(self, depth: float) -> ObjectivePupil:
+        return self.objective.pupil(
+            z=self._z,
+            wavelength=self.wavelength,
+            emitter=self.emitter,
+            depth=depth,
+            aberrations=self.aberrations,
+        )
 
     def depths(self, margin: int = 0) -> Array:
         """Return the depth in focus in each plane, with so many more on each side; 0 where that is in the glass."""
@@ -96,53 +181,101 @@ class DepthModel:
         middle = float(np.interp(self.depth, table, best))
         return np.asarray(np.interp(middle + away, best + 1e-15 * np.arange(len(best)), table))
 
-    def operator(self, margin: int, slabs: int | None = None) -> tuple[list[PSF], Array | None, Array]:
-        """Return PSFs, their weights in each plane (with a margin on each side), and the depths of the PSFs.
+    def psfs(self, margin: int, slabs: int | None = None) -> PSFs:
+        """Return which PSFs blur a stack with so many planes more on each side.
 
-        So many as are needed for those between to be like the means of their neighbours, or one where they hardly
-        differ. They are evenly spaced in the square root of the depth: near the glass PSFs change fastest.
+        Each plane has a PSF of its own where these are rotationally symmetric, or all have one where PSFs hardly
+        differ. Else so many as are needed for those between to be like the means of their neighbours.
         """
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])
+        alone = PSFs(np.array([self.depth]), np.array([self.depth]), None)
         if slabs == 1 or high - low < 1e-9:
-            return [self.psf(self.depth)], None, np.array([self.depth])
-        made: dict[float, PSF] = {}
+            return alone
+        if slabs is not None:
+            nodes = _nodes(low, high, validation.integer("slabs", slabs, least=1, most=64))
+            return PSFs(nodes, nodes, None)
+        if _apart(self.near(low), self.near(high)) < _LIKE:
+            return alone
+        radial = self._radial(low, high)
+        if radial is not None:
+            return PSFs(depths, _nodes(low, high, _FAR), radial)
+        nodes = _nodes(low, high, self._slabs(low, high))
+        return PSFs(nodes, nodes, None)
 
-        def at(share: float) -> PSF:
+    def blur(
+        self, shape: tuple[int, int, int], margin: tuple[int, int], psfs: PSFs | None = None, *, threads: int = 0
+    ) -> TiledBlur | WideBlur:
+        """Return the blur of a stack, with a margin on each side."""
+        used = psfs or self.psfs(margin[0])
+        weights = _weights(self.depths(margin[0]), used.nodes) if len(used.nodes) > 1 else None
+        kernels = (self.near(float(each)) for each in used.depths)
+        near: TiledBlur
+        if used.radial is None:
+            near = TiledBlur(kernels, shape, margin, weights=weights, threads=threads)
+        else:
+            near = PlaneBlur(kernels, shape, margin, used.radial, threads=threads)
+        if not self.spreads:
+            return near
+        reach = self.reach((shape[1], shape[2]), margin[1])
+        far = (self.far(float(each), reach) for each in used.nodes)
+        return WideBlur(near, far, pitch_of(self.window[1]), weights=weights, threads=threads)
+
+    def _radial(self, *depths: float) -> RadialTransfer | None:
+        """Return the lateral transfer functions over the magnitude of frequencies, if they follow from that."""
+        if self.aberrations is not None and any(order for _, order in self.aberrations.to_zernike(unit="waves")):
+            return None
+        found = RadialTransfer(self.window[1], pixels=self.spreads)
+        return found if all(found.misfit(self.near(each)) < _RADIAL for each in depths) else None
+
+    def _slabs(self, low: float, high: float) -> int:
+        """Return how many PSFs those between are like the means of."""
+        made: dict[float, Array] = {}
+
+        def at(share: float) -> Array:
             if share not in made:
-                made[share] = self.psf(((1.0 - share) * math.sqrt(low) + share * math.sqrt(high)) ** 2)
+                made[share] = self.near(((1.0 - share) * math.sqrt(low) + share * math.sqrt(high)) ** 2)
             return made[share]
 
-        if slabs is None:
-            if _apart(at(0.0), at(1.0)) < _LIKE:
-                return [self.psf(self.depth)], None, np.array([self.depth])
-            pieces = 1
-            while pieces < _MOST - 1 and any(
-                _apart(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _LIKE for k in range(pieces)
-            ):
-                pieces *= 2
-        else:
-            pieces = validation.integer("slabs", slabs, least=1, most=64) - 1
-        shares = np.arange(pieces + 1) / pieces
-        nodes = ((1.0 - shares) * math.sqrt(low) + shares * math.sqrt(high)) ** 2
-        place = np.interp(depths, nodes, np.arange(len(nodes)))
-        weights = np.maximum(0.0, 1.0 - np.abs(place - np.arange(len(nodes))[:, np.newaxis]))
-        return [at(float(share)) for share in shares], weights, nodes
+        pieces = 1
+        while pieces < _MOST - 1 and any(
+            _apart(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _ALIKE for k in range(pieces)
+        ):
+            pieces *= 2
+        return pieces + 1
 
 
-def _apart(one: PSF, *others: PSF) -> float:
-    """Return half of the light by which a PSF differs from the mean of others."""
-    first, *rest = (each.values / each.values.sum(dtype=np.float64) for each in (one, *others))
-    return float(np.abs(first - sum(rest) / len(rest)).sum()) / 2.0
+def _nodes(low: float, high: float, count: int) -> Array:
+    """Return depths evenly spaced in their square root: near the glass PSFs change fastest."""
+    shares = np.arange(count) / (count - 1)
+    return np.asarray(((1.0 - shares) * math.sqrt(low) + shares * math.sqrt(high)) ** 2)
+
+
+def _weights(depths: Array, nodes: Array) -> Array:
+    """Return the weights of PSFs at each depth, linear between two."""
+    place = np.interp(depths, nodes, np.arange(len(nodes)))
+    return np.asarray(np.maximum(0.0, 1.0 - np.abs(place - np.arange(len(nodes))[:, np.newaxis])))
+
+
+def _apart(one: Array, *others: Array) -> float:
+    """Return half of the light by which a PSF differs from the mean of others, over its own."""
+    return float(np.abs(one - sum(others) / len(others)).sum() / one.sum()) / 2.0
+
+
+def _cone(objective: Objective, wavelength: float, pixel: float, away: float) -> float:
+    """Return the radius of the cone of light so far from the focus, pixels."""
+    side = pixel / objective.magnification
+    tangent = objective.NA / math.sqrt(objective.immersion**2 - objective.NA**2)
+    return (away * tangent + 2.0 * wavelength / objective.NA) / side
 
 
 def usual_window(
     objective: Objective, wavelength: float, pixel: float, step: float, shape: tuple[int, int, int]
 ) -> tuple[int, int]:
-    """Return planes and pixels of the PSF of a stack: the cone of light over half of its planes, within limits."""
-    planes = min(max(_LEAST_REACH, shape[0] // 2), _MOST_REACH)
-    side = pixel / objective.magnification
-    tangent = objective.NA / math.sqrt(objective.immersion**2 - objective.NA**2)
-    cone = math.ceil(planes * step * tangent / side + 4.0 * wavelength / (2.0 * objective.NA) / side)
-    pixels = min(max(_LEAST_REACH, cone), _MOST_REACH)
-    return 2 * planes + 1, 2 * pixels + 1
+    """Return planes and pixels of the PSF of a stack: as far as it goes, and the cone of light, within limits.
+
+    Light beyond the pixels is on a coarse grid.
+    """
+    planes = min(max(_LEAST_REACH, shape[0] - 1), _MOST_PLANES)
+    pixels = math.ceil(_cone(objective, wavelength, pixel, planes * step))
+    return 2 * planes + 1, 2 * min(max(_LEAST_REACH, pixels), _MOST_REACH) + 1

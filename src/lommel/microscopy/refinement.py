@@ -13,7 +13,6 @@ from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.deconvolution import Counted, Walk
 from lommel.microscopy.depth_model import DepthModel
-from lommel.microscopy.stack_blur import TiledBlur
 
 PARAMETERS = ("depth", "sample", "spherical")
 
@@ -67,12 +66,11 @@ class _Trial:
         size = max(deep, model.window[0]), min(max(model.window[1], _NARROWEST), _WIDEST)
         small = replace(model, window=size)
         margin = size[0] // 2, size[1] // 2
-        psfs, weights, _ = small.operator(margin[0])
         counted = self._counted
         if turned:
             counted = _Flipped.of(counted, self._values[::-1])
         shape = self._values.shape
-        blur = TiledBlur(psfs, (shape[0], shape[1], shape[2]), margin, weights=weights, threads=self._threads)
+        blur = small.blur((shape[0], shape[1], shape[2]), margin, threads=self._threads)
         walk = Walk(blur, counted, self._paces)
         _, _, each = walk.solve(RichardsonLucy(steps=_STEPS, target=0.0), lambda *_: None)
         if self._paces is None:

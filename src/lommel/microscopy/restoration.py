@@ -27,9 +27,8 @@ from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
 from lommel.microscopy.camera_noise import estimate_noise
 from lommel.microscopy.deconvolution import STACK_MISFIT, Counted, Walk
-from lommel.microscopy.depth_model import MODALITIES, DepthModel
+from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
 from lommel.microscopy.refinement import PARAMETERS, crop_of, direction_of, refined
-from lommel.microscopy.stack_blur import TiledBlur
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 
@@ -623,11 +622,17 @@ class _Job:
             raise ValueError(f"margin must be (planes, pixels), got {shown(margin)}")
         around = (int(asked[0]), int(asked[1]))
         tell(0.03, "PSFs")
-        psfs, weights, nodes = model.operator(around[0], slabs)
-        if len(psfs) > 1:
+        psfs = model.psfs(around[0], slabs)
+        nodes = psfs.depths
+        if len(nodes) > 1:
             ends = f"{format_length(nodes[0], digits=3)} to {format_length(nodes[-1], digits=3)}"
-            notes.append(f"{len(psfs)} PSFs were used, of depths from {ends}.")
-        side = self._side(tile, around, len(psfs))
+            notes.append(f"{len(nodes)} PSFs were used, of depths from {ends}.")
+        if model.spreads:
+            notes.append(
+                f"Restored values are the light of {model.window[0]} planes: a point that sends F counts into each "
+                f"plane has {model.window[0]} F."
+            )
+        side = self._side(tile, around, psfs)
         if margin is None and planes < model.window[0] // 2:
             notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
         request = hashlib.sha256(
@@ -637,9 +642,7 @@ class _Job:
             ).encode()
         ).hexdigest()  # fmt: skip
         self._target.begin(request)
-        after, before, steps, stopped = self._tiles(
-            source, camera, limit, psfs, weights, around, side, method, turned, tell
-        )
+        after, before, steps, stopped = self._tiles(source, camera, limit, psfs, around, side, method, turned, tell)
         depths = model.depths()
         return RestoredChannel(
             after, before, steps, stopped, camera, "down" if turned else "up", depths[::-1] if turned else depths,
@@ -665,7 +668,7 @@ class _Job:
         )
         return float(most)
 
-    def _side(self, tile: int | None, margin: tuple[int, int], psfs: int) -> int:
+    def _side(self, tile: int | None, margin: tuple[int, int], psfs: PSFs) -> int:
         """Return the side of the chunks."""
         _, height, width = self._stack.shape
         if tile is not None:
@@ -676,13 +679,15 @@ class _Job:
             side = math.ceil(max(height, width) / pieces)
         return side
 
-    def _bytes(self, side: int, overlap: int, margin: tuple[int, int], psfs: int) -> float:
+    def _bytes(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs) -> float:
         """Return about how much memory a chunk takes."""
         planes, height, width = self._stack.shape
         given = math.prod(min(side + 2 * overlap, each) for each in (height, width))
         whole = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
         deep = planes + 2 * margin[0]
-        transfers = 2.0 * psfs * (planes + self._model.window[0]) * whole / 4.0
+        transfers = 2.0 * len(psfs.depths) * (planes + self._model.window[0]) * whole / 4.0
+        if psfs.radial is not None:
+            transfers = float(len(psfs.radial.frequencies) * planes * deep)
         return 4.0 * float(3.0 * deep * whole + 2.0 * planes * given + planes * given + transfers)
 
     def _tiles(
@@ -690,8 +695,7 @@ class _Job:
         source: Any,
         camera: Noise,
         limit: float,
-        psfs: list[Any],
-        weights: Array | None,
+        psfs: PSFs,
         margin: tuple[int, int],
         side: int,
         method: RichardsonLucy | None,
@@ -704,7 +708,7 @@ class _Job:
         tiles = sorted(_parts(height, width, side), key=lambda part: _off(part, height, width))
         alone = len(tiles) == 1
         overlap = self._model.window[1]
-        blurs: dict[tuple[int, ...], TiledBlur] = {}
+        blurs: dict[tuple[int, ...], Any] = {}
         paces: list[float] | None = None
         level = 0.0 if alone else _level(source, camera, limit)
         after = before = known = 0.0
@@ -720,9 +724,11 @@ class _Job:
             size = (planes, y.stop - y.start, x.stop - x.start)
             if size not in blurs:
                 blurs.clear()  # one at a time is in memory
-                blurs[size] = TiledBlur(psfs, size, margin, weights=weights, threads=self._threads)
+                blurs[size] = self._model.blur(size, margin, psfs, threads=self._threads)
             blur = blurs[size]
             told = _Told(tell, number, len(tiles), way.steps if paces is None else len(paces))
+            if blur.outside is not None:
+                blur.outside[...] = counted.level
             earlier = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
             walk = Walk(blur, counted, paces)
             try:

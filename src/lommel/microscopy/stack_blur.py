@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from itertools import chain
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -114,12 +115,15 @@ class TiledBlur:
     """Convolution of a specimen larger than its recording by a margin, by FFTs of tiles, and its transpose.
 
     With several PSFs the image is ``sum_s h_s * (w_s x)``, with a weight of each PSF at each plane of the specimen.
+    Arrays instead of PSFs are taken as they are, their middle voxel as that of the point.
     Results depend neither on the number of threads nor on where the arrays are.
     """
 
+    outside: Values | None = None  # light beyond the margin: there is none
+
     def __init__(
         self,
-        psf: PSF | Sequence[PSF],
+        psf: PSF | Iterable[PSF | Array],
         shape: tuple[int, int, int],
         margin: tuple[int, int],
         *,
@@ -128,11 +132,11 @@ class TiledBlur:
     ) -> None:
         from scipy.fft import next_fast_len
 
-        found = [kernel_of(each) for each in ([psf] if isinstance(psf, PSF) else psf)]
-        self._kernels, middle = [values for values, _ in found], found[0][1]
+        kernels = iter([psf] if isinstance(psf, PSF) else psf)
+        first, middle = _kernel(next(kernels))
         self.shape, self._margin, self._threads = shape, (margin[0], margin[1], margin[1]), threads
         self.whole = tuple(side + 2 * more for side, more in zip(shape, self._margin, strict=True))
-        sides = self._kernels[0].shape
+        sides = self._sides = first.shape
         # Light reaches so many voxels towards lower and higher numbers.
         self._lower = middle
         self._upper = tuple(side - 1 - at for side, at in zip(sides, middle, strict=True))
@@ -155,13 +159,22 @@ class TiledBlur:
                 _tile(side, more, int(math.sqrt(most))) for side, more in zip(self.whole[1:], sides[1:], strict=True)
             )
             self._tile = down, across
-        self._even = all(_mirrored(values) for values in self._kernels)
-        self._transfers = [self._transfer(values) for values in self._kernels]
-        self._places, self._seen = self._shares()
+        self._limits, self._places = self._edges()
+        self._seen = np.zeros((self.whole[0], *(side.shape[1] for side in self._limits)), np.float32)
+        self._transfers: list[tuple[Values, bool]] = []
+        # One after the other, as there may be many.
+        for number, values in enumerate(chain([first], (_kernel(each)[0] for each in kernels))):
+            self._learn(number, values)
+            self._share(number, values)
         self.weigh(1.0)
         self._room: Values | None = None
 
-    def _transfer(self, kernel: Array) -> Values:
+    def _learn(self, number: int, kernel: Array) -> None:
+        """Keep what is needed to convolve with a kernel."""
+        even = _mirrored(kernel)
+        self._transfers.append((self._transfer(kernel, even), even))
+
+    def _transfer(self, kernel: Array, even: bool) -> Values:
         """Return the transform of a kernel, with the point in the first voxel.
 
         That of an even one is real until planes are transformed, and the same in rows of opposite frequencies: an
@@ -170,31 +183,31 @@ class TiledBlur:
         from scipy.fft import fft, rfft, rfft2
 
         middle = self._lower
-        rows = self._tile[0] // 2 + 1 if self._even else self._tile[0]
-        planes = self._depth // 2 + 1 if self._even else self._depth
-        made = np.zeros((len(kernel), rows, self._tile[1] // 2 + 1), np.float32 if self._even else np.complex64)
+        rows = self._tile[0] // 2 + 1 if even else self._tile[0]
+        planes = self._depth // 2 + 1 if even else self._depth
+        made = np.zeros((len(kernel), rows, self._tile[1] // 2 + 1), np.float32 if even else np.complex64)
         tile = np.zeros(self._tile, dtype=np.float32)
         for plane, values in enumerate(kernel):
             tile[: values.shape[0], : values.shape[1]] = values
             found = rfft2(np.roll(tile, [-at for at in middle[1:]], axis=(0, 1)))[:rows]
-            made[plane] = found.real if self._even else found
+            made[plane] = found.real if even else found
         out = np.empty((rows, planes, made.shape[2]), np.complex64)
         column = np.zeros((self._depth, made.shape[2]), made.dtype)
         order = np.arange(len(kernel)) - middle[0]
         for row in range(rows):
             column[order] = made[:, row]
-            out[row] = rfft(column, axis=0) if self._even else fft(column, axis=0)
+            out[row] = rfft(column, axis=0) if even else fft(column, axis=0)
         return out
 
-    def _shares(self) -> tuple[list[_Places], Values]:
-        """Return the share of the light that falls on the recording, of few rows and columns that are all there are.
+    def _edges(self) -> tuple[list[NDArray[np.intp]], list[_Places]]:
+        """Return what part of a kernel falls on the recording, of few rows and columns that are all there are.
 
         With it, of both axes: which of them each row or column is, and from where to where all are the same.
         """
         limits, places = [], []
         for axis in (1, 2):
             first = self._margin[axis] + self._lower[axis] - np.arange(self.whole[axis])
-            both = np.clip(np.stack([first, first + self.shape[axis]]), 0, self._kernels[0].shape[axis])
+            both = np.clip(np.stack([first, first + self.shape[axis]]), 0, self._sides[axis])
             each, place = np.unique(both, axis=1, return_inverse=True)
             place = place.ravel()
             counts = np.bincount(place)
@@ -202,27 +215,30 @@ class TiledBlur:
             stop = start + int(np.argmin(np.append(place[start:], -1) == place[start]))
             limits.append(each)
             places.append((place, start, stop))
-        (top, bottom), (left, right) = limits
-        seen = np.zeros((self.whole[0], len(top), len(left)), np.float32)
-        for number, kernel in enumerate(self._kernels):
-            # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
-            along = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0).cumsum(axis=1).cumsum(axis=2)
-            for at in range(-self._before, self.whole[0] + self._after):
-                begin = self._margin[0] + self._lower[0] - at
-                low, high = np.clip((begin, begin + self.shape[0]), 0, len(kernel))
-                sums = along[high] - along[low]
-                between = sums[bottom] - sums[top]
-                plane = min(max(at, 0), self.whole[0] - 1)
-                share = 1.0 if self._weights is None else self._weights[number, plane]
-                seen[plane] += share * (between[:, right] - between[:, left])
-        return places, seen
+        return limits, places
+
+    def _share(self, number: int, kernel: Array) -> None:
+        """Add the share of the light that falls on the recording, of a kernel."""
+        (top, bottom), (left, right) = self._limits
+        # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
+        along = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0)
+        for at in range(-self._before, self.whole[0] + self._after):
+            plane = min(max(at, 0), self.whole[0] - 1)
+            share = 1.0 if self._weights is None else self._weights[number, plane]
+            if share == 0.0:
+                continue
+            begin = self._margin[0] + self._lower[0] - at
+            low, high = np.clip((begin, begin + self.shape[0]), 0, len(kernel))
+            sums = (along[high] - along[low]).cumsum(axis=0).cumsum(axis=1)
+            between = sums[bottom] - sums[top]
+            self._seen[plane] += share * (between[:, right] - between[:, left])
 
     def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
         """Hand the recording of a specimen to `take`, each part of it once; return what it makes of the parts."""
         made: list[Made] = []
         for job in self._jobs(self.shape, self.whole, self._upper, self._margin[1]):
             self._transformed(specimen, self.whole[0], job)
-            self._over_rows(self._seen_rows)
+            self._along(transposed=False)
             made += self._planes(self.shape[0], job, take)
         return made
 
@@ -231,7 +247,7 @@ class TiledBlur:
         made: list[Made] = []
         for job in self._jobs(self.whole, self.shape, self._lower, -self._margin[1]):
             self._transformed(recording, self.shape[0], job)
-            self._over_rows(self._returned_rows)
+            self._along(transposed=True)
             made += self._planes(self.whole[0], job, take)
         return made
 
@@ -263,7 +279,7 @@ class TiledBlur:
             put, out = (shift, 0) if shift < 0 else (0, shift)
             yield _Job(core, taken, _window((-put, -put), other[1:]), _window((out, out), shape[1:]))
             return
-        kernel = self._kernels[0].shape[1:]
+        kernel = self._sides[1:]
         down, across = (tile - more + 1 for tile, more in zip(self._tile, kernel, strict=True))
         for row in range(0, shape[1], down):
             for column in range(0, shape[2], across):
@@ -301,6 +317,10 @@ class TiledBlur:
             return take(plane, *job.core, irfft2(room[plane], self._tile, overwrite_x=True)[job.inside])
 
         return side_by_side(back, range(planes), self._threads)
+
+    def _along(self, *, transposed: bool) -> None:
+        """Convolve the room along the planes, in place, or apply the transpose."""
+        self._over_rows(self._returned_rows if transposed else self._seen_rows)
 
     def _over_rows(self, task: Callable[[int], None]) -> None:
         def several(first: int) -> None:
@@ -356,13 +376,20 @@ class TiledBlur:
 
     def _filter(self, made: Values, number: int, row: int, *, transposed: bool = False) -> None:
         """Multiply the transform of a row by that of a kernel, in place."""
-        transfers = self._transfers[number]
-        transfer = transfers[min(row, self._tile[0] - row)] if self._even else transfers[row]
+        transfers, even = self._transfers[number]
+        transfer = transfers[min(row, self._tile[0] - row)] if even else transfers[row]
         half = len(transfer)
         made[:half] *= transfer.conj() if transposed else transfer
         if half < self._depth:
             other = transfer[self._depth - half : 0 : -1]
             made[half:] *= other if transposed else other.conj()
+
+
+def _kernel(given: PSF | Array) -> tuple[Array, tuple[int, int, int]]:
+    """Return a kernel and the voxel of the point: the middle one of an array, which is taken as it is."""
+    if isinstance(given, PSF):
+        return kernel_of(given)
+    return given, (given.shape[0] // 2, given.shape[1] // 2, given.shape[2] // 2)
 
 
 class _Spare:
@@ -390,7 +417,7 @@ def _mirrored(kernel: Array) -> bool:
 
 
 def _at(part: slice, place: NDArray[np.intp], start: int, stop: int) -> _Places:
-    """Return what `TiledBlur._shares` says of an axis, of a part of it."""
+    """Return what `TiledBlur._edges` says of an axis, of a part of it."""
     low, high = (min(max(at, part.start), part.stop) - part.start for at in (start, stop))
     return place[part], low, max(low, high)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -167,6 +168,17 @@ WRONG = {
 }
 
 
+def test_light_too_dim_for_the_standard_errors_is_told():
+    said = "too little light for so many unknowns"
+    for light, dim in ((250.0, True), (3e3, False)):
+        stack, _ = recorded(4, waves(4), light=light)
+        found = lm.fit_beads(stack, OIL, terms=TERMS, priors={}, **GIVEN)
+        assert found.converged, found.message
+        total = np.sqrt(sum(error**2 for error in found.deviation.values()))
+        assert (said in found.message) == dim == (total > 0.22)
+        assert found.reliable != dim
+
+
 @pytest.mark.parametrize("name", WRONG)
 def test_score_tests_name_the_constant_that_is_wrong(name):
     images, _ = recorded(3, waves(3, 0.1), **WRONG[name], light=3e4)
@@ -175,7 +187,8 @@ def test_score_tests_name_the_constant_that_is_wrong(name):
     assert found.suspects[0].name == name
     assert abs(found.suspects[0].sigmas) > 5.0
     assert not found.reliable
-    assert f"the data want {name} = " in found.message
+    said = rf"the data want {name} = \S+( um)? \(solved for, with chi2 \S+\); by score tests {name} = "
+    assert re.search(said, found.message), found.message
 
 
 def test_a_constant_that_would_leave_physics_is_named_without_a_value():

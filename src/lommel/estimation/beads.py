@@ -51,6 +51,7 @@ _FAR_BETTER = 0.25  # of what chi2 exceeds 1 by: a reversed stack that leaves mo
 _JUMP = 4.0  # times the median of the planes, that a plane that moved is off
 _HELD = 3  # beads, from which on one is left out for a test
 _TURNS = 20  # steps of a search for a stack in reversed order
+_UNKNOWN = 0.22  # radians rms, standard error of all terms together, from which on images are not linear in them
 _OFF = 2e-3  # over the peak: what the images of the search may be off by
 _TESTED = "apodization_2"  # of the terms of the amplitude that are not estimated
 _FIRST = 5  # Noll's index of the first term after defocus
@@ -187,7 +188,7 @@ class BeadFit:
     converged : bool
         Whether the steps settled at a chi2 that is consistent with the noise, of a visible bead in the right order.
     reliable : bool
-        Whether it converged and no constant is suspected.
+        Whether it converged, no constant is suspected, and there is light enough for the standard errors to hold.
     message : str
         The verdict.
     model_error : float
@@ -704,6 +705,13 @@ def _fitted(
         )
     if visible >= _VISIBLE and not backwards:
         message += _told(beads)
+    unsure = math.sqrt(float(np.diag(inverse)[: len(state.waves)].sum()))
+    if converged and unsure > _UNKNOWN:
+        message += (
+            f"; too little light for so many unknowns: the wavefront is known to {unsure:.2g} radians rms alone, "
+            "beyond which images are not linear, standard errors are too small, and other wavefronts fit as well; "
+            "take brighter or more beads, or fewer terms"
+        )
     if not all(used):
         left = ", ".join(str(j) for j, one in enumerate(used) if not one)
         message += f"; left out, beside which the others do not fit: bead {left}"
@@ -730,7 +738,7 @@ def _fitted(
         chi2=chi2,
         held_out=held_out[0],
         converged=converged,
-        reliable=bool(converged and not suspected and error < _OFF),
+        reliable=bool(converged and not suspected and error < _OFF and unsure <= _UNKNOWN),
         message=message,
         model_error=error,
         steps=search.steps,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import runpy
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -41,7 +43,7 @@ def test_rays_meet_the_sensor_at_the_gradient_of_the_phase(triplet, field, withi
         chief = triplet.trace_generic(*field, Px=0.0, Py=0.0, wavelength=0.55)
         across = 1e-3 * np.array([float(ray.x[0] - chief.x[0]) for ray in traced])
         up = 1e-3 * np.array([float(ray.y[0] - chief.y[0]) for ray in traced])
-        found = slope(adapter.pupil(triplet, field, wavelength=550e-9), x, -y)
+        found = slope(adapter.pupil(triplet, field, wavelength=550e-9, circular=True), x, -y)
         size = np.hypot(across, up).max()
         # Off the axis the two directions have f-numbers of their own, 3 % either way of the mean.
         np.testing.assert_allclose(found[0], across, atol=within * size)
@@ -64,7 +66,7 @@ def test_a_sensor_nearer_to_the_lens_has_a_higher_defocus(triplet):
 def test_the_psf_is_theirs_with_y_upwards(triplet, field):
     psf = pytest.importorskip("optiland.psf").FFTPSF(triplet, field, "primary", num_rays=128, grid_size=1024)
     theirs = np.asarray(psf.psf)[480:545, 480:545][::-1] / 100.0
-    pupil = adapter.pupil(triplet, field)
+    pupil = adapter.pupil(triplet, field, circular=True)
     # Samples of theirs are lambda N (rays - 1) / grid apart.
     ours = lm.psf(
         pupil, 65, pupil.scale * 127 / 1024, method=lm.Fraunhofer(samples=512, edge="grey"), normalize="strehl"
@@ -75,6 +77,27 @@ def test_the_psf_is_theirs_with_y_upwards(triplet, field):
     assert psf.strehl_ratio() == pytest.approx(float(ours.values.max()), rel=0.02)
 
 
+@pytest.mark.parametrize(
+    ("sample", "field", "within", "of_circles"),
+    [
+        ("CookeTriplet", (0.0, 0.0), 2e-4, 0.0),
+        ("CookeTriplet", (0.0, 0.7), 5e-3, 0.03),
+        ("HeliarLens", (0.5, 0.6), 1e-4, 4e-3),
+    ],
+)
+def test_the_psf_is_the_sum_of_huygens_over_the_rays(sample, field, within, of_circles):
+    checked = runpy.run_path(str(Path(__file__).parents[2] / "benchmarks" / "optiland_checked.py"))
+    lens = getattr(pytest.importorskip("optiland.samples.objectives"), sample)()
+    pupil, circle = (adapter.pupil(lens, field, circular=each) for each in (False, True))
+    pitch = 0.7e6 * pupil.scale
+    places = checked["steps"](15, pitch)
+    truth = checked["huygens"](lens, field, places, places)
+    found, other = (lm.psf(each, 15, 1e-6 * pitch, integrate=False).values[::-1] for each in (pupil, circle))
+    assert checked["error"](found, truth) < within
+    assert checked["error"](other, truth) >= of_circles
+    assert (pupil.vignetting is None) == (field == (0.0, 0.0))
+
+
 def test_the_map_is_exact_where_it_was_traced_and_close_in_between(triplet):
     field = adapter.field_map(triplet, heights=9)
     assert field.pupil_without_wavefront.f_number == pytest.approx(4.98, abs=0.005)
@@ -82,7 +105,7 @@ def test_the_map_is_exact_where_it_was_traced_and_close_in_between(triplet):
     for hx, hy, within in [(0.0, 0.5, 1e-6), (0.0, 1.0, 1e-6), (0.0, 0.7, 0.02), (0.3, 0.4, 0.02), (-0.5, 0.1, 0.02)]:
         chief = triplet.trace_generic(hx, hy, Px=0.0, Py=0.0, wavelength=0.55)
         found = field.pupil(1e-3 * float(chief.x[0]), -1e-3 * float(chief.y[0])).wavefront
-        rest = found - adapter.pupil(triplet, (hx, hy)).wavefront
+        rest = found - adapter.pupil(triplet, (hx, hy), circular=True).wavefront
         for term, c in rest.edge_terms().items():
             assert abs(float(c)) < within, (hx, hy, term)
 
@@ -92,7 +115,7 @@ def test_fields_that_are_named_are_traced_instead(triplet):
     field = adapter.field_map(triplet, fields=points)
     chief = triplet.trace_generic(0.5, 0.5, Px=0.0, Py=0.0, wavelength=0.55)
     found = field.pupil(1e-3 * float(chief.x[0]), -1e-3 * float(chief.y[0])).wavefront
-    rest = found - adapter.pupil(triplet, (0.5, 0.5)).wavefront
+    rest = found - adapter.pupil(triplet, (0.5, 0.5), circular=True).wavefront
     assert all(abs(float(c)) < 1e-8 for c in rest.edge_terms().values())
 
 
@@ -136,9 +159,10 @@ def test_maps_of_several_wavelengths_differ_by_the_lateral_colour_of_the_chief_r
     blue, red = (adapter.field_map(triplet, heights=5, distortion=True, wavelength=w) for w in (480e-9, 650e-9))
     assert blue.reach == red.reach
     chief = [1e-3 * float(triplet.trace_generic(0.0, 1.0, 0.0, 0.0, w).y[0]) for w in (0.48, 0.65)]
+    edge = [adapter.pupil(triplet, (0.0, 1.0), wavelength=w, circular=True).wavefront for w in (480e-9, 650e-9)]
     rest = [
-        float(adapter.pupil(triplet, (0.0, 1.0), wavelength=w).wavefront.edge_terms()[1, -1] * one.pupil(0, 0).scale)
-        for w, one in ((480e-9, blue), (650e-9, red))
+        float(wavefront.edge_terms()[1, -1] * one.pupil(0, 0).scale)
+        for wavefront, one in zip(edge, (blue, red), strict=True)
     ]
     moved = [float(one.displacement(0.0, -one.reach)[1]) for one in (blue, red)]
     # Tilts of the wavefronts about the chief rays are those of coma.

@@ -2,8 +2,10 @@
 
 The phase at a point of the pupil is that of its ray on the reference sphere around the chief ray's image point,
 ``2 pi (OPL - OPL_chief) / lambda``: a longer path is a later wave, ``exp(+i phase)``. Pupil points are fractions of
-the entrance pupil, as in the packages' own FFT PSFs; under the sine condition they are the direction cosines in the
-image. The f-number is ``1 / (2 n NA)`` of these by least squares, the geometric mean of both directions.
+the entrance pupil; under the sine condition they are proportional to the direction cosines from the reference sphere
+to that image point, the variables of Debye's integral. Off the axis the factors of both directions differ: the pupil
+of a point is the ellipse that a linear map, by least squares, makes of the entrance pupil. Of a field map, and as in
+the packages' own FFT PSFs, it is a circle, with ``1 / (2 n NA)`` of the geometric mean as f-number.
 
 Ray tracers have y upwards, images here downwards: pupil and position are mirrored, seen from behind the sensor.
 """
@@ -19,6 +21,7 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.field.maps import FieldMap
+from lommel.optics.aperture.shapes import Ellipse
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
@@ -27,13 +30,16 @@ from lommel.special.legendre import gauss_legendre
 MAX_DEGREE = 20
 """Highest degree of the Zernike terms: that of the radial terms of a wavefront."""
 
+_ROUND = 1e-5  # below this ellipticity a pupil is a circle, for which all methods are
+
 
 @dataclass(frozen=True)
 class TracedField:
     """Rays from one object point in the frame of the ray tracer: z along the light, y upwards.
 
-    Fractions x and y of the entrance pupil, phase (radians, NaN where blocked), direction cosines at the image times
-    its index relative to the chief ray, and the chief ray on the sensor (metres).
+    Fractions x and y of the entrance pupil, phase (radians, NaN where blocked), direction cosines from the reference
+    sphere (or of the rays) to the image times its index relative to the chief ray, and the chief ray on the sensor
+    (metres).
     """
 
     x: Array
@@ -60,6 +66,15 @@ def sample_points(degree: int, tol: float = 0.01) -> tuple[Array, Array]:
 
 def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, int], float], float]:
     """Return Zernike coefficients (radians at the edge) and the f-number; ValueError beyond `tol` or if blocked."""
+    slopes = _slopes(traced)
+    # A pupil that is imaged upside down, as by a relay, is rotated by half a turn.
+    turn = math.copysign(1.0, slopes[0])
+    terms = _terms(traced.phase, turn * traced.x, -turn * traced.y, degree, tol)
+    return terms, 0.5 / math.sqrt(slopes[0] * slopes[1])
+
+
+def _slopes(traced: TracedField) -> list[float]:
+    """Return the convergence of the rays in both directions; ValueError if some are blocked or it has no sign."""
     blocked = ~np.isfinite(traced.phase)
     if blocked.any():
         raise ValueError(
@@ -73,30 +88,63 @@ def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, i
         raise ValueError(
             "the rays do not converge towards an image in both directions; afocal lenses are not supported"
         )
-    # A pupil that is imaged upside down, as by a relay, is rotated by half a turn.
-    turn = math.copysign(1.0, slopes[0])
-    x, y = turn * traced.x, -turn * traced.y
+    return slopes
+
+
+def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tuple[int, int], float]:
+    """Return the Zernike coefficients (radians at the edge) of a phase; ValueError beyond `tol`."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     terms = [(n, m) for n in range(degree + 1) for m in range(-n, n + 1, 2)]
     matrix = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
-    found = np.linalg.lstsq(matrix, traced.phase, rcond=None)[0]
-    rest = float(np.sqrt(np.mean((matrix @ found - traced.phase) ** 2)))
+    found = np.linalg.lstsq(matrix, phase, rcond=None)[0]
+    rest = float(np.sqrt(np.mean((matrix @ found - phase) ** 2)))
     if not rest <= tol:
         raise ValueError(
             f"degree must be higher: Zernike terms up to {degree} leave {rest:.3g} rad rms, more than tol={tol:g}"
         )
-    coefficients = {t: float(c) for t, c in zip(terms, found, strict=True) if t != (0, 0)}
-    return coefficients, 0.5 / math.sqrt(slopes[0] * slopes[1])
+    return {t: float(c) for t, c in zip(terms, found, strict=True) if t != (0, 0)}
+
+
+def fit_ellipse(
+    traced: TracedField, degree: int, tol: float
+) -> tuple[dict[tuple[int, int], float], float, Ellipse | None]:
+    """Return Zernike coefficients, the f-number and the ellipse within the circle of that f-number, if it is one."""
+    _slopes(traced)
+    points = np.stack([traced.x, traced.y], axis=1)
+    # Light travels against the place that it comes from, which is seen from behind the sensor.
+    places = np.stack([-traced.direction_x, traced.direction_y], axis=1)
+    transform = np.linalg.lstsq(points, places, rcond=None)[0].T
+    axes, (half, across), _ = np.linalg.svd(transform)
+    if across > (1.0 - _ROUND) * half:
+        return *fit(traced, degree, tol), None
+    x, y = transform @ points.T / half
+    ellipse = Ellipse(1.0, float(across / half), math.atan2(axes[1, 0], axes[0, 0]))
+    return _terms(traced.phase, x, y, degree, tol), 0.5 / float(half), ellipse
 
 
 def single_pupil(
-    trace: Trace, field: object, wavelength: float, degree: int, tol: float, obscuration: float = 0.0
+    trace: Trace,
+    field: object,
+    wavelength: float,
+    degree: int,
+    tol: float,
+    obscuration: float = 0.0,
+    circular: bool = True,
 ) -> Pupil:
     """Return the pupil at one point of the field, with the f-number there."""
     hx, hy = _point("field", field)
-    terms, f_number = fit(trace(hx, hy, *sample_points(degree, tol)), degree, tol)
-    wavefront = Wavefront.zernike(terms, normalization="edge")
-    return Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number)
+    traced, ellipse = trace(hx, hy, *sample_points(degree, tol)), None
+    if circular:
+        terms, f_number = fit(traced, degree, tol)
+    else:
+        terms, f_number, ellipse = fit_ellipse(traced, degree, tol)
+    return Pupil(
+        Wavefront.zernike(terms, normalization="edge"),
+        obscuration=obscuration,
+        wavelength=wavelength,
+        f_number=f_number,
+        vignetting=ellipse,
+    )
 
 
 def field_map(

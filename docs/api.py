@@ -103,8 +103,9 @@ SECTIONS = [
         "See [](../field.md).",
         ("field",),
         more="io.field_files.save lensfiles.tables.read_rows lensfiles.tables.read_csv"
-        " lensfiles.tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.field_map"
-        " adapters.rayoptics.pupil adapters.rayoptics.field_map adapters.batoid.pupil adapters.batoid.field_map",
+        " lensfiles.tables.FieldTable show.plot.field adapters.optiland.pupil adapters.optiland.polarized_pupils"
+        " adapters.optiland.field_map adapters.rayoptics.pupil adapters.rayoptics.field_map"
+        " adapters.batoid.pupil adapters.batoid.field_map",
     ),
     Section(
         "Stacks larger than memory",

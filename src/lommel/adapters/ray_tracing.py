@@ -14,13 +14,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.field.maps import FieldMap
+from lommel.optics.aperture.mask import Mask
 from lommel.optics.aperture.shapes import Ellipse
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
@@ -30,6 +32,7 @@ from lommel.special.legendre import gauss_legendre
 MAX_DEGREE = 20
 """Highest degree of the Zernike terms: that of the radial terms of a wavefront."""
 
+_DARK = 1e-9  # amplitude of a component of the electric field that is left out
 _ROUND = 1e-5  # below this ellipticity a pupil is a circle, for which all methods are
 
 
@@ -38,8 +41,8 @@ class TracedField:
     """Rays from one object point in the frame of the ray tracer: z along the light, y upwards.
 
     Fractions x and y of the entrance pupil, phase (radians, NaN where blocked), direction cosines from the reference
-    sphere (or of the rays) to the image times its index relative to the chief ray, and the chief ray on the sensor
-    (metres).
+    sphere (or of the rays) to the image times its index relative to the chief ray, the chief ray on the sensor
+    (metres), and where light is polarised the amplitude of each component of the electric field, a column each.
     """
 
     x: Array
@@ -48,6 +51,7 @@ class TracedField:
     direction_x: Array
     direction_y: Array
     position: tuple[float, float]
+    field: NDArray[np.complex128] | None = None
 
 
 Trace = Callable[[float, float, Array, Array], TracedField]
@@ -91,11 +95,16 @@ def _slopes(traced: TracedField) -> list[float]:
     return slopes
 
 
-def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tuple[int, int], float]:
-    """Return the Zernike coefficients (radians at the edge) of a phase; ValueError beyond `tol`."""
+def _zernike(x: Array, y: Array, degree: int) -> tuple[list[tuple[int, int]], Array]:
+    """Return the Zernike terms up to a degree, and their values at points, a column each."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     terms = [(n, m) for n in range(degree + 1) for m in range(-n, n + 1, 2)]
-    matrix = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
+    return terms, np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
+
+
+def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tuple[int, int], float]:
+    """Return the Zernike coefficients (radians at the edge) of a phase; ValueError beyond `tol`."""
+    terms, matrix = _zernike(x, y, degree)
     found = np.linalg.lstsq(matrix, phase, rcond=None)[0]
     rest = float(np.sqrt(np.mean((matrix @ found - phase) ** 2)))
     if not rest <= tol:
@@ -105,21 +114,23 @@ def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tu
     return {t: float(c) for t, c in zip(terms, found, strict=True) if t != (0, 0)}
 
 
-def fit_ellipse(
-    traced: TracedField, degree: int, tol: float
-) -> tuple[dict[tuple[int, int], float], float, Ellipse | None]:
-    """Return Zernike coefficients, the f-number and the ellipse within the circle of that f-number, if it is one."""
+def _seen_from_image(traced: TracedField, wavelength: float, degree: int, tol: float) -> tuple[Pupil, Array]:
+    """Return the pupil, an ellipse off the axis, and the matrix from the entrance pupil to its coordinates."""
     _slopes(traced)
     points = np.stack([traced.x, traced.y], axis=1)
     # Light travels against the place that it comes from, which is seen from behind the sensor.
     places = np.stack([-traced.direction_x, traced.direction_y], axis=1)
     transform = np.linalg.lstsq(points, places, rcond=None)[0].T
     axes, (half, across), _ = np.linalg.svd(transform)
+    ellipse = None
     if across > (1.0 - _ROUND) * half:
-        return *fit(traced, degree, tol), None
+        half = math.sqrt(half * across)
+    else:
+        ellipse = Ellipse(1.0, float(across / half), math.atan2(axes[1, 0], axes[0, 0]))
     x, y = transform @ points.T / half
-    ellipse = Ellipse(1.0, float(across / half), math.atan2(axes[1, 0], axes[0, 0]))
-    return _terms(traced.phase, x, y, degree, tol), 0.5 / float(half), ellipse
+    wavefront = Wavefront.zernike(_terms(traced.phase, x, y, degree, tol), normalization="edge")
+    f_number = 0.5 / float(half)
+    return Pupil(wavefront, wavelength=wavelength, f_number=f_number, vignetting=ellipse), transform / half
 
 
 def single_pupil(
@@ -133,18 +144,41 @@ def single_pupil(
 ) -> Pupil:
     """Return the pupil at one point of the field, with the f-number there."""
     hx, hy = _point("field", field)
-    traced, ellipse = trace(hx, hy, *sample_points(degree, tol)), None
-    if circular:
-        terms, f_number = fit(traced, degree, tol)
-    else:
-        terms, f_number, ellipse = fit_ellipse(traced, degree, tol)
-    return Pupil(
-        Wavefront.zernike(terms, normalization="edge"),
-        obscuration=obscuration,
-        wavelength=wavelength,
-        f_number=f_number,
-        vignetting=ellipse,
-    )
+    traced = trace(hx, hy, *sample_points(degree, tol))
+    if not circular:
+        return _seen_from_image(traced, wavelength, degree, tol)[0]
+    terms, f_number = fit(traced, degree, tol)
+    wavefront = Wavefront.zernike(terms, normalization="edge")
+    return Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number)
+
+
+def polarized_pupils(
+    trace: Trace, field: object, wavelength: float, degree: int, tol: float, side: int
+) -> list[Pupil]:
+    """Return a pupil of each component of the electric field that has light, with its amplitude as a mask."""
+    hx, hy = _point("field", field)
+    traced = trace(hx, hy, *sample_points(degree, tol))
+    pupil, transform = _seen_from_image(traced, wavelength, degree, tol)
+    assert traced.field is not None
+    _, matrix = _zernike(traced.x, traced.y, degree)
+    found = np.linalg.lstsq(matrix, traced.field, rcond=None)[0]
+    largest = float(np.abs(traced.field).max())
+    rest = float(np.abs(matrix @ found - traced.field).max())
+    if not rest <= tol * largest:
+        raise ValueError(
+            f"degree must be higher: Zernike terms up to {degree} leave {rest / largest:.3g} of the electric field, "
+            f"more than tol={tol:g}"
+        )
+    at = (2.0 * np.arange(side) + 1.0 - side) / side
+    place = np.stack([part.ravel() for part in np.meshgrid(at, at)])
+    inside = np.hypot(*place) <= 1.0 + 2.0 / side
+    x, y = np.linalg.solve(transform, place[:, inside])
+    beyond = np.maximum(np.hypot(x, y), 1.0)  # of cells at the edge, and between the ellipse and the circle
+    values = np.zeros((found.shape[1], side * side), dtype=np.complex128)
+    values[:, inside] = (_zernike(x / beyond, y / beyond, degree)[1] @ found).T
+    values /= max(1.0, np.abs(values).max())
+    masks = [Mask(part.reshape(side, side)) for part in values if np.abs(part).max() > _DARK]
+    return [replace(pupil, mask=mask) for mask in masks]
 
 
 def field_map(

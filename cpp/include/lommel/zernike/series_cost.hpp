@@ -18,7 +18,8 @@ struct SeriesCost {
     static constexpr double declined = 20000.0;  // of what chords have looked at before it is asked, and of their error
     // Errors of interpolation between circles, of no dim image. Strong aberrations may make it twice as dim as is likely.
     static constexpr double circles = 1.2e-10;
-    // Of the error that the tolerance allows, on roundings of the expansion: beyond, circles do not serve; and, perhaps, nothing.
+    // Of the error that the tolerance allows, on roundings of the expansion: beyond, circles do not serve, and the image may have to be
+    // computed twice; and, perhaps, nothing serves.
     static constexpr double rounded = 0.17, lost = 0.25;
 
     // Of one image.
@@ -64,7 +65,7 @@ struct SeriesCost {
         const double within = area > 1e-18 ? 46.0 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
         const double each = tol >= 1e-6 ? 0.34 : 0.86;
         const double image = 8.3 * orders * cost.degrees_ + (2.2 + within) * reach * orders + (5.5 + each * orders) * groups;
-        return cost.calls_ + 12700.0 + wide * (cost.sum_ + image) * (rounding > lost ? 20.0 : 1.0);
+        return cost.calls_ + 12700.0 + wide * (cost.sum_ + image) * (rounding > lost ? 20.0 : rounding > rounded ? 1.5 : 1.0);
     }
 
    private:

@@ -9,6 +9,7 @@ random fields: curvature, tilt of the sensor, astigmatism, coma, spherical aberr
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 import time
 from pathlib import Path
@@ -143,6 +144,48 @@ def charts(count: int) -> list[str]:
     return rows
 
 
+def donuts(count: int) -> list[str]:
+    """Return rows of exposures of six defocused stars behind vanes, eight terms of degree 1."""
+    pixel, sigma, shape, side = 1.0, 0.8, (600, 900), 71
+    vanes = [(0.3 + 0.5 * math.pi * k, 0.03) for k in range(4)]
+    telescope = simulated.Telescope(8, side=256, obscuration=0.3, vanes=vanes)
+    pupil = lm.Pupil(obscuration=0.3, spider=lm.Spider(angles=tuple(angle for angle, _ in vanes), width=0.03))
+    rows = []
+    for seed in range(count):
+        draw, stated = np.random.default_rng(seed), 15.0 if seed % 2 == 0 else -15.0
+        slopes, middle = draw.normal(size=(8, 2)) * 0.15, draw.normal(size=8) * 0.4
+
+        def waves(u: Any, v: Any, slopes: Any = slopes, middle: Any = middle) -> Any:
+            return middle + np.multiply.outer(u, slopes[:, 0]) + np.multiply.outer(v, slopes[:, 1])
+
+        image = np.full(shape, 50.0)
+        for row, column in np.ndindex(2, 3):
+            at = np.array([150 + 300 * row, 150 + 300 * column]) + draw.integers(-60, 61, 2)
+            place = draw.uniform(-0.5, 0.5, 2)
+            v, u = 2.0 * (at + place + 0.5) / shape - 1.0
+            light = telescope.image(waves(u, v), place, pixel, 2 * side + 1, sigma, stated)
+            image[tuple(slice(k - side, k + side + 1) for k in at)] += 10.0 ** draw.uniform(5.3, 6.0) * light
+        image = draw.poisson(image) + draw.normal(size=shape) * 2.0
+        spots = lm.find_spots(image, noise=NOISE, window=side, width=9.0)
+        began = time.process_time()
+        fit = lm.fit_field(
+            spots.windows, spots.places, pupil, sensor=shape, pixel=pixel, noise=NOISE, degree=1, terms=8,
+            defocus=stated + draw.uniform(-1.0, 1.0), integrate=True,
+        )  # fmt: skip
+        seconds = time.process_time() - began
+        u, v = (part.ravel() for part in np.meshgrid(np.linspace(-0.9, 0.9, 5), np.linspace(-0.9, 0.9, 5)))
+        values, errors = fit.at(u * shape[1] / 2.0 * pixel, v * shape[0] / 2.0 * pixel)
+        true = waves(u, v)
+        off = (values - true)[:, 1:]  # without what is left of the known defocus
+        ratio = float(np.sqrt(np.mean((off / errors[:, 1:]) ** 2)))
+        error = float(np.median(errors[:, 1:])) / (2.0 * math.pi)
+        rows.append(
+            f"donuts {seed}: {len(spots)} stars, {fit.message.partition(':')[0]}, errors over standard errors "
+            f"{ratio:.2f}, standard errors {error:.5f} waves, chi2 {fit.chi2:.3f}, cpu {seconds:.1f} s"
+        )
+    return rows
+
+
 def table(settings: Settings) -> Table:
     """Random fields, beside polynomials of pixels."""
     found = Table(
@@ -179,9 +222,10 @@ def main() -> None:
     parser.add_argument("--fields", type=int, default=2, help="random fields of each row")
     parser.add_argument("--rows", type=int, nargs="*", default=[0, 1, 3], help="rows, from 0; all without a number")
     parser.add_argument("--charts", type=int, default=0, help="charts of 35 crossings")
+    parser.add_argument("--donuts", type=int, default=0, help="exposures of six defocused stars")
     chosen = parser.parse_args()
-    if chosen.charts:
-        print("\n".join(charts(chosen.charts)))
+    if chosen.charts or chosen.donuts:
+        print("\n".join([*charts(chosen.charts), *donuts(chosen.donuts)]))
         return
     telescope = simulated.Telescope()
     print("| stars | found | converged | error over bound | chi2 | held out | doubles caught, others lost | cpu s |")

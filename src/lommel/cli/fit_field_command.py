@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 import numpy as np
 
-from lommel.base.units import format_length, parse_length
+from lommel.base.units import parse_length
 from lommel.cli.instruments import LENS, OBJECT_DISTANCE, SQUARE_PIXEL, instrument_of
 from lommel.cli.options import FILE, JSON, MICROMETRES, Option, command, documented, plot_option, under
 from lommel.cli.output import Facts, Report, Wrapped, save_figure, table_of, written
@@ -303,9 +303,10 @@ def _parts(made: FieldFit, found: PointSources | Crossings, told: Facts) -> list
         )
     if (focus := told["focus"]) is not None:
         way = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
-        shift, error = (format_length(abs(focus[name]), digits=3) for name in ("shift", "deviation"))
+        places = min(6, max(0, 1 - math.floor(math.log10(max(1e3 * focus["deviation"], 1e-9)))))
+        shift, error = (f"{1e3 * abs(focus[name]):.{places}f}" for name in ("shift", "deviation"))
         sign = ", or as far the other way" if made.twin is not None and not focus["known"] else ""
-        first.append(f"focus in the middle: the sensor is {shift} +- {error} {way}{sign}")
+        first.append(f"focus in the middle: the sensor is {shift} +- {error} mm {way}{sign}")
     left = _left(made, found)
     lines = [f"row {row}, column {column}: {why}" for row, column, why in left[:_LISTED]]
     if len(left) > _LISTED:

@@ -218,7 +218,7 @@ def find_crossings(
         refused=refusals(middle, score, reasons),
         shape=(light.shape[0], light.shape[1]),
         left_out=int(left.sum()),
-        _image=light,
+        _image=np.where(left.any(axis=0), np.nan, light),
     )
 
 

@@ -238,7 +238,7 @@ def find_spots(
         shape=(light.shape[0], light.shape[1]),
         left_out=int(left.sum()),
         candidate=candidate,
-        _image=light,
+        _image=np.where(left.any(axis=0), np.nan, light),
     )
 
 

@@ -136,6 +136,9 @@ _REASONS = {
 }
 
 
+_LEFT_OUT = "#f7cdbb"  # of pixels that are NaN or masked
+
+
 def spots(
     image: Array,
     places: Values,
@@ -146,9 +149,10 @@ def spots(
 ) -> Axes:
     """Draw an image with the windows around spots, and those refused by reason."""
     axes = new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
-    low, high = np.percentile(image, [1.0, 99.8])
+    low, high = np.nanpercentile(image, [1.0, 99.8])
     norm = library("matplotlib.colors", *USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
     axes.imshow(image, cmap="gray_r", norm=norm, interpolation="nearest")
+    axes.set_facecolor(_LEFT_OUT)
     rectangle = library("matplotlib.patches", *USER).Rectangle
     for k, (row, column) in enumerate(places.tolist()):
         corner = column - box[1] // 2 - 0.5, row - box[0] // 2 - 0.5

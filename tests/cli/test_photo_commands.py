@@ -322,3 +322,52 @@ def test_an_interrupted_focus_pull_leaves_nothing(folder, sent):
         assert running.wait(60) == 1
         assert running.stderr.read().strip() == "Aborted!"
     assert sorted(folder.rglob("*")) == before
+
+
+BENT = """\
+[lens]
+focal_length = "35 mm"
+f_number = 2.8
+focus_distance = "inf"
+wavelength = "540 nm"
+[colour]
+wavelengths = ["460 nm", "540 nm", "600 nm"]
+lateral = ["9 um", "0 um", "-6 um"]
+heights = "0.6 mm"
+[sensor]
+pixel = "6 um"
+[field]
+sensor = ["0.64 mm", "0.96 mm"]
+edge = "0.6 mm"
+W311 = -4.0
+W131 = 1.0
+"""
+
+
+def test_a_photograph_through_the_field_of_a_lens_file_is_that_of_python(run_lommel, tmp_path):
+    (tmp_path / "bent.toml").write_text(BENT)
+    photo = np.full((64, 96, 3), 20, np.uint8)
+    photo[::9, ::7] = 250
+    Image.fromarray(photo).save(tmp_path / "photo.png")
+    given = ["blur", "photo.png", "bent.toml", "--over-field", "--pixel", "10um", "-o"]
+    made = run_lommel(*given, "out.png", "--json", "--energy", "0.9", folder=tmp_path)
+    assert (made.returncode, made.stderr) == (0, "")
+    field = lm.load_instrument(tmp_path / "bent.toml").field()
+    wanted = lm.imaging.field_photograph(photo, field, 10e-6, encoding="srgb", energy=0.9)
+    found = np.asarray(Image.open(tmp_path / "out.png"))
+    assert np.abs(found.astype(int) - wanted.values).max() <= 1
+    assert np.abs(found.astype(int) - photo).max() > 50  # lines are bent
+    facts = json.loads(made.stdout)
+    assert facts["moved"] == pytest.approx(float(np.hypot(*field.displacement(475e-6, 315e-6))) / 10e-6)
+    for stray, message in (
+        (["--focus", "2m"], "--focus cannot be combined with --over-field"),
+        (["--no-occlusion"], "--occlusion cannot be combined"),
+        (["bent.toml"], "DEPTH cannot be combined"),
+        (["--pixel", "2mm"], "must come from within the map"),
+    ):
+        refused = run_lommel(*given, "no.png", *stray, folder=tmp_path)
+        assert refused.returncode == 2
+        assert message in refused.stderr
+    (tmp_path / "bent.toml").write_text(BENT + "[field.vignetting]\nheight = ['0 mm', '1 mm']\nshift = [0.0, 0.5]\n")
+    assert "[field.shading]" in run_lommel(*given, "no.png", folder=tmp_path).stderr
+    assert not (tmp_path / "no.png").exists()

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 import click
 import numpy as np
+from click.core import ParameterSource
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
@@ -35,7 +36,16 @@ from lommel.cli.options import (
 from lommel.cli.output import Facts, Report, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
-from lommel.imaging import FocusPlan, Photograph, Picture, RichardsonLucy, TotalVariation, read_depth, read_photo
+from lommel.imaging import (
+    FocusPlan,
+    Photograph,
+    Picture,
+    RichardsonLucy,
+    TotalVariation,
+    field_photograph,
+    read_depth,
+    read_photo,
+)
 from lommel.imaging import restore as restored
 from lommel.imaging.settings import BORDERS, MISSING, Settings
 from lommel.io.photos import check_pattern, find, is_animation, stored, write_frames, write_photo
@@ -132,6 +142,13 @@ _COMMON = [
         Option("--frames", type=click.IntRange(2, 9999), help=f"Number of frames; by default {_FRAMES}."),
         Option("--fps", type=float, help=f"Frames per second of an animation; by default {_FPS:g}."),
     ),
+    *under(
+        "Field of view",
+        Option("--over-field", is_flag=True,
+               help="Render PHOTO, as an ideal lens would record it, through the lens file given in place of DEPTH, "
+               "which needs a section [field]: blur over the field, distortion, lateral colour and shading. The axis "
+               "is in the middle of the photo. --tol is then 0.001 by default."),
+    ),
     *under("Data set", *dataset.OPTIONS),
     *_COMMON,
 )  # fmt: skip
@@ -141,10 +158,11 @@ def blur(
     last: float | None,
     frames: int | None,
     fps: float | None,
+    over_field: bool,
     batch: bool,
     **given: Any,
 ) -> Report:
-    """Blur a photo by its depth map, or pull the focus through it.
+    """Blur a photo by its depth map or over the field of a lens, or pull the focus through it.
 
     PHOTO is a PNG, JPEG, TIFF or EXR, grey or RGB. DEPTH is a depth map of the same size, the distance of each point
     from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without a lens file LENS,
@@ -161,8 +179,12 @@ def blur(
       lommel blur photo.png depth.png phone.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to 4m --frames 48 -o pull-%03d.png
       lommel blur photo.png depth.tif phone.toml --focus 0.8m --focus-to inf --fps 24 -o pull.webp
+      lommel blur photo.png camera-field.toml --over-field --pixel 6um -o out.png
       lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
     """
+    if over_field:
+        others = {"focus": focus, "last": last, "frames": frames, "fps": fps, "batch": batch}
+        return _through_field(output, given | others)
     if batch:
         return dataset.render(output, given | {"focus": focus, "last": last, "frames": frames, "fps": fps})
     for name, default in dataset.DEFAULTS.items():
@@ -184,6 +206,65 @@ def blur(
     facts, lines = _worst([made], [clipped])
     facts = {"focus_distance": finite(lens.focus_distance), "seconds": seconds} | facts
     return job.report(lens, facts, lines, [output])
+
+
+_OF_FIELD = ("photo", "depth", "camera", "pixel", "encoding", "bits", "quality")
+_OF_BLUR = ("wavelengths", "border", "energy", "tol", "largest")
+
+
+def _through_field(output: Path, given: Facts) -> Report:
+    """Render a photograph through the lens of a file: blur over its field, distortion, lateral colour, shading."""
+    from lommel.lensfiles.lens_files import load_instrument
+
+    context = click.get_current_context()
+    stated = {name for name in given if context.get_parameter_source(name) is ParameterSource.COMMANDLINE}
+    for name in given:
+        if name in stated and name not in (*_OF_FIELD, *_OF_BLUR):
+            stray = "DEPTH" if name == "lens" else next(p.opts[0] for p in context.command.params if p.name == name)
+            raise ValueError(f"{stray} cannot be combined with --over-field, which takes PHOTO and the lens file")
+    find(output, "--output")
+    with terminated_as_interrupted(), progress("reading") as started:
+        picture, path = read_photo(given["photo"], given["encoding"]), given["depth"]
+        light = picture.light()
+        instrument = load_instrument(path)
+        field = instrument.field()
+        if field.vignetting is not None:
+            raise ValueError(
+                f"{path} must have no [field.vignetting]: state all the relative illumination as [field.shading]"
+            )
+        camera = given["camera"] or instrument.camera
+        pitch = given["pixel"] or (instrument.side if camera is None else camera.side)
+        dtype, encoding = output_type(picture, output, given["bits"])
+        started("computing PSFs and blurring")
+        start = time.perf_counter()
+        options = {name: given[name] for name in _OF_BLUR if name in stated}
+        made = field_photograph(light, field, pitch, encoding="linear", **options)
+        seconds = time.perf_counter() - start
+        profile = picture.profile if encoding == picture.encoding else None
+        clipped = write_photo(
+            output, made.values, encoding=encoding, dtype=dtype, quality=given["quality"], profile=profile
+        )
+    height, width = light.shape[:2]
+    x, y = (0.5 * (side - 1) * pitch for side in (width, height))
+    moved = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
+    facts, lines = _worst([made], [clipped])
+    read = read_as(picture, given["encoding"])
+    facts |= {
+        "shape": list(light.shape),
+        "encoding": {"photo": picture.encoding, "output": encoding},
+        "read": read,
+        "pixel": pitch,
+        "moved": moved,
+        "seconds": seconds,
+    }
+    lines = [
+        read,
+        f"{width} x {height} pixels of {format_length(pitch)}; the lower right corner is moved by {moved:.3g} pixels",
+        *lines,
+    ]
+    if clipped:
+        lines.append(f"clipped at white: {100.0 * clipped:.2g} % of the values")
+    return Report(facts, lines) + written([output])
 
 
 def _pull_focus(given: Facts, output: Path, ends: tuple[float | None, float], frames: int, fps: float) -> Report:
@@ -423,15 +504,11 @@ class Job:
         if self.pixel is None:
             raise ValueError("without a lens file give --camera, --pixel or --pixel-from-exif")
         self.pitch = self.pixel
-        kind, suffix = self.picture.values.dtype, self.output.suffix.lower()
-        self.dtype = _TYPES[self.bits or _bits(kind, suffix)]
+        self.dtype, self.stored_as = output_type(self.picture, self.output, self.bits)
         if not self.one_file:
             find(self.output, "--output", holding=f"of {self.dtype}")
         elif is_animation(self.output) and self.dtype.itemsize > 1:
             raise ValueError(f"{self.output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
-        # Values of the same kind keep their encoding; others get the one that readers will take them for.
-        kept = (self.dtype.kind == "f") == (kind.kind == "f")
-        self.stored_as = self.picture.encoding if kept else "linear" if self.dtype.kind == "f" else "srgb"
 
     def _lens_of_options(self) -> Lens:
         """Return a lens with the data of the options or the EXIF, focused at infinity."""
@@ -537,6 +614,15 @@ def read_as(picture: Picture, given: str | None) -> str:
         return f"{kind} values, {names[given]}"
     other = "linear" if picture.encoding == "srgb" else "srgb"
     return f"{kind} values, assumed {names[picture.encoding]}; if they are {names[other]}, give --encoding {other}"
+
+
+def output_type(picture: Picture, output: Path, bits: str | None) -> tuple[np.dtype[np.generic], str]:
+    """Return the type and the encoding of the output, by default those of the photo."""
+    kind = picture.values.dtype
+    made = _TYPES[bits or _bits(kind, output.suffix.lower())]
+    # Values of the same kind keep their encoding; others get the one that readers will take them for.
+    kept = (made.kind == "f") == (kind.kind == "f")
+    return made, picture.encoding if kept else "linear" if made.kind == "f" else "srgb"
 
 
 def _bits(photo: np.dtype[np.generic], suffix: str) -> str:

@@ -20,11 +20,11 @@ from lommel.localize.lattice import grid_indices
 from lommel.localize.point_sources import (
     Refused,
     filled,
-    hit,
     planes_of,
     refusals,
     saturated,
     told,
+    unusable,
     windows_around,
 )
 
@@ -296,16 +296,7 @@ def _reasons(
 ) -> list[str]:
     """Return the reason why each crossing is refused, or ""."""
     rows, columns = box
-    found = []
-    for row, column in middle.tolist():
-        top, first = row - rows // 2, column - columns // 2
-        window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
-        if window.any():
-            found.append("saturated")
-        elif window.shape != box or min(top, first) < 0:
-            found.append("edge")
-        else:
-            found.append("masked" if hit(left, top, first, box) else "")
+    found = [unusable(row, column, full, left, box) for row, column in middle.tolist()]
     usable = [k for k in np.argsort(-contrast, kind="stable").tolist() if not found[k]]
     taken: list[int] = []
     for k in usable:

@@ -302,12 +302,18 @@ def windows_around(
     return np.ma.MaskedArray(cut, mask=out) if left.any() else cut
 
 
-def hit(left: NDArray[np.bool_], top: int, first: int, box: tuple[int, int]) -> bool:
-    """Return whether too much of a window inside the image is left out."""
+def unusable(row: int, column: int, full: NDArray[np.bool_], left: NDArray[np.bool_], box: tuple[int, int]) -> str:
+    """Return why the pixels of a window around a place cannot be fitted: "saturated", "edge" or "masked"; or ""."""
     rows, columns = box
+    top, first = row - rows // 2, column - columns // 2
+    window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
+    if window.any():
+        return "saturated"
+    if window.shape != box or min(top, first) < 0:
+        return "edge"
     part = left[:, top : top + rows, first : first + columns]
     inner = part[:, rows // 4 : rows - rows // 4, columns // 4 : columns - columns // 4]
-    return bool(max(part.mean(), inner.mean()) >= _HIT)
+    return "masked" if max(part.mean(), inner.mean()) >= _HIT else ""
 
 
 def refusals(places: NDArray[np.int64], score: Array, reasons: Sequence[str]) -> tuple[Refused, ...]:
@@ -392,21 +398,10 @@ def _reasons(
     peak: Array,
 ) -> list[str]:
     """Return the reason why each spot is refused, or ""."""
-    rows, columns = box
     found = []
     for (row, column), near, share in zip(middle.tolist(), neighbors, peak.tolist(), strict=True):
-        top, first = row - rows // 2, column - columns // 2
-        window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
-        if window.any():
-            found.append("saturated")
-        elif window.shape != box or min(top, first) < 0:
-            found.append("edge")
-        elif hit(left, top, first, box):
-            found.append("masked")
-        elif share > _ONE_PIXEL:
-            found.append("defect")
-        else:
-            found.append("neighbor" if near else "")
+        otherwise = "defect" if share > _ONE_PIXEL else "neighbor" if near else ""
+        found.append(unusable(row, column, full, left, box) or otherwise)
     return found
 
 

@@ -18,7 +18,8 @@ PARAMETERS = ("depth", "sample", "spherical")
 
 _STEPS = 40  # of each trial: after fewer, sharper PSFs look better than they are
 _SIDE = 48  # pixels of the part that is looked at
-_DEEPEST, _NARROWEST, _WIDEST = 65, 33, 65  # planes and pixels of PSFs
+_NARROWEST, _WIDEST = 33, 49  # pixels of PSFs
+_LEAST_PLANES = 8  # of the margin
 _TOLERANCE = {"depth": 2e-8, "sample": 2e-4, "spherical": 1e-3}
 _REACH = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}
 
@@ -44,13 +45,33 @@ def _placed(middle: int, size: int, side: int) -> slice:
 
 
 class _Trial:
-    """A part of a stack that is restored in a few steps, again and again, with other PSFs."""
+    """A part of a stack that is restored in a few steps, again and again, with other PSFs.
 
-    def __init__(self, stack: Any, crop: tuple[slice, slice], camera: Noise, saturation: float, threads: int) -> None:
+    With `between` light may also come from planes in the middle between two, which were not recorded: points there
+    would else be taken for longer PSFs.
+    """
+
+    def __init__(
+        self,
+        stack: Any,
+        crop: tuple[slice, slice],
+        camera: Noise,
+        saturation: float,
+        threads: int,
+        *,
+        between: bool = False,
+    ) -> None:
         rows, columns = crop
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
+        self._times = 2 if between else 1
+        if between:
+            # The middle plane stays the middle one.
+            planes = 2 * len(self._values) - len(self._values) % 2
+            known, self._values = self._values, np.full((planes, *self._values.shape[1:]), np.nan, np.float32)
+            self._values[::2] = known
         maps = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
         self._counted = Counted(self._values, Noise(**maps), saturation)
+        self._counted.most_weight /= self._times  # steps as long as if all planes were known
         self._threads = threads
         self._paces: list[float] | None = None
 
@@ -61,11 +82,11 @@ class _Trial:
 
     def discrepancy(self, model: DepthModel, *, turned: bool = False) -> float:
         """Return the discrepancy after some steps."""
-        # PSFs that reach as far as the stack does: light that shorter ones leave out is taken for another shape.
-        deep = min(2 * len(self._values) - 1, _DEEPEST)
-        size = max(deep, model.window[0]), min(max(model.window[1], _NARROWEST), _WIDEST)
-        small = replace(model, window=size)
-        margin = size[0] // 2, size[1] // 2
+        planes = len(self._values)
+        side = min(max(model.window[1], _NARROWEST), _WIDEST)
+        deep = self._times * (model.window[0] - 1) + 1
+        small = replace(model, window=(deep, side), planes=planes, step=model.step / self._times)
+        margin = min(deep // 2, max(self._times * _LEAST_PLANES, planes // 4)), side // 2
         counted = self._counted
         if turned:
             counted = _Flipped.of(counted, self._values[::-1])
@@ -124,7 +145,7 @@ def refined(
     """Return the model whose PSFs the stack follows best, and the values of its parameters."""
     from scipy.optimize import minimize, minimize_scalar
 
-    trial = _Trial(stack, crop, camera, saturation, threads)
+    trial = _Trial(stack, crop, camera, saturation, threads, between=True)
     start = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
     count = 0
 

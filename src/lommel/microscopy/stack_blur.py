@@ -107,7 +107,7 @@ class _Job(NamedTuple):
 _SHARE = 3.0  # of the recording that the transform of a tile takes, in memory
 _SMALL = 2**23  # values that it may have in any case
 _UNSEEN = 1e-6  # share of the light of a point that is next to nothing
-_ROWS = 8  # of a transform that are filtered in one go
+_ROWS = 1  # of a transform that are filtered in one go: what is done with them stays in the fast cache
 _ALIKE = 1e-6  # of the largest value, by which a kernel may differ from its mirror image
 
 
@@ -314,7 +314,9 @@ class TiledBlur:
         assert room is not None
 
         def back(plane: int) -> Made:
-            return take(plane, *job.core, irfft2(room[plane], self._tile, overwrite_x=True)[job.inside])
+            # What follows is faster in contiguous memory.
+            light = np.ascontiguousarray(irfft2(room[plane], self._tile, overwrite_x=True)[job.inside])
+            return take(plane, *job.core, light)
 
         return side_by_side(back, range(planes), self._threads)
 
@@ -322,45 +324,48 @@ class TiledBlur:
         """Convolve the room along the planes, in place, or apply the transpose."""
         self._over_rows(self._returned_rows if transposed else self._seen_rows)
 
-    def _over_rows(self, task: Callable[[int], None]) -> None:
+    def _over_rows(self, task: Callable[[slice], None]) -> None:
         def several(first: int) -> None:
-            for row in range(first, min(first + _ROWS, self._tile[0])):
-                task(row)
+            task(slice(first, min(first + _ROWS, self._tile[0])))
 
         side_by_side(several, range(0, self._tile[0], _ROWS), self._threads)
 
-    def _seen_rows(self, row: int) -> None:
-        """Convolve a row of the room along the planes, in place: the specimen becomes the recording."""
+    def _seen_rows(self, rows: slice) -> None:
+        """Convolve rows of the room along the planes, in place: the specimen becomes the recording."""
         from scipy.fft import fft, ifft
 
         assert self._room is not None
-        here, total = self._room[:, row], None
+        here, total = self._room[:, rows], None
         planes, first = self.whole[0], self._margin[0]
         for number in range(len(self._transfers)):
-            light = np.zeros((self._depth, here.shape[1]), np.complex64)
-            light[:planes] = here
-            if self._weights is not None:
-                light[:planes] *= self._weights[number][:, np.newaxis]
+            light = np.empty((self._depth, *here.shape[1:]), np.complex64)
+            if self._weights is None:
+                light[:planes] = here
+            else:
+                np.multiply(here, self._weights[number][:, np.newaxis, np.newaxis], out=light[:planes])
+            light[planes:] = 0.0
             # Beyond the outermost planes it is taken to go on like these.
             light[planes:][: self._after] = light[planes - 1]
             light[self._depth - self._before :] = light[0]
             made = fft(light, axis=0, overwrite_x=True)
-            self._filter(made, number, row)
+            self._filter(made, number, rows)
             total = made if total is None else np.add(total, made, out=total)
         here[: self.shape[0]] = ifft(total, axis=0, overwrite_x=True)[first : first + self.shape[0]]
 
-    def _returned_rows(self, row: int) -> None:
+    def _returned_rows(self, rows: slice) -> None:
         """Apply the transpose of `_seen_rows`, in place."""
         from scipy.fft import fft, ifft
 
         assert self._room is not None
-        here, planes, first = self._room[:, row], self.whole[0], self._margin[0]
-        light = np.zeros((self._depth, here.shape[1]), np.complex64)
+        here, planes, first = self._room[:, rows], self.whole[0], self._margin[0]
+        light = np.empty((self._depth, *here.shape[1:]), np.complex64)
+        light[:first] = 0.0
         light[first : first + self.shape[0]] = here[: self.shape[0]]
+        light[first + self.shape[0] :] = 0.0
         seen = fft(light, axis=0, overwrite_x=True)
         for number in range(len(self._transfers)):
             made = seen if len(self._transfers) == 1 else seen.copy()
-            self._filter(made, number, row, transposed=True)
+            self._filter(made, number, rows, transposed=True)
             back = ifft(made, axis=0, overwrite_x=True)
             if self._after:
                 back[planes - 1] += back[planes:][: self._after].sum(axis=0)
@@ -368,21 +373,22 @@ class TiledBlur:
                 back[0] += back[self._depth - self._before :].sum(axis=0)
             back = back[:planes]
             if self._weights is not None:
-                back *= self._weights[number][:, np.newaxis]
+                back *= self._weights[number][:, np.newaxis, np.newaxis]
             if number:
                 here += back
             else:
                 here[...] = back
 
-    def _filter(self, made: Values, number: int, row: int, *, transposed: bool = False) -> None:
-        """Multiply the transform of a row by that of a kernel, in place."""
+    def _filter(self, made: Values, number: int, rows: slice, *, transposed: bool = False) -> None:
+        """Multiply the transform of rows by that of a kernel, in place."""
         transfers, even = self._transfers[number]
-        transfer = transfers[min(row, self._tile[0] - row)] if even else transfers[row]
-        half = len(transfer)
-        made[:half] *= transfer.conj() if transposed else transfer
-        if half < self._depth:
-            other = transfer[self._depth - half : 0 : -1]
-            made[half:] *= other if transposed else other.conj()
+        for place, row in enumerate(range(rows.start, rows.stop)):
+            transfer = transfers[min(row, self._tile[0] - row)] if even else transfers[row]
+            half, here = len(transfer), made[:, place]
+            here[:half] *= transfer.conj() if transposed else transfer
+            if half < self._depth:
+                other = transfer[self._depth - half : 0 : -1]
+                here[half:] *= other if transposed else other.conj()
 
 
 def _kernel(given: PSF | Array) -> tuple[Array, tuple[int, int, int]]:

@@ -124,7 +124,7 @@ class WideBlur:
         down, across = hats
 
         def added(plane: int, rows: slice, columns: slice, values: Values) -> Made:
-            values += down[rows] @ (light[plane] @ across[columns].T)
+            values += (down[rows] @ light[plane]) @ across[columns].T
             return take(plane, rows, columns, values)
 
         return added

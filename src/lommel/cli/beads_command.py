@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 
+from lommel.base import atomic
 from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, microscope_of, noise_facts, noise_in_words, noise_of
@@ -17,10 +19,12 @@ from lommel.cli.options import FILE, JSON, MICROMETRES, NANOMETRES, Option, comm
 from lommel.cli.output import Facts, Report, Wrapped, require_folder, save_figure, table_of, written
 from lommel.cli.progress import progress
 from lommel.estimation.beads import fit_beads
+from lommel.estimation.objective_field import fit_objective_field
 from lommel.estimation.phase_retrieval import label
 from lommel.io.photos import read_images
 from lommel.io.recordings import open_recording
 from lommel.localize.point_sources import find_spots
+from lommel.special import zernike
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -49,7 +53,12 @@ _MOST = 20  # beads
            "uncertainties."),
     documented(fit_beads, "drift", is_flag=True),
     Option("--wavelength", type=NANOMETRES, help="Emission wavelength of the beads; by default that of LENS."),
-    Option("-o", "--output", type=FILE, help="Microscope file (.toml) with what was found, for all other commands."),
+    Option("--field", "degree", type=click.IntRange(0, 4), metavar="DEGREE",
+           help="Aberrations over the image: fit each bead by itself, and polynomials of the position of this degree "
+           "through the terms of all."),
+    Option("-o", "--output", type=FILE,
+           help="Microscope file (.toml) with what was found, for all other commands; with --field a table of terms "
+           "over the image (.csv)."),
     plot_option("Figure of planes, model, residuals and terms"),
     JSON,
     *under(
@@ -76,6 +85,7 @@ def beads(
     apodization: int,
     fixed: bool,
     drift: bool,
+    degree: int | None,
     output: Path | None,
     figure: Path | None,
     window: int,
@@ -103,9 +113,13 @@ def beads(
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
     if output is not None:
-        if output.suffix.lower() != ".toml":
-            raise ValueError(f"--output must end in .toml, got {line(output)}")
+        suffix = ".toml" if degree is None else ".csv"
+        if output.suffix.lower() != suffix:
+            with_field = "" if degree is None else " with --field"
+            raise ValueError(f"--output must end in {suffix}{with_field}, got {line(output)}")
         require_folder(output)
+    if degree is not None and figure is not None:
+        raise ValueError("--plot must be left out with --field, which has no figure")
     named = given.pop("camera")
     microscope = microscope_of(lens, pixel=pixel, camera=named)
     if microscope is None:
@@ -115,22 +129,28 @@ def beads(
     options = {name: given[name] for name in ("white", "read", "offset")}
     noise = noise_of(given, microscope.camera)
     camera = noise_facts(options, microscope.camera, noise)
+    notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
+    notes.append(noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"))
+    notes += [note for path in stacks if (note := _other_step(path, step))]
     with progress("reading") as started:
         windows: list[Values] = []
         names: list[str] = []
         corners: list[tuple[int, int]] = []
+        sizes: set[tuple[int, int]] = set()
         for path in stacks:
-            for k, (each, corner) in enumerate(_beads(path, window, threshold, noise, saturation)):
-                windows.append(each)
+            cut, size = _beads(path, window, threshold, noise, saturation)
+            sizes.add(size)
+            for k, (one, corner) in enumerate(cut):
+                windows.append(one)
                 corners.append(corner)
                 names.append(f"{path.name} [{k}]")
         planes = len(windows[0])
         if any(len(each) != planes for each in windows):
             raise ValueError("stacks must have the same number of planes, all --step apart")
         started("fitting")
-        found = fit_beads(
-            windows[:_MOST],
-            microscope.objective,
+        fitted = partial(
+            fit_beads,
+            objective=microscope.objective,
             z=(np.arange(planes) - planes // 2) * step,
             wavelength=microscope.wavelength,
             pixel=microscope.pixel,
@@ -145,8 +165,17 @@ def beads(
             drift=drift,
             saturation=saturation,
             integrate=microscope.integrate is not False,
-            progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
         )
+        if degree is not None:
+            if len(sizes) != 1 or not any(map(any, corners)):
+                raise ValueError("--field needs stacks of one size that show the whole field, not beads cut out")
+            each = []
+            for k, one in enumerate(windows):
+                started(f"bead {k + 1} of {len(windows)}", k / len(windows))
+                each.append(fitted(one))
+            about = Report({"wavelength": microscope.wavelength, "noise": camera}, ["", *notes])
+            return _of_field(each, corners, names, sizes.pop(), degree, output, about)
+        found = fitted(windows[:_MOST], progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share))
     if output is not None:
         source = f"{microscope.source} Fitted to beads: {found.message}.".lstrip()
         changed = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
@@ -154,9 +183,6 @@ def beads(
     if figure is not None:
         save_figure(found.plot(), figure)
     facts = {"beads": names[:_MOST], "wavelength": microscope.wavelength, "noise": camera} | _facts(found, corners)
-    notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
-    notes.append(noise_in_words(camera, f"in {lens.name}" if named is None else "by --camera"))
-    notes += [note for path in stacks if (note := _other_step(path, step))]
     if len(windows) > _MOST:
         notes.append(f"The first {_MOST} of {len(windows)} beads were taken.")
     verdict = "" if found.converged else f", of a fit that has not converged: {found.message.partition(':')[0]}"
@@ -179,17 +205,62 @@ def _other_step(path: Path, step: float) -> str:
 
 def _beads(
     path: Path, window: int, threshold: float, noise: Noise, saturation: float | None
-) -> list[tuple[Values, tuple[int, int]]]:
-    """Return the windows of the beads of a stack and their first pixels, one if it shows no more than that."""
+) -> tuple[list[tuple[Values, tuple[int, int]]], tuple[int, int]]:
+    """Return windows around the beads of a stack and their first pixels, one if it shows no more, and its shape."""
     planes = read_images([path])
     if max(planes.shape[1:]) <= _FIELD * window:
-        return [(planes, (0, 0))]
+        return [(planes, (0, 0))], planes.shape[1:]
     spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)
     if not len(spots):
         advice = "a smaller --window may do" if spots.refused else "lower --threshold, or check --offset and --gain"
         raise ValueError(f"{line(path)}: no isolated bead; {spots.message}: {advice}")
     first = spots.places - np.array(spots.windows.shape[-2:]) // 2
-    return [(one, (row, column)) for one, (row, column) in zip(spots.windows, first.tolist(), strict=True)]
+    cut = [(one, (row, column)) for one, (row, column) in zip(spots.windows, first.tolist(), strict=True)]
+    return cut, spots.shape
+
+
+def _of_field(
+    fits: list[BeadFit],
+    corners: list[tuple[int, int]],
+    names: list[str],
+    shape: tuple[int, int],
+    degree: int,
+    output: Path | None,
+    about: Report,
+) -> Report:
+    """Return the report of aberrations over the image, and write them as a table."""
+    own = [one.beads[0] for one in fits]
+    places = [(one.row + corner[0], one.column + corner[1]) for one, corner in zip(own, corners, strict=True)]
+    field = fit_objective_field(fits, places, sensor=shape, degree=degree)
+    sides = [np.linspace(0.0, side - 1.0, 5) for side in shape]
+    row, column = (part.ravel() for part in np.meshgrid(*sides, indexing="ij"))
+    values, errors = (part / (2.0 * math.pi) for part in field.at(row, column))
+    shown = {"middle": 12, "top left": 0, "top right": 4, "bottom left": 20, "bottom right": 24}
+    rows = []
+    for j, name in enumerate(field.names):
+        cells = (_with_error(1e3 * values[k, j], 1e3 * errors[k, j]) for k in shown.values())
+        rows.append((label(name), *map("+-".join, cells)))
+    if output is not None:
+        noll = [f"Z{zernike.index_of(*name, 'noll')}" for name in field.names]
+        head = ["row", "column", *noll, *(f"{name} error" for name in noll)]
+        text = [f"# {field.message}; waves rms", ",".join(head)]
+        text += [",".join(f"{v:.9g}" for v in each) for each in np.column_stack([row, column, values, errors])]
+        atomic.write(output, "\n".join([*text, ""]).encode())
+    facts: Facts = {
+        "message": field.message,
+        "scatter": field.scatter,
+        "constants": field.constants,
+        "terms": [label(name) for name in field.names],
+        "waves": {n: {"coefficients": values[k].tolist(), "deviation": errors[k].tolist()} for n, k in shown.items()},
+        "beads": [
+            {"name": name, "row": at[0], "column": at[1], "used": bool(used), "message": one.message}
+            for name, at, used, one in zip(names, places, field.used, fits, strict=True)
+        ],
+    }
+    lost = [f"- {one['name']}, left out: {one['message']}" for one in facts["beads"] if not one["used"]]
+    table = table_of(("term, milliwaves rms", *shown), rows)
+    parts: list[RenderableType] = [Wrapped(field.message, "bold"), "", table, *map(Wrapped, lost)]
+    return Report(facts, parts) + about + written([output])
 
 
 def _facts(found: BeadFit, corners: list[tuple[int, int]]) -> Facts:

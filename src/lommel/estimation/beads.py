@@ -325,8 +325,9 @@ class BeadFit:
             unit,
         )
         titles = [f"plane {k}" for k in planes]
+        verdict = self.message.partition(":")[0]
         images, model, residual = (part[planes] for part in (one.images, one.model, one.residual))
-        return show.estimates.fit(images, model, residual, bars, f"chi2 = {self.chi2:.3g}", titles)
+        return show.estimates.fit(images, model, residual, bars, f"{verdict}, chi2 = {self.chi2:.3g}", titles)
 
     def __repr__(self) -> str:
         lines = [f"<BeadFit: {self.message}"]

@@ -11,7 +11,9 @@ Conversions:
 - Wavelengths are nanometres there, metres here.
 - The amplitude is taken as uniform.
 
-ray-optics is optional, and none of it is imported before a function is called.
+ray-optics is optional, and none of it is imported before a function is called. From 0.9.10 on it needs Python 3.12
+and downloads a database of glasses when first imported; without a network the environment variable
+``refractiveindexinfodb`` names a folder that has it.
 """
 
 from __future__ import annotations
@@ -35,6 +37,7 @@ def pupil(
     *,
     wavelength: float | None = None,
     apertures: bool = True,
+    circular: bool = False,
     degree: int = 12,
     tol: float = 0.01,
 ) -> Pupil:
@@ -51,6 +54,9 @@ def pupil(
     apertures : bool, default True
         Whether a ray that misses the clear aperture of a surface is blocked, which is an error. False lets the whole
         entrance pupil pass, as where apertures have not been set yet.
+    circular : bool, default False
+        Whether the pupil is a circle of the geometric mean f-number, as in :func:`field_map`; by default it is what
+        the image sees, off the axis an ellipse. Phase retrieval and gradients by frameworks take circles only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -59,7 +65,7 @@ def pupil(
     Returns
     -------
     Pupil
-        With the f-number at this point.
+        With the f-number at this point; of an ellipse, that of its major axis, and the ellipse as `vignetting`.
 
     Raises
     ------
@@ -69,7 +75,8 @@ def pupil(
         If an argument is out of range, if rays are blocked, or if `degree` does not reach `tol`.
     """
     trace, metres = _tracer(model, wavelength, apertures)
-    return ray_tracing.single_pupil(trace, field, metres, degree, tol)
+    round_ = validation.truth("circular", circular)
+    return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=round_)
 
 
 def field_map(
@@ -111,7 +118,7 @@ def field_map(
 
 def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
-    library("rayoptics", "this needs", "")
+    library("rayoptics.optical.opticalmodel", "this needs", "")
     from rayoptics.optical.opticalmodel import OpticalModel
     from rayoptics.raytr import trace as rays
     from rayoptics.raytr.opticalspec import Field
@@ -141,7 +148,12 @@ def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[r
                 continue
             opd = wave_abr_full_calc(first, field, nanometres, shift, found, chief, sphere)
             phase[k] = -2.0 * math.pi * opd / (unit * 1e-9 * nanometres)
-            towards[k] = abs(first.n_img) * (found[0][-1][1] - chief_direction)[:2]
+            # From the point of the reference sphere that the ray comes from.
+            past, direction = found[0][-1][0] - sphere[0], found[0][-1][1]
+            along = past @ direction
+            length = along + math.sqrt(along**2 + sphere[2] ** 2 - past @ past)
+            straight = (length * direction - past) / abs(sphere[2])
+            towards[k] = abs(first.n_img) * (straight - chief_direction)[:2]
         place = np.asarray(sphere[0], dtype=np.float64) / unit
         return ray_tracing.TracedField(x, y, phase, towards[:, 0], towards[:, 1], (float(place[0]), float(place[1])))
 

@@ -64,7 +64,7 @@ def file(tmp_path, deep):
 
 
 def quick(stack, **options):
-    way = lm.imaging.RichardsonLucy(steps=6, target=0.0)
+    way = lm.imaging.RichardsonLucy(steps=4, target=0.0)
     given = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "method": way, "psf_shape": WINDOW} | options
     return lm.microscopy.restore(stack, OIL_60X, **given)
 
@@ -316,7 +316,9 @@ def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said
         lm.microscopy.restore(given.pop("stack"), given.pop("objective"), **given)
 
 
-def test_a_spherical_aberration_is_found_from_the_stack():
+def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
+    monkeypatch.setattr(refinement, "_STEPS", 8)
+    monkeypatch.setitem(refinement._TOLERANCE, "spherical", 0.01)
     model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 33))
     truth = np.zeros((8, 24, 24), np.float32)
     truth[4, 12, 12] += 1e6

@@ -36,11 +36,12 @@ _TABLE = 33  # depths
 
 
 class PSFs(NamedTuple):
-    """The depths of PSFs: of those near their emitters, and of the light far from them; metres.
+    """The depths in focus in each plane, and of PSFs: of those near their emitters, and of the light far from them.
 
-    With `radial` there is one for each plane, else weights between neighbours are linear.
+    Metres. With `radial` there is one for each plane, else weights between neighbours are linear.
     """
 
+    planes: Array
     depths: Array
     nodes: Array
     radial: RadialTransfer | None
@@ -176,7 +177,7 @@ class DepthModel:
         span = float(np.abs(away).max()) * self.objective.sample / self.objective.immersion
         table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _TABLE)
         table = np.unique(np.append(table, self.depth))
-        focus = np.asarray(self.objective.focus(table, wavelength=wave).brightest)
+        focus = self.objective.pupil(depth=table, wavelength=wave).focus
         best = np.maximum.accumulate(focus)  # at the glass it may jump back by nanometres
         middle = float(np.interp(self.depth, table, best))
         return np.asarray(np.interp(middle + away, best + 1e-15 * np.arange(len(best)), table))
@@ -189,26 +190,26 @@ class DepthModel:
         """
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])
-        alone = PSFs(np.array([self.depth]), np.array([self.depth]), None)
+        alone = PSFs(depths, np.array([self.depth]), np.array([self.depth]), None)
         if slabs == 1 or high - low < 1e-9:
             return alone
         if slabs is not None:
             nodes = _nodes(low, high, validation.integer("slabs", slabs, least=1, most=64))
-            return PSFs(nodes, nodes, None)
+            return PSFs(depths, nodes, nodes, None)
         if _apart(self.near(low), self.near(high)) < _LIKE:
             return alone
         radial = self._radial(low, high)
         if radial is not None:
-            return PSFs(depths, _nodes(low, high, _FAR), radial)
+            return PSFs(depths, depths, _nodes(low, high, _FAR), radial)
         nodes = _nodes(low, high, self._slabs(low, high))
-        return PSFs(nodes, nodes, None)
+        return PSFs(depths, nodes, nodes, None)
 
     def blur(
         self, shape: tuple[int, int, int], margin: tuple[int, int], psfs: PSFs | None = None, *, threads: int = 0
     ) -> TiledBlur | WideBlur:
         """Return the blur of a stack, with a margin on each side."""
         used = psfs or self.psfs(margin[0])
-        weights = _weights(self.depths(margin[0]), used.nodes) if len(used.nodes) > 1 else None
+        weights = _weights(used.planes, used.nodes) if len(used.nodes) > 1 else None
         kernels = (self.near(float(each)) for each in used.depths)
         near: TiledBlur
         if used.radial is None:

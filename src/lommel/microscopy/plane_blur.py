@@ -12,6 +12,7 @@ from lommel.base.threads import side_by_side
 from lommel.microscopy.stack_blur import TiledBlur
 
 _APART = 0.2  # radians between two frequencies, at the edge of the PSF
+_TOGETHER = 16  # magnitudes of frequencies that are a task of a thread
 _ON_AXIS = 0.4  # cycles a pixel: beyond, frequencies on the diagonal are farther from those that alias
 
 
@@ -112,7 +113,11 @@ class PlaneBlur(TiledBlur):
         flat = self._room.reshape(self.whole[0], -1)
         given, made = (self.shape[0], self.whole[0]) if transposed else (self.whole[0], self.shape[0])
 
-        def several(number: int) -> None:
+        def several(begin: int) -> None:
+            for number in range(begin, min(begin + _TOGETHER, len(self._groups))):
+                one(number)
+
+        def one(number: int) -> None:
             here, level = self._groups[number], self._levels[number]
             values = np.take(flat[:given], here, axis=1)
             first, second = self._matrices[level], self._matrices[level + 1]
@@ -123,4 +128,4 @@ class PlaneBlur(TiledBlur):
             found += second @ values.view(np.float32)
             flat[:made, here] = found.view(np.complex64)
 
-        side_by_side(several, range(len(self._groups)), self._threads)
+        side_by_side(several, range(0, len(self._groups), _TOGETHER), self._threads)

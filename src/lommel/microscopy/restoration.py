@@ -643,7 +643,7 @@ class _Job:
         ).hexdigest()  # fmt: skip
         self._target.begin(request)
         after, before, steps, stopped = self._tiles(source, camera, limit, psfs, around, side, method, turned, tell)
-        depths = model.depths()
+        depths = psfs.planes[around[0] : around[0] + planes]
         return RestoredChannel(
             after, before, steps, stopped, camera, "down" if turned else "up", depths[::-1] if turned else depths,
             nodes, estimated,

@@ -103,6 +103,7 @@ class Quadrature:
         for (n, c), (m, d) in itertools.pairwise(media):
             s_wave *= 2.0 * n * c / (n * c + m * d)
             p_wave *= 2.0 * n * c / (m * c + n * d)
+        self._weight = weight
         both = p_wave * self._sample
         shared = weight / np.sqrt(self._oil)
         amplitudes = (shared * (s_wave + both), shared * p_wave * sine / OIL.sample, shared * (s_wave - both))
@@ -135,6 +136,15 @@ class Quadrature:
             light = light + amount * ((bessel @ f.real) ** 2 + (bessel @ f.imag) ** 2)
         return np.asarray((self._pixels @ light).T.reshape(-1, self._side, self._side))
 
+    def collected(self, depth: float) -> float:
+        """Return the light in a whole plane, by Parseval's theorem, a pixel."""
+        share = np.exp(-2.0 * self._k * depth * OIL.sample * self._sample.imag)
+        light = sum(
+            amount * float((np.abs(amplitude / self._weight) ** 2 * share * self._weight).sum())
+            for amount, _, amplitude in self._terms
+        )
+        return light * 2.0 * np.pi / (self._k * OIL.sample * PIXEL / OIL.magnification) ** 2
+
     def brightest(self, depth: float) -> float:
         """Return the movement of the stage at which an emitter is brightest."""
         stage = depth * OIL.immersion / OIL.sample + np.linspace(-0.05, 0.3, 4001) * max(depth, 2e-6)
@@ -159,21 +169,17 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
         np.add.at(emitters, (level, *np.clip(np.rint(line).astype(int), 0, side - 1).T), 150.0)
     optics, stage = Quadrature(2 * side + 1), begin + step * np.arange(planes)
     best = np.array([optics.brightest(float(depth)) for depth in depths])
-    unit = optics.psf(2e-6, np.array([optics.brightest(2e-6)])).sum()
     middle = float(np.interp(stage[planes // 2], np.maximum.accumulate(best), depths))
     window = usual_window(OIL, WAVE, PIXEL, step, (planes, side, side))
-    half, cut = window[0] // 2, slice(side - min(window[1] // 2, side), side + min(window[1] // 2, side) + 1)
     truth, image = np.zeros((planes, side, side)), np.full((planes, side, side), BACKGROUND)
     for each, depth, focus in zip(emitters, depths, best, strict=True):
         if not each.any():
             continue
-        psfs = optics.psf(float(depth), stage) / unit
+        psfs = optics.psf(float(depth), stage) / optics.collected(float(depth))
         image += np.maximum(oaconvolve(each[np.newaxis], psfs, axes=(1, 2))[:, side : 2 * side, side : 2 * side], 0.0)
-        # Light beyond the windows of the PSFs is no part of what any of them restores.
-        kept = optics.psf(float(depth), focus + step * np.arange(-half, half + 1))[:, cut, cut].sum() / unit
         place = (focus - begin) / step
         for plane in (int(place), int(place) + 1):
-            truth[plane] += (1.0 - abs(place - plane)) * kept * each
+            truth[plane] += (1.0 - abs(place - plane)) * window[0] * each  # of all planes of a PSF
     camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
     stack = np.clip(np.rint(camera.record(image, seed=2)), 0, 65535).astype(np.uint16)
     light, widths = np.maximum(camera.electrons(stack), 0.0), (0.32e-6 / step, 1.0, 1.0)

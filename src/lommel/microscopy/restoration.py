@@ -207,7 +207,8 @@ def restore(
         follow better; "up" where they do not tell.
     slabs : int, optional
         Number of PSFs over the depth of the stack, with linear weights between them; 1 for the same everywhere. By
-        default as many as are needed for PSFs in between to be within 3 % of the light, up to 9.
+        default each plane has its own; with aberrations that are not rotationally symmetric, as many as are needed
+        for PSFs in between to be within 3 % of the light, up to 9.
     refine : sequence of {"depth", "sample", "spherical"}
         What is estimated from the stack by its likelihood first: the depth, the refractive index of the sample, or
         spherical aberration (waves rms).
@@ -246,8 +247,10 @@ def restore(
     Notes
     -----
     Depths are those of the brightest focus of an emitter, by :meth:`lommel.Objective.focus`: restored points stay in
-    the plane in which they are brightest. A stack is blurred as ``sum_s h_s * (w_s x)``, with PSFs h_s and weights
-    w_s of each plane, and with the exact transpose of that. After Ctrl-C the steps that are done are kept, as
+    the plane in which they are brightest. Wide-field and light-sheet PSFs have all light that the objective collects
+    in each of their planes: that beyond their window is blurred on a coarse grid, and light from outside of the field
+    is estimated, one level for each plane. With `slabs` a stack is blurred as ``sum_s h_s * (w_s x)``, with PSFs h_s
+    and weights w_s of each plane. Transposes are exact. After Ctrl-C the steps that are done are kept, as
     ``stopped="interrupted"``; with `out` it raises KeyboardInterrupt, and can be continued.
     """
     validation.choice("modality", modality, MODALITIES)

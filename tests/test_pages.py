@@ -145,6 +145,8 @@ def folder(tmp_path, monkeypatch) -> Path:
     tifffile.imwrite("depths/a.tif", distance.astype(np.float32))
     ranges = next(code for code, _ in blocks(ROOT / "docs" / "datasets.md", "toml"))
     (tmp_path / "lenses.toml").write_text(ranges, encoding="utf-8")
+    bent = next(code for code, _ in blocks(ROOT / "docs" / "field.md", "toml"))
+    (tmp_path / "bent.toml").write_text(bent, encoding="utf-8")
     v, u = np.mgrid[-1:1:33j, -1:1:33j]
     np.save("opd.npy", 1e-7 * (u * u + v * v))
     np.save("measured.npy", u * u + v * v < 0.9)
@@ -356,7 +358,8 @@ def test_shells_are_told_how_to_complete(shell, tmp_path):
 
 
 def test_the_lens_files_of_the_page_about_the_field_work(folder):
-    sections = [code for code, _ in blocks(ROOT / "docs" / "field.md", "toml")]
+    whole, *sections = [code for code, _ in blocks(ROOT / "docs" / "field.md", "toml")]
+    assert whole.lstrip().startswith("# bent.toml")  # which a command takes
     assert len(sections) == 3
     before = Path("camera.toml").read_text(encoding="utf-8").partition("[field]")[0]
     for section in sections:

@@ -129,6 +129,10 @@ def test_a_result_that_does_not_fit_has_exit_code_3(folder):
     [
         (("bead.tif", *ASKED, "-o", "x.csv"), "--output must end in .toml"),
         (("bead.tif", *ASKED, "--field", "1", "-o", "x.toml"), "--output must end in .csv with --field"),
+        (
+            ("field.tif", *ASKED, "--window", "19", "--field", "1", "--fixed"),
+            "--field needs at least 4 beads that fit, got 2 of 2",
+        ),
         (("bead.tif", *ASKED, "--field", "1"), "--field needs stacks of one size that show the whole field"),
         (("bead.tif", "objective.toml", "--step", "200nm"), "--read is missing"),
         (("dark.tif", *ASKED), "standard deviations high: lower --threshold, or check --offset and --gain"),

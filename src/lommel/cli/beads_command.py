@@ -229,6 +229,12 @@ def _of_field(
     about: Report,
 ) -> Report:
     """Return the report of aberrations over the image, and write them as a table."""
+    lost = [one.message for one in fits if not one.converged]
+    if len(fits) - len(lost) < 4:
+        first = f"; the first that does not: {lost[0]}" if lost else ""
+        raise ValueError(
+            f"--field needs at least 4 beads that fit, got {len(fits) - len(lost)} of {len(fits)}{first}"
+        )
     own = [one.beads[0] for one in fits]
     places = [(one.row + corner[0], one.column + corner[1]) for one, corner in zip(own, corners, strict=True)]
     field = fit_objective_field(fits, places, sensor=shape, degree=degree)
@@ -257,9 +263,9 @@ def _of_field(
             for name, at, used, one in zip(names, places, field.used, fits, strict=True)
         ],
     }
-    lost = [f"- {one['name']}, left out: {one['message']}" for one in facts["beads"] if not one["used"]]
+    out = [f"- {one['name']}, left out: {one['message']}" for one in facts["beads"] if not one["used"]]
     table = table_of(("term, milliwaves rms", *shown), rows)
-    parts: list[RenderableType] = [Wrapped(field.message, "bold"), "", table, *map(Wrapped, lost)]
+    parts: list[RenderableType] = [Wrapped(field.message, "bold"), "", table, *map(Wrapped, out)]
     return Report(facts, parts) + about + written([output])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
@@ -16,5 +17,24 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
     most = min(threads or os.cpu_count() or 1, len(each))
     if most <= 1:
         return [task(one) for one in each]
-    with ThreadPoolExecutor(most) as pool:
-        return list(pool.map(task, each))
+    left = deque(range(len(each)))
+    made: dict[int, Made] = {}
+
+    def some() -> None:
+        # A future for each would cost more than a short task.
+        while left:
+            try:
+                number = left.popleft()
+            except IndexError:  # another thread was faster
+                return
+            made[number] = task(each[number])
+
+    with ThreadPoolExecutor(most - 1) as pool:
+        try:
+            others = [pool.submit(some) for _ in range(most - 1)]
+            some()
+            for other in others:
+                other.result()
+        finally:
+            left.clear()
+    return [made[number] for number in range(len(each))]

@@ -1,0 +1,38 @@
+"""Functions applied on several threads."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import pytest
+
+from lommel.base.threads import side_by_side
+
+
+@pytest.mark.parametrize("threads", [0, 1, 2, 7])
+def test_answers_stand_in_the_order_of_what_was_given(threads: int) -> None:
+    assert side_by_side(lambda one: one * one, range(300), threads) == [k * k for k in range(300)]
+    assert side_by_side(str, [], threads) == []
+
+
+def test_several_threads_share_the_tasks() -> None:
+    both = threading.Barrier(2, timeout=20.0)
+    names = side_by_side(lambda _: (both.wait(), threading.get_ident())[1], range(2), 2)
+    assert len(set(names)) == 2
+
+
+@pytest.mark.parametrize("error", [ValueError, IndexError, KeyboardInterrupt])
+@pytest.mark.parametrize("threads", [1, 3])
+def test_an_error_of_a_task_ends_the_others_soon(error: type[BaseException], threads: int) -> None:
+    done: list[int] = []
+
+    def task(one: int) -> None:
+        if one == 5:
+            raise error("five")
+        time.sleep(1e-3)
+        done.append(one)
+
+    with pytest.raises(error, match="five"):
+        side_by_side(task, range(2000), threads)
+    assert len(done) < 1000

@@ -5,9 +5,11 @@ from __future__ import annotations
 import threading
 import time
 
+import numpy as np
 import pytest
 
-from lommel.base.threads import side_by_side
+from lommel.base.arrays import Values
+from lommel.base.threads import product, side_by_side
 
 
 @pytest.mark.parametrize("threads", [0, 1, 2, 7])
@@ -36,3 +38,14 @@ def test_an_error_of_a_task_ends_the_others_soon(error: type[BaseException], thr
     with pytest.raises(error, match="five"):
         side_by_side(task, range(2000), threads)
     assert len(done) < 1000
+
+
+@pytest.mark.parametrize(("rows", "inner", "columns"), [(3, 5, 7), (700, 300, 41), (2, 300_000, 3), (1, 1, 1)])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_product_of_matrices_is_that_of_numpy(rows: int, inner: int, columns: int, dtype: type) -> None:
+    rng = np.random.default_rng(rows)
+    a: Values = rng.standard_normal((inner, rows)).astype(dtype).T
+    b: Values = rng.standard_normal((inner, columns)).astype(dtype)
+    made = product(a, b)
+    assert made.dtype == dtype
+    np.testing.assert_allclose(made, a @ b, rtol=0.0, atol=200 * np.finfo(dtype).eps * np.sqrt(inner))

@@ -1,15 +1,22 @@
-"""A function applied to several items on several threads."""
+"""A function applied to several items on several threads, and products of matrices in it."""
 
 from __future__ import annotations
 
+import math
 import os
 from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
+import numpy as np
+
+from lommel.base.arrays import Values
+
 Given = TypeVar("Given")
 Made = TypeVar("Made")
+
+_ALONE = 1 << 18  # multiplications for which OpenBLAS takes one thread
 
 
 def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: int = 0) -> list[Made]:
@@ -22,19 +29,35 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
 
     def some() -> None:
         # A future for each would cost more than a short task.
-        while left:
-            try:
-                number = left.popleft()
-            except IndexError:  # another thread was faster
-                return
-            made[number] = task(each[number])
+        try:
+            while True:
+                try:
+                    number = left.popleft()
+                except IndexError:
+                    return
+                made[number] = task(each[number])
+        finally:
+            left.clear()  # after an error
 
     with ThreadPoolExecutor(most - 1) as pool:
-        try:
-            others = [pool.submit(some) for _ in range(most - 1)]
-            some()
-            for other in others:
-                other.result()
-        finally:
-            left.clear()
+        others = [pool.submit(some) for _ in range(most - 1)]
+        some()
+        for other in others:
+            other.result()
     return [made[number] for number in range(len(each))]
+
+
+def product(a: Values, b: Values) -> Values:
+    """Return ``a @ b``, in blocks so small that OpenBLAS computes each of them on the thread that asks for it.
+
+    In tasks of :func:`side_by_side` its own threads would wait for one another, busily: on a processor that has other
+    work, too, twenty times as long as they compute.
+    """
+    made = np.empty((a.shape[0], b.shape[1]), np.result_type(a, b))
+    columns = max(1, math.isqrt(_ALONE // a.shape[1]))
+    for first in range(0, b.shape[1], columns):
+        part = b[:, first : first + columns]
+        rows = max(1, _ALONE // part.size)
+        for top in range(0, a.shape[0], rows):
+            np.matmul(a[top : top + rows], part, out=made[top : top + rows, first : first + columns])
+    return made

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from lommel.base.arrays import Array, Values
-from lommel.base.threads import side_by_side
+from lommel.base.threads import product, side_by_side
 from lommel.microscopy.stack_blur import TiledBlur
 
 _APART = 0.2  # radians between two frequencies, at the edge of the PSF
@@ -39,8 +39,8 @@ class RadialTransfer:
     def __call__(self, kernel: Array) -> Values:
         """Return it of the planes of an even kernel, shape (frequencies, planes)."""
         values = kernel.astype(np.float32)
-        near = values.sum(axis=1) @ self._axis
-        half = np.matmul(values, self._slanted)  # (planes, side, frequencies)
+        near = product(values.sum(axis=1), self._axis)
+        half = product(values.reshape(-1, values.shape[2]), self._slanted).reshape(*values.shape[:2], -1)
         far = np.einsum("yf,pyf->pf", self._slanted, half)
         made = np.concatenate([near, far], axis=1) / self._pixels
         return np.ascontiguousarray(made.T, np.float32)
@@ -123,9 +123,9 @@ class PlaneBlur(TiledBlur):
             first, second = self._matrices[level], self._matrices[level + 1]
             if transposed:
                 first, second = first.T, second.T
-            found = first @ (values * self._below[here]).view(np.float32)
+            found = product(first, (values * self._below[here]).view(np.float32))
             values *= self._above[here]
-            found += second @ values.view(np.float32)
+            found += product(second, values.view(np.float32))
             flat[:made, here] = found.view(np.complex64)
 
         side_by_side(several, range(0, len(self._groups), _TOGETHER), self._threads)

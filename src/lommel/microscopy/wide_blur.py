@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from lommel.base.arrays import Array, Values
-from lommel.base.threads import side_by_side
+from lommel.base.threads import product, side_by_side
 from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur
 
 
@@ -80,7 +80,7 @@ class WideBlur:
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
         down, across = self._given
-        found: Values = down[rows] @ self._seen[plane] @ across[columns].T
+        found = product(product(down[rows], self._seen[plane]), across[columns].T)
         found += self._near.seen(plane, rows, columns)
         return found
 
@@ -114,7 +114,7 @@ class WideBlur:
         made = np.empty((shape[0], down.shape[1], across.shape[1]), np.float32)
 
         def share(plane: int) -> None:
-            made[plane] = down.T @ values(plane, rows, columns) @ across
+            made[plane] = product(product(down.T, values(plane, rows, columns)), across)
 
         side_by_side(share, range(shape[0]), self._threads)
         return made
@@ -124,7 +124,7 @@ class WideBlur:
         down, across = hats
 
         def added(plane: int, rows: slice, columns: slice, values: Values) -> Made:
-            values += (down[rows] @ light[plane]) @ across[columns].T
+            values += product(product(down[rows], light[plane]), across[columns].T)
             return take(plane, rows, columns, values)
 
         return added

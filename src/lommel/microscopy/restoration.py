@@ -691,7 +691,8 @@ class _Job:
         transfers = 2.0 * len(psfs.depths) * (planes + self._model.window[0]) * whole / 4.0
         if psfs.radial is not None:
             transfers = float(len(psfs.radial.frequencies) * planes * deep)
-        return 4.0 * float(3.0 * deep * whole + 2.0 * planes * given + planes * given + transfers)
+        # With the transforms of all planes, and a tenth for the coarse grid.
+        return 4.4 * float(4.0 * deep * whole + 3.0 * planes * given + transfers)
 
     def _tiles(
         self,

@@ -162,7 +162,7 @@ def blur(
     batch: bool,
     **given: Any,
 ) -> Report:
-    """Blur a photo by its depth map or over the field of a lens, or pull the focus through it.
+    """Blur a photo by its depth map or over a lens field.
 
     PHOTO is a PNG, JPEG, TIFF or EXR, grey or RGB. DEPTH is a depth map of the same size, the distance of each point
     from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without a lens file LENS,

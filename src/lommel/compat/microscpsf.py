@@ -30,7 +30,7 @@ def gLXYZFocalScan(
     Parameters
     ----------
     mp : mapping
-        Microscope, as :data:`m_params`. "M" and "zd0" change nothing: the sine condition holds exactly.
+        Microscope, as ``m_params`` of this module. "M" and "zd0" change nothing: the sine condition holds exactly.
     dxy : float
         Pixel in the sample, micrometres; values are samples at the centres of pixels.
     xy_size : int

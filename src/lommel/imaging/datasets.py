@@ -137,7 +137,7 @@ def _between(value: Any, share: float) -> float:
 
 @dataclass(frozen=True)
 class Rendered:
-    """One picture of a data set, which :func:`render_dataset` has just written, or could not render.
+    """One picture of a data set, which :func:`lommel.imaging.render_dataset` has just written, or could not render.
 
     Attributes
     ----------

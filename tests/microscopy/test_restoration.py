@@ -13,6 +13,7 @@ from scipy.ndimage import gaussian_filter
 
 import lommel as lm
 from lommel.microscopy import refinement
+from lommel.microscopy.camera_noise import measured_noise
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.restoration import INTERRUPTED
 from objectives import OIL_60X
@@ -248,11 +249,24 @@ def test_saturated_voxels_are_left_out_and_told(deep):
     assert "have the largest value, 1023: they were taken as saturated" in " ".join(found.notes)
 
 
-def test_estimated_noise_is_that_of_the_camera(deep):
-    found = lm.microscopy.estimate_noise(deep, read=1.5)
-    assert found.white == pytest.approx(0.5, rel=0.25)
-    assert found.offset == pytest.approx(100.0, abs=15.0)
-    with pytest.raises(ValueError, match="as bright everywhere; give noise="):
+def test_estimated_noise_is_that_of_the_camera_within_its_standard_error(deep):
+    found, error = measured_noise(deep, 1.5)
+    assert found == lm.microscopy.estimate_noise(deep, read=1.5)
+    assert found.white == pytest.approx(0.5, rel=3.0 * error)
+    assert error < 0.25
+    ratios = []
+    for seed in range(30):
+        rng = np.random.default_rng(seed)
+        light = 20.0 + 200.0 * np.sin(np.linspace(0.0, 3.0, 8))[:, None, None] ** 4 * np.linspace(0.0, 1.0, 40)
+        counts = (rng.poisson(np.broadcast_to(light, (8, 40, 40))) + rng.normal(0.0, 1.6, (8, 40, 40))) / 0.46 + 100.0
+        found, error = measured_noise(counts)
+        ratios.append((0.46 / found.white - 1.0) / error)
+    assert 0.7 < np.sqrt(np.mean(np.square(ratios))) < 1.4
+    assert abs(np.mean(ratios)) < 0.6
+
+
+def test_noise_that_is_not_to_be_known_is_refused():
+    with pytest.raises(ValueError, match=r"does not clearly grow with the light.*or noise="):
         lm.microscopy.estimate_noise(np.random.default_rng(0).poisson(50.0, (4, 64, 64)))
     with pytest.raises(ValueError, match="must have the shape"):
         lm.microscopy.estimate_noise(np.ones((4, 4)))

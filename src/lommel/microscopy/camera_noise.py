@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -10,11 +11,13 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.estimation.noise import Noise
 
-_BINS = 24
-_LEAST = 500  # pixels of a bin
 _PLANES = 24  # that are looked at
 _READ = 1.6  # rms electrons, where the offset cannot be told from the read noise
-_SPAN = 1.5  # of the variance of the brightest bin over that of the dimmest, for a slope
+_KERNEL = np.array([1.0, -2.0, 1.0])
+_WINDOW = 5  # pixels of a side of the local mean, in which planes count as they do in the variance
+_STRUCTURE = 16.0  # times the variance: the square of a detail that is no noise
+_SATURATED = 8  # voxels at the largest value of a plane or more
+_UNSURE = 0.3  # standard error of the gain over itself, from which on it is of no use
 
 
 def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
@@ -30,8 +33,8 @@ def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
     Returns
     -------
     Noise
-        Of the unit of `stack`. In simulated stacks gains were 0.5 to 13 % low, and 21 % in one of bright beads;
-        detail finer than two pixels counts as noise. It is not as good as a calibration.
+        Of the unit of `stack`. In simulated stacks of beads gains were within their standard errors: 5 % with
+        250 000 voxels, 13 % with 33 000. It is not as good as a calibration.
 
     Raises
     ------
@@ -40,77 +43,77 @@ def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
 
     Notes
     -----
-    The variance in the highest spatial frequencies, which an image in focus hardly has (Immerkaer 1996,
-    doi:10.1006/cviu.1996.0060), against the local mean: a line of slope ``1 / white``, whose zero is
-    ``offset - read**2 / white``. A robust width (of quartiles) is used in each of 24 bins of the mean.
+    The variance in the highest spatial frequencies along all three axes, which an image of a microscope hardly has
+    (second differences; of planes alone Immerkaer 1996, doi:10.1006/cviu.1996.0060), against the local mean: the most
+    likely line of slope ``1 / white``, whose zero is ``offset - read**2 / white``.
     """
+    return measured_noise(stack, read)[0]
+
+
+def measured_noise(stack: Any, read: float = _READ) -> tuple[Noise, float]:
+    """Return the same, and the standard error of the gain over the gain."""
     sigma = validation.real("read", read, least=0.0)
-    means, variances, counts = _points(stack)
-    if len(means) < 3 or variances.max() < _SPAN * variances[0]:
+    mean, squares, independent = _points(stack)
+    lowest = float(np.quantile(mean, 1e-3))
+    constant, slope, error = _line(mean - lowest, squares)
+    error *= 1.0 / math.sqrt(independent)
+    if not slope > 0.0 or error > _UNSURE * slope:
         raise ValueError(
-            "the noise cannot be estimated from a stack that is as bright everywhere; give noise=, such as "
+            "the noise cannot be estimated: its variance does not clearly grow with the light, as that of photons "
+            "does; give a stack that was not filtered and has brighter and darker places, or noise=, such as "
             "lommel.Noise(white=0.46, read=1.6, offset=100) from the data sheet of the camera"
         )
-    slope, constant = _line(means, variances, counts)
-    if not slope > 0.0:
-        raise ValueError(
-            "the noise cannot be estimated: its variance does not grow with the light, as that of photons does; give "
-            "noise=, and a stack that was not filtered"
-        )
-    offset = -constant / slope + sigma**2 * slope
-    lowest = float(means[0])
-    return Noise(white=1.0 / slope, read=sigma, offset=min(offset, lowest))
+    offset = lowest - constant / slope + sigma**2 * slope
+    return Noise(white=1.0 / slope, read=sigma, offset=min(offset, lowest)), error / slope
 
 
-def _points(stack: Any) -> tuple[Array, Array, Array]:
-    """Return local means, and the variances of the noise at these, of bins."""
-    from scipy.ndimage import uniform_filter
+def _points(stack: Any) -> tuple[Array, Array, float]:
+    """Return local means, squares of the noise there, and which share of the squares are independent ones."""
+    from scipy.ndimage import convolve1d, uniform_filter
 
     shape = np.shape(stack)
     if len(shape) != 3:
         raise ValueError(f"stack must have the shape (planes, height, width), got {shape}")
-    places = np.unique(np.linspace(0, shape[0] - 1, min(_PLANES, shape[0])).astype(int))
+    beside = 1 if shape[0] >= 3 else 0
+    places = np.linspace(beside, shape[0] - 1 - beside, min(_PLANES, shape[0] - 2 * beside)).astype(int)
+    axes = (0, 1, 2) if beside else (1, 2)
     found: list[Array] = []
-    for place in places:
-        plane = np.asarray(stack[int(place)], np.float64)
-        high = plane - np.roll(plane, 1, 0)
-        high = high - np.roll(high, 1, 1)
-        high = (high - np.roll(high, -1, 0))[2:-2, 2:-2]
-        # Of differences (1, -2, 1) down and (1, -1) across: 6 times 2 the variance of a pixel.
-        mean = uniform_filter(plane, 5)[2:-2, 2:-2]
-        # Where it is flat, for sharp detail is no noise.
-        rough = np.abs(uniform_filter(plane, 3)[2:-2, 2:-2] - mean)
-        known = np.isfinite(high) & np.isfinite(mean)
-        found.append(np.stack([mean[known], high[known] / np.sqrt(12.0), rough[known]]))
-    mean, high, rough = np.concatenate(found, axis=1)
+    for place in np.unique(places):
+        planes = np.array(stack[place - beside : place + beside + 1], np.float64)
+        top = np.nanmax(planes)
+        if (planes == top).sum() >= _SATURATED:
+            planes[planes == top] = np.nan
+        high = planes
+        for axis in axes:
+            high = convolve1d(high, _KERNEL, axis=axis) / math.sqrt(float(_KERNEL @ _KERNEL))
+        mean = uniform_filter(planes, (1, _WINDOW, _WINDOW))
+        if beside:
+            mean = convolve1d(mean, _KERNEL**2 / (_KERNEL @ _KERNEL), axis=0)
+        pair = np.stack([mean[beside, 2:-2, 2:-2], high[beside, 2:-2, 2:-2] ** 2])
+        found.append(pair[:, np.isfinite(pair).all(axis=0)])
+    mean, squares = np.concatenate(found, axis=1)
     if not mean.size:
         raise ValueError("stack must have 6 rows and columns or more whose values are known")
-    low, top = np.quantile(mean, [0.001, 0.9995])
-    edges = low + (top - low) * np.linspace(0.0, 1.0, _BINS + 1) ** 2.5  # most pixels are dark
-    number = np.clip(np.digitize(mean, edges) - 1, 0, _BINS - 1)
-    inside = (mean >= low) & (mean <= top)
-    rows = []
-    for each in range(_BINS):
-        chosen = inside & (number == each)
-        if chosen.sum() < _LEAST:
-            continue
-        calm = chosen & (rough <= np.quantile(rough[chosen], 0.2))
-        quarters = np.quantile(high[calm], [0.25, 0.75])
-        rows.append((mean[calm].mean(), (np.ptp(quarters) / 1.3489795) ** 2, calm.sum()))
-    means, variances, counts = np.array(rows).reshape(-1, 3).T
-    return means, variances, counts
+    shared = np.correlate(_KERNEL, _KERNEL, "full")
+    return mean, squares, float((shared.max() ** 2 / (shared @ shared)) ** len(axes))
 
 
-def _line(means: Array, variances: Array, counts: Array) -> tuple[float, float]:
-    """Return slope and constant of the line through variances, whose own errors grow with them."""
-    keep = np.ones(len(means), dtype=bool)
-    slope = constant = 0.0
-    for _ in range(4):
-        weight = np.sqrt(counts) / np.maximum(variances, 1e-30)
-        slope, constant = np.polyfit(means[keep], variances[keep], 1, w=weight[keep])
-        line = slope * means + constant
-        # Structure adds to the variance, and nothing takes from it.
-        keep = variances < 1.25 * np.maximum(line, 1e-30)
-        if keep.sum() < 3:
+def _line(light: Array, squares: Array) -> tuple[float, float, float]:
+    """Return constant and slope of the likeliest variance, and the standard error of the slope."""
+    constant, slope = float(squares.mean()), 0.0
+    covariance = np.full((2, 2), np.inf)
+    for _ in range(50):
+        variance = constant + slope * light
+        weight = (squares < _STRUCTURE * variance) / variance**2
+        normal = np.array([[weight.sum(), weight @ light], [weight @ light, weight @ light**2]])
+        try:
+            covariance = 2.0 * np.linalg.inv(normal)
+        except np.linalg.LinAlgError:  # light is the same everywhere
+            return constant, 0.0, math.inf
+        before = slope
+        constant, slope = 0.5 * covariance @ [weight @ squares, weight @ (light * squares)]
+        constant = max(constant, 1e-3 * float(squares.mean()))
+        slope = max(slope, 0.0)
+        if abs(slope - before) <= 1e-6 * abs(slope):
             break
-    return float(slope), float(constant)
+    return constant, float(slope), math.sqrt(covariance[1, 1])

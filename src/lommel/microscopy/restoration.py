@@ -25,7 +25,7 @@ from lommel.imaging.deconvolution import MISFIT, STEPS, RichardsonLucy
 from lommel.io import recordings
 from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
-from lommel.microscopy.camera_noise import estimate_noise
+from lommel.microscopy.camera_noise import measured_noise
 from lommel.microscopy.deconvolution import STACK_MISFIT, Counted, Walk
 from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
 from lommel.microscopy.refinement import PARAMETERS, crop_of, direction_of, refined
@@ -590,11 +590,12 @@ class _Job:
         limit = self._limit(saturation)
         camera = noise
         if camera is None:
-            camera = estimate_noise(stack)
+            camera, error = measured_noise(stack)
             gain = 1.0 if camera.white is None else float(camera.white)
             notes.append(
-                f"The noise was estimated from the stack: {gain:.3g} electrons per count, offset "
-                f"{float(camera.offset):.4g}; read noise {float(camera.read):g} electrons was assumed."
+                f"The noise was estimated from the stack: {gain:.3g} electrons per count, standard error "
+                f"{gain * error:.1g}, offset {float(camera.offset):.4g}; read noise {float(camera.read):g} electrons "
+                "was assumed."
             )
         _maps(camera, (height, width))
         crop = crop_of(stack, model.window[1])

@@ -163,7 +163,8 @@ LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
     }
     if constexpr (sizeof(V) == 64) {
         typedef float Quad __attribute__((vector_size(16), aligned(4), may_alias));
-        const auto quad = [&](std::size_t i) LOMMEL_INLINE_LAMBDA -> const Quad& { return *reinterpret_cast<const Quad*>(c + at[i]); };
+        const auto quad = [&](std::size_t i)
+                              LOMMEL_INLINE_LAMBDA -> const Quad& { return *reinterpret_cast<const Quad*>(c + at[i]); };
         asm("vbroadcastf32x4 %1, %0" : "=v"(v) : "m"(quad(0)));
         asm("vbroadcastf32x4 %1, %0%{%2%}" : "+v"(v) : "m"(quad(4)), "Yk"(static_cast<std::uint16_t>(0x00f0)));
         asm("vbroadcastf32x4 %1, %0%{%2%}" : "+v"(v) : "m"(quad(8)), "Yk"(static_cast<std::uint16_t>(0x0f00)));

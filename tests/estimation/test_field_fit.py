@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -277,6 +278,41 @@ def test_a_wrong_aperture_is_a_misfit():
     fit = fitted(images[:8, 0], places[:8], lm.Pupil(obscuration=0.6), degree=1)
     assert not fit.converged
     assert fit.message.startswith("misfit: ")
+
+
+def test_a_degree_that_is_too_low_is_a_misfit_of_the_pixels_with_light():
+    places, images, _ = case(seed=5, count=30, defocus=(-3.0, 3.0))
+    right = fitted(images, places, degree=2, defocus=(-3.0, 3.0))
+    assert right.converged
+    fit = fitted(images, places, degree=1, defocus=(-3.0, 3.0))
+    assert not fit.converged
+    assert fit.message.startswith("misfit")
+
+
+def test_an_offset_that_is_left_out_is_a_misfit():
+    places, images, _ = case()
+    counts = images[:, 0] / 0.8 + 500.0
+    assert fitted(counts, places, noise=lm.Noise(white=0.8, read=2.0, offset=500.0)).converged
+    fit = fitted(counts, places)
+    assert not fit.converged
+    assert "less noisy than white, read and offset state" in fit.message
+
+
+def test_other_random_starts_are_tried_where_the_map_does_not_hold(monkeypatch):
+    places, images, _ = case()
+    whole, outcomes = Search.outcome, []
+
+    def first_one_doubted(search, found):
+        made = whole(search, found)
+        outcomes.append(made if outcomes else replace(made, held_out=(9.0, 0.01)))
+        return outcomes[-1]
+
+    monkeypatch.setattr(Search, "outcome", first_one_doubted)
+    fit = fitted(images[:, 0], places)
+    assert "left out" in outcomes[0].doubt
+    assert len(outcomes) == 2
+    assert fit.converged
+    assert fit.held_out == outcomes[1].held_out[0]
 
 
 def test_apertures_with_vanes():

@@ -62,6 +62,15 @@ def test_each_reason_of_refusal_is_told():
     assert found.message.startswith("0 spots found; refused: ")
 
 
+@pytest.mark.parametrize(("beside", "kept"), [(8, False), (13, True)])
+def test_a_hot_pixel_is_a_neighbor_in_the_window_alone(beside, kept):
+    image = NOISE.record(sky([(60, 60, 4e4)]), seed=3)
+    image[60, 60 + beside] += 30000.0
+    found = lm.find_spots(image, noise=NOISE, window=21)
+    assert [60, 60] in found.places.tolist() or not kept
+    assert (reasons(found).get((60, 60)) == "neighbor") != kept
+
+
 def test_a_dim_neighbor_is_one_of_the_dim_star_alone():
     stars = [(60, 60, 1e6), (60, 78, 8e3)]
     image = NOISE.record(sky(stars), seed=1)

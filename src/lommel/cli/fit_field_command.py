@@ -213,7 +213,8 @@ def fit_field(
     if figure is not None:
         save_figure(made.plot(), figure)
     told = _headlines(made, pupil, np.atleast_1d(known))
-    report = Report(_facts(made, found) | told, _parts(made, found, told), made.converged)
+    blur = _blurred(made, pitch, instrument.lens.focal_length)
+    report = Report(_facts(made, found) | told, _parts(made, found, told, blur), made.converged)
     verdict = "" if made.converged else f", of a fit that has not converged: {made.message.partition(':')[0]}"
     return report + written([output, twin, figure, spots], lambda path: verdict if path in (output, twin) else "")
 
@@ -281,20 +282,33 @@ def _around(defocus: float, pixel: float, across: float = 0.0) -> tuple[int, flo
     return max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1), max(2.0, 0.5 * radius)
 
 
-def _parts(made: FieldFit, found: PointSources | Crossings, told: Facts) -> list[Any]:
+def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
+    """Return the blur, and how images get it."""
+    each = zip(made.blur, made.blur_deviation, strict=True)
+    said = f"blur: {', '.join(f'{width:.3f} +- {error:.3f}' for width, error in each)} pixels"
+    if not made.blur.any():
+        return said
+    metres = pitch * float(made.blur.max())
+    angle = math.degrees(metres / focal_length) * 3600.0
+    return (
+        f"{said} (standard deviation). It is not in the table: PSFs have it by lommel psf --jitter {angle:.3g}, in "
+        f"Python by blur=lommel.Jitter({metres:.3g})"
+    )
+
+
+def _parts(made: FieldFit, found: PointSources | Crossings, told: Facts, blur: str) -> list[Any]:
     """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
     spots = _spots(made)
     rows = []
     for j, name in enumerate(made.names):
         cells = [f"{values[j]:+.4f} +- {errors[j]:.4f}" for values, errors in spots.values()]
         rows.append([label(name), *cells])
-    blur = ", ".join(f"{w:.3f} +- {d:.3f}" for w, d in zip(made.blur, made.blur_deviation, strict=True))
     if (bent := made.distortion) is not None:
         for j, name in enumerate(("rows", "columns")):
             rows.append(
                 [f"distortion of {name}, pixels", *(f"{v[j]:+.3f} +- {d[j]:.3f}" for v, d in _bent(made, bent))]
             )
-    table = table_of(("term, waves rms", *spots), rows)
+    table = table_of(("term, waves rms", "middle", "bottom right corner"), rows)
     first = []
     if (coma := told["coma"]) is not None:
         first.append(
@@ -312,7 +326,7 @@ def _parts(made: FieldFit, found: PointSources | Crossings, told: Facts) -> list
     if len(left) > _LISTED:
         lines.append(f"and {len(left) - _LISTED} more, in --json")
     parts: list[Any] = [Wrapped(made.message, "bold"), "", *map(Wrapped, first), *([""] if first else [])]
-    parts += [table, "", f"blur: {blur} pixels", Wrapped(found.message)]
+    parts += [table, "", Wrapped(blur), Wrapped(found.message)]
     return [*parts, *(Wrapped(f"- {each}") for each in lines)]
 
 
@@ -352,7 +366,7 @@ def _headlines(made: FieldFit, pupil: Pupil, known: Array) -> Facts:
 
 
 def _spots(made: FieldFit) -> dict[str, tuple[Any, Any]]:
-    """Return terms and standard errors, waves rms, in the middle, at the right edge and in a corner."""
+    """Return terms and standard errors, waves rms, in the middle and in the bottom right corner."""
     return {
         name: tuple(part / (2.0 * math.pi) for part in made.at(*at))  # type: ignore[misc]
         for name, at in _positions(made).items()

@@ -19,7 +19,7 @@ from lommel.base.arrays import Array
 from lommel.estimation import clipping, goodness_of_fit
 from lommel.estimation.chart_light import relative_light
 from lommel.estimation.distortion import POSES, Distortion, checked_ideal, displaced, fit_distortion, places_of
-from lommel.estimation.field_search import Found, Search
+from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_sensor import Sensor
 from lommel.estimation.field_signs import monomials, with_errors
 from lommel.estimation.field_stars import FieldStars, WholeField
@@ -41,6 +41,7 @@ _MOST_DEGREE, _MOST_DISTORTION = 6, 9
 _MOST_SIDE = 10**6
 _GRID = {True: 5, False: 17}  # positions a side of a map; cubic splines are exact up to degree 3
 _AXES = "rows", "columns"
+_SEARCHES = 3  # with other random starts, until one holds
 _NAMED = 3  # rejected stars, of which the message says where they are
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
@@ -180,7 +181,8 @@ class FieldFit:
         -----
         A rectangular grid of positions, on which splines reproduce polynomials of degree 3 exactly. Coefficients are
         in waves rms by Noll's index, less the wavefront of the pupil that the fit was given. Lines that begin with
-        ``#`` say the verdict and the standard errors in the middle and at the corners of the sensor.
+        ``#`` say the verdict, the blur, of which the table has nothing, and the standard errors in the middle and at
+        the bottom right corner of the sensor.
         """
         target = validation.path("path", path)
         if target.suffix.lower() != ".csv":
@@ -200,7 +202,13 @@ class FieldFit:
         columns = [f"Z{_noll(terms[j])}" for j in order]
         used = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
         lines = [f"# {self.message}"]
-        for what, spot in (("the middle", (x[len(x) // 2], y[len(y) // 2])), ("a corner", (x[-1], y[-1]))):
+        if self.blur.any():
+            widths = ", ".join(f"{width:.3g}" for width in self.blur)
+            lines.append(f"# not in this table: blur of {widths} pixels (standard deviation of a Gaussian)")
+        for what, spot in (
+            ("the middle", (x[len(x) // 2], y[len(y) // 2])),
+            ("the bottom right corner", (x[-1], y[-1])),
+        ):
             errors = self.at(*spot)[1] / (2.0 * math.pi)
             told = ", ".join(f"{name} {error:.2g}" for name, error in zip(used, errors, strict=True))
             lines.append(f"# standard errors in {what}, waves rms: {told}")
@@ -493,24 +501,32 @@ def _target(kind: str, size: float | None, pixel: float) -> Target | None:
 
 
 def _run(search: Search, degrees: list[int], begun: bool, state: dict[str, Any]) -> None:
-    """Put the fit, the rejected stars and the held-out chi2 into `state` as they become known."""
-    # A known defocus is a good start, for what is unknown beside it is usually less.
-    first = search.from_start() if begun or search.stars.defocused else None
-    if first is None:
-        first = search.from_singles()
-    first, _ = search.cleaned(first, (0.65, 0.05))
-    if len(degrees) > 1:
-        tried = []
-        for degree in degrees:
-            search.degree = degree
-            found = search.refined(first.model.chosen, first.polynomials(), first.squares(), 10, (0.7, 0.05))
-            if found is not None:
-                tried.append((search.held_out(found), degree, found))
-        # A degree that is not better by a hundredth of the excess is not worth its coefficients.
-        lowest = min(each[0] for each in tried)
-        _, search.degree, first = next(each for each in tried if each[0] <= lowest + 0.05 * abs(lowest - 1.0) + 1e-3)
-    state["found"], state["lost"] = search.whole(first)
-    state["held_out"] = search.held_out(state["found"])
+    """Put the best outcome of up to three searches into `state`; the first that holds is the last."""
+    places = search.places
+    for attempt in range(_SEARCHES):
+        search.places, search.degree = places, degrees[-1]
+        # A known defocus is a good start, for what is unknown beside it is usually less.
+        first = search.from_start() if attempt == 0 and (begun or search.stars.defocused) else None
+        if first is None:
+            first = search.from_singles()
+        first, _ = search.cleaned(first, (0.65, 0.05))
+        if len(degrees) > 1:
+            tried = []
+            for degree in degrees:
+                search.degree = degree
+                found = search.refined(first.model.chosen, first.polynomials(), first.squares(), 10, (0.7, 0.05))
+                if found is not None:
+                    tried.append((search.held_out(found)[0], degree, found))
+            # A degree that is not better by a hundredth of the excess is not worth its coefficients.
+            lowest = min(each[0] for each in tried)
+            most = lowest + 0.05 * abs(lowest - 1.0) + 1e-3
+            _, search.degree, first = next(each for each in tried if each[0] <= most)
+        outcome = search.outcome(first)
+        best = state.setdefault("outcome", outcome)
+        if not outcome.doubt or outcome.cost < best.cost:
+            state["outcome"] = outcome
+        if not outcome.doubt:
+            break
 
 
 def _degree(most: int, count: int) -> int:
@@ -627,8 +643,11 @@ def _answer(
 ) -> FieldFit:
     """Return the answer of a search."""
     stars, one = search.stars, search.stars.one
-    if "found" in state:
-        found, lost = state["found"], state["lost"]
+    doubt, held_out = "", math.nan
+    if "outcome" in state:
+        outcome: Outcome = state["outcome"]
+        search.places, search.degree = outcome.places, outcome.degree
+        found, lost, doubt, held_out = outcome.found, outcome.lost, outcome.doubt, outcome.held_out[0]
     else:
         assert search.latest is not None
         assert search.latest.best is not None
@@ -694,9 +713,7 @@ def _answer(
     used[found.model.chosen] = True
     chi2 = float(found.scores.chi2[0])
     spread = float(found.scores.spread[0])
-    limit = float(goodness_of_fit.most(spread))
-    held_out = float(state.get("held_out", math.nan))
-    settled = found.settled and chi2 < limit
+    settled = found.settled and not doubt
     noun = "star" if stars.target is None else stars.target.kind
     work = f"chi2 {chi2:.4g} per degree of freedom of {used.sum()} {noun}s, degree {degree}"
     if math.isfinite(held_out):
@@ -710,11 +727,8 @@ def _answer(
         work += f"; {distortion.message}"
     if interrupted:
         message = f"interrupted: {work}"
-    elif chi2 >= limit:
-        message = (
-            f"misfit: {work}, noise alone stays below {limit:.4g}; pupil, pixel, noise or "
-            "defocus are wrong, the degree is too low, or terms are missing"
-        )
+    elif doubt:
+        message = f"misfit: {work}; {doubt}"
     elif not found.settled:
         message = f"the steps did not settle: {work}"
     else:

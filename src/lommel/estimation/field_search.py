@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -33,6 +34,9 @@ _ENOUGH = 1.1  # times what chi2 of the stars by themselves exceeds 1 by
 _OUTLIER = 5.0  # standard deviations of chi2 beyond the median
 _ROUNDS = 4  # of rejection
 _MOST_LOST = 0.4  # of the stars, that may be rejected
+_MANY_LOST = 0.25  # beyond which the map is doubted
+_HELD_OUT = 0.05  # what chi2 of stars that were left out may exceed that of noise by
+_QUIET = 0.9  # chi2 below which the noise cannot be as stated
 
 Report = Callable[[float, float], object]
 
@@ -59,6 +63,46 @@ class Found:
     def squares(self) -> Array:
         """Return the squared widths of the blur (e,)."""
         return np.asarray(self.x[0, self.model.waves * self.model.basis.shape[1] : self.model.shared])
+
+
+@dataclass
+class Outcome:
+    """A fit of all stars, those that were rejected, what was tested, and the places and degree of the polynomials."""
+
+    found: Found
+    lost: NDArray[np.intp]
+    held_out: tuple[float, float]  # chi2 and its standard deviation, also below
+    bright: tuple[float, float]
+    places: Array
+    degree: int
+
+    @property
+    def doubt(self) -> str:
+        """Why the fit does not hold, or ""."""
+        chi2, spread = float(self.found.scores.chi2[0]), float(self.found.scores.spread[0])
+        limit = float(goodness_of_fit.most(spread))
+        reasons = "; pupil, pixel, noise or defocus are wrong, the degree is too low, or terms are missing"
+        if chi2 >= limit:
+            return f"noise alone stays below {limit:.4g}{reasons}"
+        bright, off = self.bright
+        if math.isfinite(bright) and bright >= (limit := float(goodness_of_fit.most(off))):
+            where = "of the pixels in which stars exceed the noise"
+            return f"chi2 {bright:.4g} {where}, noise alone stays below {limit:.4g}{reasons}"
+        held, off = self.held_out
+        if held - 1.0 > _HELD_OUT + 4.0 * off:
+            return f"stars that were left out do not follow the map{reasons}"
+        if len(self.lost) > _MANY_LOST * (len(self.lost) + len(self.found.model.chosen)):
+            return f"many stars do not follow the map{reasons}"
+        if chi2 < min(float(goodness_of_fit.least(spread)), _QUIET):
+            return "the images are less noisy than white, read and offset state: standard errors do not hold"
+        return ""
+
+    @property
+    def cost(self) -> float:
+        """Standard deviations by which stars do not fit, each of them up to what makes a star an outlier."""
+        each = self.found.model.each(self.found.x)
+        off = np.clip((each.chi2 - 1.0) / each.spread, 0.0, _OUTLIER)
+        return float(off.sum()) + _OUTLIER * len(self.lost)
 
 
 class Search:
@@ -393,23 +437,32 @@ class Search:
     def _limit(found: Found) -> float:
         return float(goodness_of_fit.most(found.scores.spread[0], SURE))
 
-    def held_out(self, found: Found) -> float:
-        """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say."""
+    def outcome(self, found: Found) -> Outcome:
+        """Return the fit of all stars from that of some, with what tests it."""
+        found, lost = self.whole(found)
+        chosen, light = found.model.chosen, found.of_stars()[:, 2:]
+        psf = self.stars.images(chosen, *found.model.parts(found.x), fast=False, slopes="none")[0]
+        unknown = found.model.shared + len(chosen) * self.stars.own * self.stars.exposures
+        bright = self.stars.bright(chosen, psf, light, float(unknown))
+        return Outcome(found, lost, self.held_out(found), bright, self.places, self.degree)
+
+    def held_out(self, found: Found) -> tuple[float, float]:
+        """Return chi2 of a fifth of the stars, whose wavefronts are those that the others say, and its deviation."""
         chosen = found.model.chosen
         order = np.argsort(self.places[chosen] @ [1.0, 0.318], kind="stable")
         out = np.zeros(len(chosen), dtype=bool)
         out[order[2::5]] = True
         if (~out).sum() <= found.model.basis.shape[1] or not out.any():
-            return float("nan")
+            return math.nan, math.nan
         own = found.of_stars()
         rest = self.refined(chosen[~out], found.polynomials(), found.squares(), 6, (0.95, 0.03), own[~out])
         if rest is None:
-            return float("nan")
+            return math.nan, math.nan
         basis = self.basis(chosen[out])
         model = WholeField(self.stars, chosen[out], basis, held=True)
         x = model.row(rest.polynomials(), rest.squares(), own[out][:, :2], own[out][:, 2:])
         _, scores, _, _ = climb(model, x, 6, lambda *_: None, fast=True)
-        return float(scores.chi2[0])
+        return float(scores.chi2[0]), float(scores.spread[0])
 
 
 def outliers(each: Quality) -> NDArray[np.bool_]:

@@ -26,6 +26,7 @@ _AT_ONCE = 3e7  # values of samples and their derivatives that are computed toge
 _PART, _LOOSEST = 0.3, 1e-4  # of the noise of a pixel, and over the peak: errors of images in a search
 _SHARP = 0.02  # pixels^2: a blur that small may be none
 _ROOM = 0.75  # pixels by which blur may widen before samples are chosen anew
+_BRIGHT = 50.0  # pixels more than parameters, for a chi2
 _OWN = 4  # parameters of an image: row, column, flux, background; then angles
 _TURNED = 0.05  # radians: the longest step of an angle
 
@@ -279,6 +280,25 @@ class FieldStars:
         share = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
         expected = np.maximum(total * share, 1.0)
         return Quality(square / expected, np.sqrt(spread * share) / expected)
+
+    def bright(self, stars: NDArray[np.intp], values: Array, light: Array, unknown: float) -> tuple[float, float]:
+        """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN of too few.
+
+        Wrong wavefronts show there, and hardly in the chi2 of whole windows, most of which is background.
+        """
+        psf = values.reshape(len(stars), self.exposures, -1)
+        counted, _, read, valid = self.star[:, stars]
+        star = light[:, 0, :, None] * psf
+        model = star + light[:, 1, :, None]
+        variance = np.maximum(np.maximum(model, 0.0) + read, 1e-3)
+        lit = (valid > 0.0) & (star * star > variance)
+        tested = float(lit.sum()) - unknown
+        if self.cornered or tested < unknown + _BRIGHT:
+            return math.nan, math.nan
+        variance, off = variance[lit], (counted - model)[lit]
+        share = tested / len(off)
+        spread = math.sqrt(float((2.0 + 1.0 / variance).sum()) * share) / tested
+        return float((off * off / variance).sum()) / tested, spread
 
     def scores(self, stars: NDArray[np.intp], images: Sequence[Array], light: Array, unknown: float) -> Scores:
         """Return the quality of single stars, each with so many parameters of its own."""

@@ -33,6 +33,7 @@ REASONS = {
 
 _STRUCTURE = 0.25  # of a window: maxima that near belong to one image
 # Share of the light of a spot above the background that one pixel holds, at least: sharp images hold less of theirs.
+_INSIDE = 0.55  # of a window: half of it, and a pixel
 _ONE_PIXEL = 0.8
 _HIT = 0.25  # share of a window, or of its middle half, that is left out
 _FAR = 1e-3  # of the weights around a pixel, below which it has no others near
@@ -222,9 +223,8 @@ def find_spots(
     for k, at in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
         center[k], flux[k], peak[k] = _centroid(light, background, variance, at, (rows, columns))
     middle = np.rint(center).astype(np.int64)
-    reasons = _reasons(
-        middle, full, left, (rows, columns), _neighbors(middle / [rows, columns], bright, far, faint), peak
-    )
+    near = _neighbors(middle / [rows, columns], bright, peak > _ONE_PIXEL, far, faint)
+    reasons = _reasons(middle, full, left, (rows, columns), near, peak)
     kept = np.array([not reason for reason in reasons], dtype=bool)
     order = [k for k in np.argsort(-score, kind="stable").tolist() if kept[k]][:count]
     cut = windows_around(planes, left, middle[order], (rows, columns))
@@ -405,11 +405,15 @@ def _reasons(
     return found
 
 
-def _neighbors(places: Array, bright: Array, reach: float, faint: float) -> list[bool]:
-    """Return which places, in windows, have another within reach that is not much dimmer."""
+def _neighbors(places: Array, bright: Array, single: NDArray[np.bool_], reach: float, faint: float) -> list[bool]:
+    """Return which places, in windows, have another within reach that is not much dimmer.
+
+    A `single` pixel that is a defect has no light around it: it counts within the window alone.
+    """
     found = [False] * len(places)
     if len(places) > 1 and reach > 0.0:
-        for one, other in cKDTree(places).query_pairs(reach * (1.0 - 1e-9), p=math.inf):
-            found[one] |= bool(bright[other] >= faint * bright[one])
-            found[other] |= bool(bright[one] >= faint * bright[other])
+        for pair in cKDTree(places).query_pairs(reach * (1.0 - 1e-9), p=math.inf):
+            outside = np.abs(places[pair[0]] - places[pair[1]]).max() > _INSIDE
+            for one, other in (pair, pair[::-1]):
+                found[one] |= bool(bright[other] >= faint * bright[one]) and not (single[other] and outside)
     return found

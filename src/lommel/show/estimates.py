@@ -163,7 +163,7 @@ def spots(
         if at.size:
             axes.plot(*at.T, marker, markersize=6, color=colour, fillstyle="none", label=f"refused: {reason}")
     if len(places) or refused:
-        axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.06), ncols=5, frameon=False)
+        axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.13), ncols=3, frameon=False)
     axes.set(xlabel="column", ylabel="row", xlim=(-0.5, image.shape[1] - 0.5), ylim=(image.shape[0] - 0.5, -0.5))
     axes.set_title(fitted(title, axes, 10), fontsize=10)
     return axes

@@ -45,20 +45,19 @@ def field(
         drawn = panel.imshow(values, cmap="RdBu_r", vmin=-most, vmax=most, extent=extent, aspect="equal")
         bar = upper.colorbar(drawn, ax=panel, shrink=0.75)
         bar.ax.tick_params(labelsize=7)
-        panel.set_title(f"{term}\n± {np.median(errors):.2g}", fontsize=8)
+        panel.set_title("\n".join([*_wrapped(term, 22), f"± {np.median(errors):.2g}"]), fontsize=8)
         panel.set(xticks=[], yticks=[])
     panel = panels.flat[len(maps)]
     shown = panel.scatter(
         factor * across[used], factor * down[used], c=chi2[used], s=14, cmap=COLOURS, vmin=0.8, vmax=1.4
     )
     if not used.all():
-        panel.plot(factor * across[~used], factor * down[~used], "x", color="C3", markersize=6, label="rejected")
-        panel.legend(fontsize=7, loc="upper right")
+        panel.plot(factor * across[~used], factor * down[~used], "x", color="C3", markersize=6)
     panel.set(xlim=extent[:2], ylim=extent[2:], aspect="equal")
     panel.set_xlabel(f"x ({name})", fontsize=8)
     panel.set_ylabel(f"y ({name})", fontsize=8)
     panel.tick_params(labelsize=7)
-    panel.set_title("stars, chi2", fontsize=8)
+    panel.set_title("stars, chi2" + ("" if used.all() else "\ncrosses: rejected"), fontsize=8)
     upper.colorbar(shown, ax=panel, shrink=0.75).ax.tick_params(labelsize=7)
     for rest in panels.flat[len(maps) + 1 :]:
         rest.remove()

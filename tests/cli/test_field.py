@@ -121,3 +121,36 @@ def test_a_window_that_loses_light_is_told_with_what_helps(call_lommel, lenses, 
     assert "One window holds only" in small
     assert "energy in the window" in large
     assert "holds only" not in large
+
+
+def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(run_lommel, lenses, tmp_path):
+    lens = lenses["camera-field"]
+    options = ["--at", "15mm", "-10mm", "--jitter", "2", "--shape", "33", "-o", "corner.npz"]
+    result = run_lommel("psf", lens, *options, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "15 mm right of and 10 mm above the middle of the sensor" in result.stdout
+    instrument = lm.load_instrument(lens)
+    blur = lm.Jitter(2.0 * np.pi / 648000.0 * 35e-3)
+    corner = lm.psf(
+        instrument.field().pupil(15e-3, -10e-3), 33, instrument.pixel, blur=blur, **instrument.sensor_options
+    )
+    np.testing.assert_allclose(
+        lm.PSF.load(tmp_path / "corner.npz").values, corner.values, atol=1e-6 * corner.values.max()
+    )
+    axis = lm.psf(instrument.pupil(), 33, instrument.pixel, blur=blur, **instrument.sensor_options)
+    assert np.abs(axis.values - corner.values).max() > 0.1 * corner.values.max()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--at", "15mm", "-10mm", "--colour"], "--at is for one PSF"),
+        (["--at", "15mm", "-10"], "is a length without a unit"),
+        (["--at", "30mm", "0mm"], "lies outside of the map"),
+    ],
+)
+def test_a_place_that_has_no_psf_is_told(run_lommel, lenses, tmp_path, options, message):
+    result = run_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
+    assert result.returncode == 2
+    assert re.search(message, result.stderr)
+    assert result.stderr.count("\n") < 8

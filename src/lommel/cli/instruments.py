@@ -117,6 +117,7 @@ _OF_LENSES = {
     "seeing": "there is no atmosphere before it",
     "outer_scale": "there is no atmosphere before it",
     "jitter": "blur its images by lommel.Jitter in Python",
+    "at": "its PSF is that of the axis",
 }
 
 

@@ -47,6 +47,7 @@ if TYPE_CHECKING:
 
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.microscope_files import Microscope
+    from lommel.optics.pupil import Pupil
 
 Made = TypeVar("Made", bound=PSF | ColourPSF | PSFGrid)
 
@@ -81,6 +82,9 @@ class _Product(Generic[Made]):
     INTEGRATE,
     Option("--field", type=WINDOW, metavar="ROWSxCOLUMNS",
            help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
+    Option("--at", "place", type=LENGTH, nargs=2, metavar="X Y",
+           help="Place of one PSF on the sensor, from its middle right and down, such as 1.5mm -2mm; the lens file "
+           "needs a section [field]. By default the axis."),
     Option("--colour", is_flag=True, help="PSFs in the colour channels of the lens file, or in red, green and blue."),
     Option("--mtf", is_flag=True,
            help="Print the MTF at the Nyquist frequency and at half of it, pixel included, along x and y."),
@@ -117,6 +121,7 @@ def psf(
     figure: Path | None,
     stretch: str,
     field: int | tuple[int, int] | None,
+    place: tuple[float, float] | None,
     colour: bool,
     mtf: bool,
     method_name: str,
@@ -140,6 +145,7 @@ def psf(
       lommel psf phone.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
       lommel psf camera-field.toml --field 5x7 --plot field.png -o field.tif
       lommel psf camera-field.toml --field 5x7 --colour --mtf
+      lommel psf camera-field.toml --at 15mm -10mm --jitter 2 -o corner.tif
       lommel psf phone.toml --colour -o phone.png -o phone.npz
       lommel psf zeiss-63x-1.4-oil.toml --stack 64 --step 100nm --depth 2um -o psf.ome.tif -o psf.png
     """
@@ -148,7 +154,7 @@ def psf(
     if options["tol"] is not None and any(setting.startswith("tol=") for setting in settings):
         raise ValueError("tol is given twice, by --tol and by --set")
     air = {"seeing": seeing, "outer_scale": outer_scale, "jitter": jitter}
-    microscope = microscope_of(lens, field=field, colour=colour or None, mtf=mtf or None, **air, **given)
+    microscope = microscope_of(lens, field=field, at=place, colour=colour or None, mtf=mtf or None, **air, **given)
     if microscope is not None:
         return _write(_of_microscope(microscope, options), outputs, figure, stretch)
     lens_only = {name: value for name, value in given.items() if name not in ("stack", "step", "depth")}
@@ -162,16 +168,30 @@ def psf(
         wide = 3.0 * _ARCSEC * ((seeing or 0.0) + 2.4 * (jitter or 0.0)) * instrument.lens.focal_length
         side = min(2 * math.ceil(wide / min(instrument.pitch)) + 1, 1025)
         instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
+    if place is not None and (field is not None or colour or mtf):
+        raise ValueError("--at is for one PSF: leave out --field, --colour and --mtf")
     channels = (instrument.channels or Channels.rgb()) if colour else None
     if field is not None:
         return _write(_of_field(instrument, field, channels, mtf, options), outputs, figure, stretch)
     if channels is not None:
         return _write(_in_colour(instrument, channels, mtf, options), outputs, figure, stretch)
     said = _said(seeing, outer_scale, jitter)
-    return _write(_of_lens(instrument, mtf, options, said), outputs, figure, stretch)
+    if place is None:
+        return _write(_of_lens(instrument, instrument.pupil, mtf, options, said), outputs, figure, stretch)
+    where = " and ".join(
+        f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True)
+    )
+    pupil = partial(instrument.field().pupil, *place)
+    return _write(
+        _of_lens(instrument, pupil, mtf, options, [f"{where} the middle of the sensor", *said]),
+        outputs,
+        figure,
+        stretch,
+    )
 
 
 _ARCSEC = math.pi / 648000.0
+_WAYS = ("right of", "left of"), ("below", "above")
 
 
 def _blur(
@@ -235,12 +255,14 @@ def _mtf(wanted: bool, *of: Any) -> Report:
     return reports.describe_mtf(*of) if wanted else Report({}, [])
 
 
-def _of_lens(instrument: Instrument, mtf: bool, options: Facts, said: list[str]) -> _Product[PSF]:
-    """Return the PSF of a lens on the axis, with what is said of its blur."""
+def _of_lens(
+    instrument: Instrument, pupil: Callable[[], Pupil], mtf: bool, options: Facts, said: list[str]
+) -> _Product[PSF]:
+    """Return the PSF of a lens at one place, with what is said of that and of its blur."""
     return _Product(
         size=_size(instrument.window),
         find=psf_files.find,
-        make=lambda: compute(instrument.pupil(), instrument.window, instrument.pixel, **options),
+        make=lambda: compute(pupil(), instrument.window, instrument.pixel, **options),
         report=lambda made, seconds: (
             summarize_lens(instrument)
             + Report({}, [Wrapped(line) for line in said])

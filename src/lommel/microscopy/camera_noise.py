@@ -79,7 +79,7 @@ def _points(stack: Any) -> tuple[Array, Array, float]:
     axes = (0, 1, 2) if beside else (1, 2)
     found: list[Array] = []
     for place in np.unique(places):
-        planes = np.array(stack[place - beside : place + beside + 1], np.float64)
+        planes = np.array([stack[int(k)] for k in range(place - beside, place + beside + 1)], np.float64)
         top = np.nanmax(planes)
         if (planes == top).sum() >= _SATURATED:
             planes[planes == top] = np.nan

@@ -136,7 +136,7 @@ def fit_field(
     --------
       lommel fit-field stars.fits nifty-fifty.toml --read 2 --degree 3 -o field.csv --plot field.png
       lommel fit-field inside.fits outside.fits nifty-fifty.toml --defocus -3 3 --read 2 -o field.csv
-      lommel fit-field chart.tif nifty-fifty.toml --targets crossing --read 2 --saturation 60000
+      lommel fit-field chart.tif nifty-fifty.toml --targets crossing --terms 5 --read 2 --saturation 60000
     """
     for name, path in (("--output", output), ("--twin", twin)):
         if path is not None and path.suffix.lower() != ".csv":

@@ -56,7 +56,7 @@ def measured_noise(stack: Any, read: float = _READ) -> tuple[Noise, float]:
     mean, squares, independent = _points(stack)
     lowest = float(np.quantile(mean, 1e-3))
     constant, slope, error = _line(mean - lowest, squares)
-    error *= 1.0 / math.sqrt(independent)
+    error /= math.sqrt(independent)
     if not slope > 0.0 or error > _UNSURE * slope:
         raise ValueError(
             "the noise cannot be estimated: its variance does not clearly grow with the light, as that of photons "
@@ -101,7 +101,7 @@ def _points(stack: Any) -> tuple[Array, Array, float]:
 def _line(light: Array, squares: Array) -> tuple[float, float, float]:
     """Return constant and slope of the likeliest variance, and the standard error of the slope."""
     constant, slope = float(squares.mean()), 0.0
-    covariance = np.full((2, 2), np.inf)
+    error = math.inf
     for _ in range(50):
         variance = constant + slope * light
         weight = (squares < _STRUCTURE * variance) / variance**2
@@ -110,10 +110,10 @@ def _line(light: Array, squares: Array) -> tuple[float, float, float]:
             covariance = 2.0 * np.linalg.inv(normal)
         except np.linalg.LinAlgError:  # light is the same everywhere
             return constant, 0.0, math.inf
-        before = slope
+        before, error = slope, math.sqrt(covariance[1, 1])
         constant, slope = 0.5 * covariance @ [weight @ squares, weight @ (light * squares)]
         constant = max(constant, 1e-3 * float(squares.mean()))
         slope = max(slope, 0.0)
         if abs(slope - before) <= 1e-6 * abs(slope):
             break
-    return constant, float(slope), math.sqrt(covariance[1, 1])
+    return constant, float(slope), error

@@ -9,6 +9,7 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import gc
+import pickle
 import signal
 import subprocess
 import sys
@@ -43,6 +44,7 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
 
 ROOT = Path(__file__).resolve().parent.parent
 TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COLUMNS", "LINES")
+DESCRIBED: dict[bytes, object] = {}
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
 
 
@@ -105,6 +107,22 @@ def call_lommel(
         return subprocess.CompletedProcess(["lommel", *arguments], ended.value.code, shown.out, shown.err)
 
     return call
+
+
+@pytest.fixture
+def described_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have `lommel info` compute what it says of a lens once, for its tables and its JSON."""
+    from lommel.cli import lens_report
+
+    describe = lens_report.describe_lens
+
+    def kept(instrument: object) -> object:
+        key = pickle.dumps(instrument)
+        if key not in DESCRIBED:
+            DESCRIBED[key] = describe(instrument)
+        return DESCRIBED[key]
+
+    monkeypatch.setattr(lens_report, "describe_lens", kept)
 
 
 @pytest.fixture(autouse=True)

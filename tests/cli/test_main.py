@@ -139,6 +139,7 @@ def test_info_says_about_a_lens_what_psf_does(run_lommel, lenses, tmp_path, prin
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.usefixtures("described_once")
 def test_info_shows_every_example(call_lommel, lens_file, tmp_path):
     result = call_lommel("info", lens_file, folder=tmp_path)
     instrument = lm.load_instrument(lens_file)
@@ -249,6 +250,7 @@ def test_the_version_is_that_of_the_package(run_lommel, tmp_path):
     assert result.stdout == f"lommel, version {lm.__version__}\n"
 
 
+@pytest.mark.usefixtures("described_once")
 def test_zernike_terms_are_shown_by_name_in_waves_rms(call_lommel, lenses, tmp_path):
     lens = lenses["newtonian-off-axis"]
     shown = call_lommel("info", lens, folder=tmp_path)
@@ -264,6 +266,7 @@ def test_zernike_terms_are_shown_by_name_in_waves_rms(call_lommel, lenses, tmp_p
         assert (name, f"({n},", f"{m})", f"{term['waves_rms']:+.4g}") in rows
 
 
+@pytest.mark.usefixtures("described_once")
 @pytest.mark.parametrize(
     ("given", "told", "rim"),
     [
@@ -285,6 +288,7 @@ def test_info_tells_how_the_lens_is_lit(call_lommel, tmp_path, given, told, rim)
     assert "amplitude" not in call_lommel("info", "even.toml", folder=tmp_path).stdout
 
 
+@pytest.mark.usefixtures("described_once")
 def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_image(call_lommel, lenses, tmp_path):
     lens = lenses["newtonian-off-axis"]
     shown = call_lommel("info", lens, folder=tmp_path).stdout
@@ -315,6 +319,7 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
         assert f"{row['fraction']:.1%}" in shown_energies[row["within"]]
 
 
+@pytest.mark.usefixtures("described_once")
 @pytest.mark.parametrize(
     ("aperture", "reason"),
     [('telescope = "keck"', "MTF50, which takes minutes for 36 segments"), ('mask = { file = "mask.npy" }', None)],
@@ -337,6 +342,7 @@ def test_an_mtf_that_is_not_given_is_said_to_be_missing(call_lommel, tmp_path, a
         assert f"not computed: {reason}" in shown
 
 
+@pytest.mark.usefixtures("described_once")
 @pytest.mark.parametrize("field", ["", '[field]\nsensor = ["1 mm", "1 mm"]\nW131 = 0.2\n'])
 @pytest.mark.parametrize("waves", [0.0, 30.0])
 def test_of_a_mask_with_phases_is_shown_what_it_has(call_lommel, tmp_path, field, waves):
@@ -361,6 +367,7 @@ def test_of_a_mask_with_phases_is_shown_what_it_has(call_lommel, tmp_path, field
     assert [facts[name] is None for name in ("fwhm", "diameter_80")] == [waves > 0.0] * 2
 
 
+@pytest.mark.usefixtures("described_once")
 def test_energies_of_a_wavefront_that_depends_on_the_direction_come_with_a_bound(call_lommel, lenses, tmp_path):
     text = lenses["newtonian-off-axis"].read_text(encoding="utf-8")
     start, end = text.index("[aperture.spider]"), text.index("[aberrations]")
@@ -398,6 +405,7 @@ def test_compare_judges_vanes_by_the_finest_method_that_takes_them(call_lommel, 
     assert "circular and annular apertures only" in rows["Hankel"]["reason"]
 
 
+@pytest.mark.usefixtures("described_once")
 def test_the_strehl_ratio_of_a_comatic_lens_is_that_of_its_image(call_lommel, lenses, tmp_path):
     lens = lenses["newtonian-off-axis"]
     arguments = (lens, "--tol", "1e-9", "--normalize", "strehl", "--sample")

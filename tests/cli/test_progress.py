@@ -42,7 +42,7 @@ LONG = {
     "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
     "localize": ("localize", "movie.tif", "zeiss-63x-astigmatic.toml", "--read", "0", "--block", "2", "-o", "a.csv"),
     "compare": ("compare", "lens.toml", "--shape", "5"),
-    "paper": ("paper", "out", "--figure", "2", "--figure", "eq17"),
+    "paper": ("paper", "out", "--figure", "2", "--figure", "3"),
 }  # fmt: skip
 
 

@@ -120,6 +120,7 @@ def test_what_lies_beyond_a_map_is_left_out(lenses, tmp_path):
     assert [place["part"] for place in facts["field"]["places"]] == [0.0, 0.5, 0.7]
 
 
+@pytest.mark.usefixtures("described_once")
 def test_what_cannot_be_computed_is_left_out_of_info_with_the_reason(call_lommel, lenses, tmp_path):
     arguments = ("info", lenses["nifty-fifty"], "--object-distance", "60 mm")
     shown = call_lommel(*arguments, folder=tmp_path)

@@ -51,6 +51,7 @@ def words(text: str) -> set[str]:
     return set(re.sub(r"[\d.]+ (m?s)\b", "0 s", text).split())
 
 
+@pytest.mark.usefixtures("described_once")
 @pytest.mark.parametrize("run", RUNS)
 def test_output_fits_80_columns_without_a_broken_word(run, call_lommel, folder, monkeypatch):
     shown = {}

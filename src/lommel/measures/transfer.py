@@ -294,8 +294,10 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: dict[str, Any])
     oscillating += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
     steps = math.ceil(max(128.0, 2.0 * oscillating, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
     first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
-    for start in range(1, steps + 1, 32):
-        k = np.arange(start, min(start + 32, steps + 1))
+    # Those of a circular aperture are computed together, those of others one by one.
+    many = 32 if pupil.circular else 4
+    for start in range(1, steps + 1, many):
+        k = np.arange(start, min(start + many, steps + 1))
         f = k * (cutoff / steps)
         below = np.asarray(mtf(pupil, f * cos, f * sin, **sensor, tol=1e-8)).reshape(-1, k.size) <= wanted
         first = np.where((first == 0) & below.any(axis=1), k[below.argmax(axis=1)], first)

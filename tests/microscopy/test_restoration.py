@@ -341,8 +341,9 @@ def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said
 
 def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 8)
+    monkeypatch.setattr(refinement, "_NARROWEST", 21)
     monkeypatch.setitem(refinement._TOLERANCE, "spherical", 0.01)
-    model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 33))
+    model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
     truth = np.zeros((8, 24, 24), np.float32)
     truth[4, 12, 12] += 1e6
     stack = CAMERA.record(blurred(model.changed("spherical", 0.12), truth) + 10.0, seed=3)

@@ -21,6 +21,7 @@ import pytest
 from hypothesis import HealthCheck, Phase, settings
 
 import lommel as lm
+from lommel.core import engine
 
 mpl.use("Agg")
 
@@ -67,7 +68,7 @@ def lenses() -> dict[str, Path]:
     return {path.stem: path for path in LENSES}
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def camera() -> lm.Lens:
     """A 50 mm f/1.8 camera lens, focused at 2 m."""
     return lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
@@ -123,6 +124,14 @@ def described_once(monkeypatch: pytest.MonkeyPatch) -> None:
         return DESCRIBED[key]
 
     monkeypatch.setattr(lens_report, "describe_lens", kept)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def few_tables() -> Iterator[None]:
+    """Free what the package keeps between calls where it has become much, which no other module asks for again."""
+    yield
+    if engine.table_bytes()[0] > 2**28:
+        lm.clear_caches()
 
 
 @pytest.fixture(autouse=True)

@@ -21,7 +21,7 @@ def image() -> lm.PSF:
     return lm.psf(lm.Pupil(lm.Wavefront(defocus=4.0), **METRIC), (6, 9), 2e-6)
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def answers(camera) -> dict[str, lm.PSF]:
     """The same question put to every method."""
     pupil = camera.pupil(1.99)

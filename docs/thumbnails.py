@@ -48,7 +48,8 @@ def keep(script: str, number: int, figure: Any) -> None:
     wanted, panel = PANELS.get(script, (0, 0))
     if number != wanted:
         return
-    figure.canvas.draw()
+    if figure.stale:
+        figure.canvas.draw()
     inside = figure.axes[panel].get_window_extent().transformed(figure.dpi_scale_trans.inverted())
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / f"{script}.png"

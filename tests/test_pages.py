@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tomllib
 import warnings
-from contextlib import nullcontext
+from contextlib import chdir, nullcontext
 from importlib.util import find_spec
-from itertools import dropwhile, pairwise
+from itertools import chain, dropwhile, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ import numpy as np
 import pytest
 import tifffile
 from astropy.io import fits
+from click.testing import CliRunner
 from PIL import Image
 from scipy.signal import fftconvolve
 
@@ -32,6 +34,7 @@ from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
 from lommel.cli.main import main
 from lommel.methods import METHODS
+from lommel.microscopy import refinement
 from lommel.page import module
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -58,6 +61,13 @@ LESS = {
         ("microscope, depth=6e-6)", "microscope, depth=6e-6, psf_shape=(11, 15))"),
         ("steps=5", "steps=2"),
         ('"method": way}', '"method": way, "psf_shape": (11, 15)}'),
+    ],
+    "field": [
+        ("field.grid(5, 7,", "field.grid(2, 3,"),
+        ("grid[0, 6]", "grid[0, 2]"),
+        ("(120, 160)", "(48, 64)"),
+        ("blur.window(0, 159)", "blur.window(0, 63)"),
+        ("(120, 180, 3)", "(60, 90, 3)"),
     ],
     "start-depth": [("(72, 128)", "(48, 128)")],
 }
@@ -115,20 +125,27 @@ shape = 17
 """
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch) -> Path:
-    """The files that the pages name, as small as they may be, in the folder that tests run in."""
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "examples" / "lenses").mkdir(parents=True)
-    (tmp_path / "examples" / "objectives").symlink_to(ROOT / "examples" / "objectives")
+@pytest.fixture(scope="module")
+def files(tmp_path_factory) -> Path:
+    """The files that the pages name, as small as they may be, in a folder of their own."""
+    place = tmp_path_factory.mktemp("files")
+    with chdir(place):
+        write_files(place)
+    return place
+
+
+def write_files(place: Path) -> None:
+    """Write them in the folder, which is the current one."""
+    (place / "examples" / "lenses").mkdir(parents=True)
+    (place / "examples" / "objectives").symlink_to(ROOT / "examples" / "objectives")
     for path in (ROOT / "examples" / "lenses").glob("*.toml"):
         small = re.sub(r"^shape = \d+$", "shape = 17", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
-        (tmp_path / "examples" / "lenses" / path.name).write_text(small, encoding="utf-8")
+        (place / "examples" / "lenses" / path.name).write_text(small, encoding="utf-8")
     lenses = {"lens": "phone", "hubble": "hubble-1990", "camera": "camera-field", "newtonian": "newtonian-off-axis"}
     for name, lens in lenses.items():
-        (tmp_path / f"{name}.toml").symlink_to(tmp_path / "examples" / "lenses" / f"{lens}.toml")
+        (place / f"{name}.toml").symlink_to(Path("examples") / "lenses" / f"{lens}.toml")
     objective = (ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml").read_text(encoding="utf-8")
-    (tmp_path / "objective.toml").write_text(objective.replace("shape = 128", "shape = 17"), encoding="utf-8")
+    (place / "objective.toml").write_text(objective.replace("shape = 128", "shape = 17"), encoding="utf-8")
     y, x = np.mgrid[:48, :64]
     image = np.where((x // 8 + y // 8)[..., None] % 2, (200, 120, 40), (60, 140, 220)).astype(np.uint8)
     photo, exif = Image.fromarray(image), Image.Exif()
@@ -140,13 +157,13 @@ def folder(tmp_path, monkeypatch) -> Path:
     tifffile.imwrite("depth.tif", distance.astype(np.float32))
     Image.fromarray((1e3 * distance).astype(np.uint16)).save("depth.png")
     for name in ("photos", "depths"):
-        (tmp_path / name).mkdir()
+        (place / name).mkdir()
     photo.save("photos/a.png")
     tifffile.imwrite("depths/a.tif", distance.astype(np.float32))
     ranges = next(code for code, _ in blocks(ROOT / "docs" / "datasets.md", "toml"))
-    (tmp_path / "lenses.toml").write_text(ranges, encoding="utf-8")
+    (place / "lenses.toml").write_text(ranges, encoding="utf-8")
     bent = next(code for code, _ in blocks(ROOT / "docs" / "field.md", "toml"))
-    (tmp_path / "bent.toml").write_text(bent, encoding="utf-8")
+    (place / "bent.toml").write_text(bent, encoding="utf-8")
     v, u = np.mgrid[-1:1:33j, -1:1:33j]
     np.save("opd.npy", 1e-7 * (u * u + v * v))
     np.save("measured.npy", u * u + v * v < 0.9)
@@ -158,7 +175,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
     tifffile.imwrite("dark.tif", np.full((48, 48), 100, np.uint16))
     tifffile.imwrite("movie.tif", simulated_movies.recorded(mean, camera, 1), photometric="minisblack")
-    simulated_stacks.write(Path("stack.ome.tif"))
+    simulated_stacks.write(Path("stack.ome.tif"), planes=9)
     seen = lm.load_microscope("objective.toml")
     astigmatic = lm.Wavefront.zernike({6: 0.5}, order="noll")
     planes = {
@@ -205,12 +222,21 @@ def folder(tmp_path, monkeypatch) -> Path:
         tifffile.imwrite(f"star-{k}.tif", np.maximum(image, 0.0).astype(np.uint16))
     tifffile.imwrite("spot.tif", np.round(stars[1] + 20.0).astype(np.float32))
     table = next(code for code, _ in blocks(ROOT / "docs" / "colour.md", "text"))
-    (tmp_path / "sensor.csv").write_text(table.lstrip(), encoding="utf-8")
-    (tmp_path / "cut.csv").write_text("wavelength (nm),transmission (%)\n380,98\n620,95\n680,2\n", encoding="utf-8")
+    (place / "sensor.csv").write_text(table.lstrip(), encoding="utf-8")
+    (place / "cut.csv").write_text("wavelength (nm),transmission (%)\n380,98\n620,95\n680,2\n", encoding="utf-8")
     texture = np.random.default_rng(0).random((64, 80))
     for k, name in enumerate(("near", "far")):
         blurred = texture + np.roll(texture, 1, axis=k) + np.roll(texture, -1, axis=k)
         tifffile.imwrite(f"{name}.tif", (blurred / 4.0).astype(np.float32))
+
+
+@pytest.fixture
+def folder(files, tmp_path, monkeypatch) -> Path:
+    """A copy of these files, in the folder that tests run in."""
+    shutil.copytree(files, tmp_path, symlinks=True, dirs_exist_ok=True)
+    monkeypatch.chdir(tmp_path)
+    # Which way the planes of a stack run is found after fewer steps.
+    monkeypatch.setattr(refinement, "_STEPS", 4)
     # The live page, which need not be made, is served until Ctrl-C.
     (tmp_path / module.NAME).write_text("export default {};\n", encoding="utf-8")
     monkeypatch.setattr(module, "path", lambda: tmp_path / module.NAME)
@@ -252,9 +278,26 @@ def test_the_code_of_a_page_runs_from_top_to_bottom(path, folder, capsys):
         assert np.ptp(taken[30, :30]) < 10 < np.ptp(names["image"][:, 0])
 
 
+def command_here(lines: str, where: str) -> str:
+    """Do in this process what a shell does with calls of `lommel`, and return what they print."""
+    printed = []
+    for line in lines.replace("\\\n", " ").splitlines():
+        words = shlex.split(line, comments=True)
+        if words:
+            assert words[0] == "lommel", where
+            files = [sorted(map(str, Path().glob(word))) if "*" in word else [word] for word in words[1:]]
+            result = CliRunner().invoke(main, list(chain.from_iterable(files)))
+            assert result.exit_code == 0, result.output
+            printed.append(result.stdout)
+    return "".join(printed)
+
+
 @pytest.mark.parametrize("path", drawn.TUTORIALS, ids=lambda path: path.stem)
 def test_code_and_commands_of_a_tutorial_run_in_an_empty_folder_and_print_and_draw(path, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "92")
+    if path.stem != "start":  # one as the documentation does, in a shell
+        monkeypatch.setattr(drawn, "command", command_here)
     text = path.read_text(encoding="utf-8")
     for much, little in LESS.get(path.stem, ()):
         assert much in text

@@ -40,7 +40,7 @@ def bead_stack(planes=21, side=40, pixel=6.5e-6 / 63, step=0.25e-6, wavelength=5
     )
 
 
-def write(path: Path) -> None:
+def write(path: Path, planes: int = 21) -> None:
     """Write it as OME-TIFF, with tifffile alone."""
     metadata = {
         "axes": "ZYX",
@@ -49,4 +49,4 @@ def write(path: Path) -> None:
         "PhysicalSizeZ": 0.25, "PhysicalSizeZUnit": "µm",
         "Channel": {"Name": ["GFP"], "EmissionWavelength": [520], "EmissionWavelengthUnit": ["nm"]},
     }  # fmt: skip
-    tifffile.imwrite(path, bead_stack(), ome=True, photometric="minisblack", metadata=metadata)
+    tifffile.imwrite(path, bead_stack(planes), ome=True, photometric="minisblack", metadata=metadata)

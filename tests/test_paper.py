@@ -186,13 +186,13 @@ def test_pictures_compared_with_each_other_share_their_scale():
 
 
 def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
-    result = call_lommel("paper", "new/out", "--figure", 2, "--figure", "eq17", "--json", folder=tmp_path)
+    result = call_lommel("paper", "new/out", "--figure", 2, "--figure", "3", "--json", folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
     files = sorted(path.name for path in (tmp_path / "new" / "out").iterdir())
-    assert files == sorted([*write.names("2"), *write.names("eq17")])
+    assert files == sorted([*write.names("2"), *write.names("3")])
     assert (tmp_path / "new/out/figure-2.png").read_bytes().startswith(b"\x89PNG")
     facts = json.loads(result.stdout)
-    assert list(facts["figures"]) == ["2", "eq17"]
+    assert list(facts["figures"]) == ["2", "3"]
     assert facts["table"] is None
     assert len(facts["files"]) == 6
 

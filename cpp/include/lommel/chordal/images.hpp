@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -44,11 +45,12 @@ struct ChordalBudget {
     // Of tolerance and peak, on U and its rounding to single precision, where sums have that: twice as much as of a peak that is
     // likely; and of this the most that may be rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Of what is asked of U, and of what single precision may leave, where the variance of the phase is large: such images may be
-    // dimmer than is guessed, and to ask for less costs a few chords where to do all again costs as much again.
-    static constexpr double large = 100.0, dim = 0.25, dim_single = 0.7;
-    // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked.
-    static constexpr double again = 0.3, least = 1e-3;
+    // Of what is asked of U, and of what single precision may leave, where the variance of the phase is above these: such images
+    // may be dimmer than is guessed, and to ask for less costs a few chords where to do all again costs as much again.
+    static constexpr double some = 4.0, some_dim = 0.75, large = 100.0, dim = 0.25, dim_single = 0.7;
+    // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked; of
+    // tolerance and that peak, on U and its rounding, where single precision may do yet.
+    static constexpr double again = 0.3, least = 1e-3, found = 0.47;
 };
 
 // `More` is what follows images: their derivatives, or nothing.
@@ -79,8 +81,9 @@ class ChordalRenderer {
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         bool at_rounding = false;                  // less than this error cannot be asked for
-        bool large = false;                        // the variance of the phase, at first
-        bool single = sizeof(T) == sizeof(float);  // whether sums are in single precision
+        bool again = false;                        // whether a first answer did not do
+        bool single = sizeof(T) == sizeof(float);  // whether sums are in single precision,
+        double in_single = 0.0;                    // and the error of U that those may have with their rounding
         ChordDisk far, near;                       // the whole disk and the obscured one
     };
 
@@ -100,8 +103,7 @@ class ChordalRenderer {
         const double chords = s.far.chords.line.times(degree_).needed(s.error);
         const double nodes = s.far.nodes.line.times(degree_).needed(s.error);
         const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size());
-        const double all = s.error * (ChordalBudget::single / ChordalBudget::field) * (answer_.scales[p] == 0.0 ? 0.5 : 1.0) *
-                           (s.large ? ChordalBudget::dim_single / ChordalBudget::dim : 1.0);
+        const double all = s.in_single * (answer_.scales[p] == 0.0 ? 0.5 : 1.0);
         s.single = rounding <= ChordalBudget::rounding * all;
         return s.single ? std::min(s.error, all - rounding) : s.error;
     }
@@ -122,7 +124,7 @@ class ChordalRenderer {
 
     template <class Real>
     ChordalTables<Real> tables(const ChordCount& count, double radius, const ChordLanes& lanes) const {
-        if (KernelTable<Real>::bytes(count, rows_.at.size()) > max_table_bytes) {
+        if (KernelTable<Real>::bytes(count.size(), rows_.at.size()) > max_table_bytes) {
             throw LimitExceeded("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
                                 std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
                                 " nodes, whose tables exceed the limit of 384 MiB");
@@ -135,7 +137,32 @@ class ChordalRenderer {
         std::size_t first, here;
         bool lone;
         ChordCount far, near;
+
+        double size() const { return far.size() + near.size(); }
+        void include(const Group& other) {
+            far.include(other.far);
+            near.include(other.near);
+        }
     };
+    // Neighbours share their tables where none of them takes so many times more nodes for it.
+    static void share(std::vector<Group>& groups, double more) {
+        for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
+            Group all = groups[first];
+            double least = all.size();
+            for (; end < groups.size() && groups[end].lone == all.lone; ++end) {
+                Group next = all;
+                next.include(groups[end]);
+                least = std::min(least, groups[end].size());
+                if (next.size() > more * least) {
+                    break;
+                }
+                all = next;
+            }
+            for (std::size_t i = first; i < end; ++i) {
+                groups[i].include(all);
+            }
+        }
+    }
     template <class Real>
     std::vector<Group> grouped(const std::size_t* pending, std::size_t pupils, bool alike = false) const {
         const Level level = processor_level();
@@ -149,28 +176,20 @@ class ChordalRenderer {
             }
             groups.push_back(next);
         }
+        share(groups, 1.12);
         // Of several tables that are more than what is kept, none is found again: one for all.
         if (alike || !kept<Real>(groups)) {
             if (groups.front().lone != groups.back().lone) {
                 return grouped<Real>(pending, pupils, true);
             }
-            Group all = groups.front();
-            for (const Group& group : groups) {
-                all.far.include(group.far);
-                all.near.include(group.near);
-            }
-            for (Group& group : groups) {
-                group.far = all.far;
-                group.near = all.near;
-            }
+            share(groups, std::numeric_limits<double>::infinity());
         }
         return groups;
     }
 
-    // Whether tables of these stay in their caches all at once, with those of another attempt.
-    template <class Real>
-    bool kept(const std::vector<Group>& groups) const {
-        double terms = 0.0, kernels = 0.0;
+    // The nodes of all tables of these.
+    static double nodes_of(const std::vector<Group>& groups) {
+        double nodes = 0.0;
         ChordCount last[2];
         bool lone = !groups.empty() && groups.front().lone;
         for (const Group& group : groups) {
@@ -179,14 +198,20 @@ class ChordalRenderer {
             lone = group.lone;
             for (std::size_t disk = 0; disk < 2; ++disk) {
                 if (!same || !(counts[disk] == last[disk])) {
-                    terms += 2.0 * counts[disk].size() * static_cast<double>(stack_.terms.size());
-                    kernels += KernelTable<Real>::bytes(counts[disk], rows_.at.size());
+                    nodes += counts[disk].size();
                     last[disk] = counts[disk];
                 }
             }
         }
-        return 2.5 * terms < static_cast<double>(TermTable::most_bytes) &&
-               2.5 * kernels < static_cast<double>(KernelTable<Real>::most_bytes);
+        return nodes;
+    }
+
+    // Whether tables of these stay in their caches all at once, with those of another attempt.
+    template <class Real>
+    bool kept(const std::vector<Group>& groups) const {
+        const double nodes = 2.5 * nodes_of(groups);
+        return nodes * 2.0 * static_cast<double>(stack_.terms.size()) < static_cast<double>(TermTable::most_bytes) &&
+               KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::most_bytes);
     }
 
     template <class Real>
@@ -277,15 +302,18 @@ class ChordalRenderer {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
         const double height = static_cast<double>(rows_.count), columns = static_cast<double>(columns_.at.size());
+        const std::vector<Group> groups = grouped<Real>(pending, pupils);
+        // Tables of rows come from a cache that processors share, and from memory where they are larger than that.
+        const double tables = KernelTable<Real>::bytes(nodes_of(groups), rows_.at.size());
+        const double byte = 0.01 + 0.046 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
-        for (const Group& group : grouped<Real>(pending, pupils)) {
+        for (const Group& group : groups) {
             for (const ChordCount& count : {group.far, group.near}) {
                 const double chords = static_cast<double>(count.chords);
                 if (chords > 0.0 && group.lone) {
                     const double nodes = std::ceil(0.5 * chords / lanes) * static_cast<double>(count.nodes);
-                    // The table of rows, beyond what caches close to the processor hold, at the speed of memory.
-                    const double table = 2.0 * nodes * rows * lanes * static_cast<double>(sizeof(Real));
-                    sum += 590.0 + (12.5 + 0.73 * terms + 0.26 * rows) * nodes + 0.0262 * std::max(0.0, table - 4e6) +
+                    const double table = KernelTable<Real>::bytes(2.0 * nodes * lanes, rows_.at.size());
+                    sum += 590.0 + (12.5 + 0.73 * terms + 0.26 * rows) * nodes + byte * table +
                            (0.51 * chords * std::ceil(columns / lanes) + 2.0 * columns) * height;
                 } else if (chords > 0.0) {
                     sum += 1540.0 + (1.6 + 0.14 * terms + 0.65 * rows) * count.size() +
@@ -374,8 +402,10 @@ void ChordalRenderer<T, More>::run() {
         // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
-        s.large = bound.variance() > ChordalBudget::large;
-        return s.error = (s.large ? ChordalBudget::dim : 1.0) * ChordalBudget::field * tol_ * peak;
+        const bool large = bound.variance() > ChordalBudget::large, some = bound.variance() > ChordalBudget::some;
+        const double dim = some ? ChordalBudget::some_dim : 1.0;
+        s.in_single = (large ? ChordalBudget::dim_single : dim) * ChordalBudget::single * tol_ * peak;
+        return s.error = (large ? ChordalBudget::dim : dim) * ChordalBudget::field * tol_ * peak;
     };
     lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
     if (area_ > 0.0) {
@@ -435,10 +465,12 @@ void ChordalRenderer<T, More>::run() {
             State& s = states_[p];
             more = more && !s.at_rounding;
             const double wanted = ChordalBudget::field * tol_ * std::sqrt(s.peak);
-            // Double precision alone may do.
+            // Double precision alone may do, or, at first, single precision for the peak that was found.
             s.error =
                 std::min((s.single ? 1.0 : ChordalBudget::again) * s.error, std::max(wanted, ChordalBudget::least * s.error));
-            s.single = false;
+            s.in_single = ChordalBudget::found * tol_ * std::sqrt(s.peak);
+            s.single = s.single && !s.again;
+            s.again = true;
             const std::size_t from = p * stack_.terms.size();
             ChordLines::renew(outer, stack_.outer.data() + from, s.error, s.far);
             if (area_ > 0.0) {

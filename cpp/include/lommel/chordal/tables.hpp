@@ -201,9 +201,7 @@ struct KernelTable {
     std::size_t vectors() const { return lanes.vectors(count.half_chords()); }
     std::size_t bytes() const { return 2 * (row_cos.size() + column_cos.size()) * sizeof(Real); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
-    static double bytes(const ChordCount& n, std::size_t rows) {
-        return 0.5 * sizeof(Real) * static_cast<double>(n.chords) * static_cast<double>(n.nodes) * static_cast<double>(rows);
-    }
+    static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:
     // Of places in tiles, all as long as the longest where they are padded, in units of as many values as lie `apart`.

@@ -244,10 +244,14 @@ class Disk:
 
 
 def first_error(terms: list[tuple[int, int]], phase: list[float], light: list[float], obscuration: float, tol: float):
-    """Return the error that is asked for at first: a part of the tolerance, times half of a likely peak."""
+    """Return the error that is asked for at first: a part of the tolerance, times half of a likely peak.
+
+    Less of it where the variance of the phase is more than 4: images may be dimmer there.
+    """
     edge = dict(zip(terms, phase, strict=True))
     variance = sum(mp.mpf(value) ** 2 / ((n + 1) * (1 if m == 0 else 2)) for (n, m), value in edge.items() if n > 1)
-    return float(mp.mpf("0.4") * mp.mpf(tol) / 2 * amount(light, obscuration) / mp.sqrt(1 + variance))
+    part = mp.mpf("0.3") if variance > 4 else mp.mpf("0.4")
+    return float(part * mp.mpf(tol) / 2 * amount(light, obscuration) / mp.sqrt(1 + variance))
 
 
 @few

@@ -136,6 +136,7 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
         most.push_back(std::sinh(static_cast<double>(term.n) * b));
     }
     values.resize(tiles() * tile * list.size());
+    const ZernikeValues polynomials(list, classes.order);
     std::vector<double> exponents(samples * places);
     const double tips[corners][2] = {
         {box.left, box.top}, {box.right, box.top}, {box.left, box.bottom}, {box.right, box.bottom}};
@@ -147,10 +148,9 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
             const std::complex<wide> two(step * static_cast<double>(q), sum == Sum::nodes ? b : 0.0);
             const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
             const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
-            for (std::size_t j = 0; j < list.size(); ++j) {
-                values[place(s, list.size()) + j * tile] =
-                    static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
-            }
+            polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
+                values[place(s, list.size()) + j * tile] = static_cast<float>(value.imag());
+            });
             for (std::size_t k = 0; k < places; ++k) {
                 const std::size_t corner = k % corners, sign = k / corners % 2, image = k / corners / 2;
                 const double here = (image < 2 ? 1.0 : -1.0) * tips[corner][0] * rise_x +

@@ -23,13 +23,14 @@ struct FactorTable {
     FactorTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over)
         : count(n), terms(list), radius(over), classes(list), values(n.half_chords() * n.half_nodes() * list.size()) {
         const ChordRule rule(n);
-        double* to = values.data();
-        for (const std::size_t j : classes.order) {
-            for (std::size_t i = 0; i < rule.x.size(); ++i) {
-                look();
-                for (const wide eta : rule.eta) {
-                    *to++ = static_cast<double>(zernike_value(list[j], radius * rule.x[i], radius * rule.s[i] * eta));
-                }
+        const ZernikeValues polynomials(list, classes.order);
+        for (std::size_t i = 0, node = 0; i < rule.x.size(); ++i) {
+            look();
+            for (const wide eta : rule.eta) {
+                polynomials.at(radius * rule.x[i], radius * rule.s[i] * eta, [&](std::size_t j, wide value) {
+                    values[j * n.half_chords() * n.half_nodes() + node] = static_cast<double>(value);
+                });
+                ++node;
             }
         }
     }

@@ -122,17 +122,16 @@ LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeT
       values(in.vectors(n.half_chords()) * in.side * n.half_nodes() * list.size()),
       weights(in.vectors(n.half_chords()) * in.side * n.half_nodes()) {
     const ChordRule rule(n);
+    const ZernikeValues polynomials(list, classes.order);
     const std::size_t half = n.half_nodes();
     for (std::size_t i = 0; i < n.half_chords(); ++i) {
         const std::size_t from = i / in.side * half, lane = i % in.side;
         for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
             look();
             double* tile = values.data() + (from + first) * list.size() * in.side + in.place(lane);
-            for (std::size_t j = 0; j < list.size(); ++j) {
-                for (std::size_t r = 0; r < size; ++r) {
-                    tile[(j * size + r) * in.side] =
-                        static_cast<double>(zernike_value(list[classes.order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
-                }
+            for (std::size_t r = 0; r < size; ++r) {
+                polynomials.at(rule.x[i], rule.s[i] * rule.eta[first + r],
+                               [&](std::size_t j, wide value) { tile[(j * size + r) * in.side] = static_cast<double>(value); });
             }
         });
         for (std::size_t k = 0; k < half; ++k) {

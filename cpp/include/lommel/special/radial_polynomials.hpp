@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "lommel/limits.hpp"
@@ -43,20 +44,59 @@ Number radial_polynomial(std::size_t n, std::size_t m, Number x, Number here) {
     return here;
 }
 
-// A Zernike term as a polynomial in x and y.
-template <class Number>
-Number zernike_value(const ZernikeTerm& term, Number x, Number y) {
-    const std::int32_t m = std::abs(term.m);
-    Number re = 1, im = 0;  // the parts of (x + i y)^m
-    for (std::int32_t j = 0; j < m; ++j) {
-        const Number next = re * x - im * y;
-        im = re * y + im * x;
-        re = next;
+// Zernike terms as polynomials in x and y: at a point all of them, those of one m by one recurrence.
+class ZernikeValues {
+   public:
+    // Of the terms in some order, to which their numbers in at() refer.
+    ZernikeValues(const std::vector<ZernikeTerm>& terms, const std::vector<std::size_t>& order) {
+        for (const std::size_t place : order) {
+            const ZernikeTerm& term = terms[place];
+            const std::size_t m = static_cast<std::size_t>(std::abs(term.m)), k = (static_cast<std::size_t>(term.n) - m) / 2;
+            order_.push_back({m, term.m < 0, k, order_.size()});
+            steps_.resize(std::max(steps_.size(), m + 1));
+            while (steps_[m].size() < k) {
+                steps_[m].emplace_back(steps_[m].size(), static_cast<wide>(m));
+            }
+        }
+        std::sort(order_.begin(), order_.end(),
+                  [](const Term& a, const Term& b) { return std::tie(a.m, a.sine, a.k) < std::tie(b.m, b.sine, b.k); });
     }
-    const Number two = 2, one = 1;
-    return radial_polynomial(static_cast<std::size_t>(term.n), static_cast<std::size_t>(m), two * (x * x + y * y) - one,
-                             term.m < 0 ? im : re);
-}
+
+    // Calls put(j, value) for each term, at a real or complex point.
+    template <class Number, class Put>
+    void at(Number x, Number y, const Put& put) const {
+        const Number two = 2, one = 1, square = two * (x * x + y * y) - one;
+        Number re = 1, im = 0;  // the parts of (x + i y)^m
+        std::size_t m = 0;
+        for (std::size_t i = 0; i < order_.size();) {
+            const Term& first = order_[i];
+            for (; m < first.m; ++m) {
+                const Number next = re * x - im * y;
+                im = re * y + im * x;
+                re = next;
+            }
+            Number before = 0, here = first.sine ? im : re;
+            for (std::size_t k = 0; i < order_.size() && order_[i].m == m && order_[i].sine == first.sine; ++i) {
+                for (; k < order_[i].k; ++k) {
+                    const RadialStep<wide>& step = steps_[m][k];
+                    const Number next = (step.slope * square + step.shift) * here - step.back * before;
+                    before = here;
+                    here = next;
+                }
+                put(order_[i].j, here);
+            }
+        }
+    }
+
+   private:
+    struct Term {
+        std::size_t m;
+        bool sine;
+        std::size_t k, j;  // n = m + 2 k; the j-th of all
+    };
+    std::vector<Term> order_;
+    std::vector<std::vector<RadialStep<wide>>> steps_;  // [m][k]
+};
 
 // The terms of a function over a smaller disk of radius a: R_n^m(a rho) has R_n^k(a) - R_n^{k+2}(a) of R_k^m(rho), for
 // k = n, n - 2, ..., m (Janssen and Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006)). These shares are kept for the

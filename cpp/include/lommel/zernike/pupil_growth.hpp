@@ -6,6 +6,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "lommel/base/aligned.hpp"
@@ -72,17 +74,24 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
     }
     even = static_cast<std::size_t>(std::stable_partition(order.begin(), order.end(), is_even) - order.begin());
     const double b = chord_curves.b[curve], hat = 4.0 * std::sin(0.5 * step()) * std::sin(0.5 * step()) / step();
+    std::vector<ZernikeTerm> both;
+    for (const std::size_t k : order) {
+        const std::int32_t n = static_cast<std::int32_t>(list.pairs[k].n), m = static_cast<std::int32_t>(list.pairs[k].m);
+        both.insert(both.end(), {{n, m}, {n, -m}});
+    }
+    std::vector<std::size_t> in_turn(both.size());
+    std::iota(in_turn.begin(), in_turn.end(), std::size_t{0});
+    const ZernikeValues polynomials(both, in_turn);
+    values.resize(samples * both.size());
     for (std::size_t s = 0; s < samples; ++s) {
         look();
         const std::size_t p = s / side, q = s % side;
         const std::complex<wide> a(step() * static_cast<double>(p), b);
         const std::complex<wide> x = std::cos(a),
                                  y = std::sin(a) * static_cast<wide>(std::cos(step() * static_cast<double>(q)));
-        for (const std::size_t k : order) {
-            const std::int32_t n = static_cast<std::int32_t>(list.pairs[k].n), m = static_cast<std::int32_t>(list.pairs[k].m);
-            values.push_back(static_cast<float>(zernike_value({n, m}, x, y).imag()));
-            values.push_back(m == 0 ? 0.0f : static_cast<float>(zernike_value({n, -m}, x, y).imag()));
-        }
+        polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
+            values[s * both.size() + j] = j % 2 == 1 && both[j].m == 0 ? 0.0f : static_cast<float>(value.imag());
+        });
         // Of a uniformly, of eta = cos(tau) uniformly; each stands for eight.
         const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
         const double along = step() * static_cast<double>(q);

@@ -33,7 +33,8 @@ def side(telescope: Any) -> float:
     return math.copysign(1.0, telescope.trace(ray).vz[0])
 
 
-def test_the_phase_is_minus_their_wavefront_seen_from_behind_the_sensor(telescope, pupil):
+def test_the_phase_is_minus_their_wavefront_seen_from_behind_the_sensor(telescope):
+    pupil = adapter.pupil(telescope, FIELD, wavelength=WAVELENGTH, circular=True)
     theirs = pytest.importorskip("batoid").wavefront(telescope, *FIELD, WAVELENGTH, nx=33).array
     x, y = np.meshgrid(np.linspace(-1.0, 1.0, 33), np.linspace(-1.0, 1.0, 33))
     seen = ~theirs.mask & (np.hypot(x, y) < 1.0)
@@ -65,8 +66,52 @@ def test_rays_meet_the_sensor_at_the_gradient_of_the_phase(telescope, pupil):
     np.testing.assert_allclose(scale * (phase(0, h) - phase(0, -h)), -up, atol=0.03 * size)
 
 
+def huygens(telescope: Any, field: tuple[float, float], places: np.ndarray) -> np.ndarray:
+    """Return the intensity at places about the chief ray, rows downwards, as a sum of a plane wave for each ray.
+
+    Rays are at 32 Gauss-Legendre nodes of the squared radius by 90 angles of the annulus, of equal flux.
+    """
+    least = telescope.pupilObscuration**2
+    node, weight = np.polynomial.legendre.leggauss(32)
+    radius = np.sqrt(0.5 * (1.0 + least + (1.0 - least) * node))
+    angle = 2.0 * math.pi * (np.arange(90) + 0.5) / 90
+    x, y = (0.5 * telescope.pupilSize * np.outer(radius, of(angle)).ravel() for of in (np.cos, np.sin))
+    rays = pytest.importorskip("batoid").RayVector.fromStop(
+        np.append(x, 0.0), np.append(y, 0.0), optic=telescope, wavelength=WAVELENGTH,
+        theta_x=field[0], theta_y=field[1],
+    )  # fmt: skip
+    telescope.trace(rays)
+    direction = rays.v[:-1] / np.linalg.norm(rays.v[:-1], axis=1, keepdims=True)
+    path = rays.t[:-1] - rays.t[-1] - (direction * (rays.r[:-1] - rays.r[-1])).sum(axis=1)
+    k = 2.0 * math.pi / WAVELENGTH
+    across = np.exp(1j * k * np.outer(direction[:, 0], side(telescope) * places))
+    down = np.exp(1j * k * np.outer(direction[:, 1], -places))
+    wave = np.repeat(weight, 90) * np.exp(1j * k * path)
+    return np.abs(down.T @ (wave[:, None] * across)) ** 2
+
+
+def test_the_psf_is_the_sum_of_huygens_over_the_rays(telescope):
+    places = 4e-7 * 6.0 * (np.arange(15) - 7)
+
+    def error(pupil: lm.Pupil) -> float:
+        found = lm.psf(pupil, 15, 4e-7 * 6.0, integrate=False).values.astype(float)
+        return np.abs(found * (found * truth).sum() / (found * found).sum() - truth).max() / truth.max()
+
+    for field, within, of_circles in (((0.0, 0.0), 1e-4, 0.0), ((0.008, 0.014), 1e-3, 1e-2)):
+        truth = huygens(telescope, field, places)
+        seen, circle = (
+            adapter.pupil(telescope, field, wavelength=WAVELENGTH, degree=16, circular=each) for each in (False, True)
+        )
+        assert error(seen) < within
+        assert error(circle) >= of_circles
+        assert seen.circular == (field == (0.0, 0.0))
+
+
 def test_obscuration_wavelength_and_f_number_are_those_of_the_telescope(telescope, pupil):
-    assert pupil.obscuration == telescope.pupilObscuration
+    axis = adapter.pupil(telescope, wavelength=WAVELENGTH)
+    assert axis.obscuration == telescope.pupilObscuration
+    # Off the axis it is an ellipse, too, of the same share.
+    assert 1.0 - pupil.transmission / pupil.vignetting.b == pytest.approx(axis.obscuration**2, abs=1e-9)
     assert pupil.wavelength == WAVELENGTH
     published = {2.5: 5.0, 3.942: 2.9}[telescope.pupilSize]  # SDSS f/5, DECam f/2.9 at the corrected focus
     assert pupil.f_number == pytest.approx(published, rel=0.03)

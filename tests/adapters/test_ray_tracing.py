@@ -34,7 +34,7 @@ def lens(
 
 
 def single(trace, field, degree=6, tol=1e-6):
-    return tracing.single_pupil(trace, field, WAVELENGTH, degree, tol)
+    return tracing.single_pupil(trace, field, WAVELENGTH, degree, tol, circular=True)
 
 
 def test_the_pupil_and_the_position_are_mirrored_so_that_y_rises_downwards():

@@ -33,6 +33,7 @@ def pupil(
     field: tuple[float, float] = (0.0, 0.0),
     *,
     wavelength: float,
+    circular: bool = False,
     degree: int = 12,
     tol: float = 0.01,
 ) -> Pupil:
@@ -45,6 +46,10 @@ def pupil(
         Field angles theta_x and theta_y, radians.
     wavelength : float
         Metres.
+    circular : bool, default False
+        Whether the pupil is an annulus of the geometric mean f-number, as in :func:`field_map`; by default it is what
+        the image sees, off the axis an elliptical one. At the edge of the field of SDSS, annuli are 9 % of the peak
+        off Huygens' sum over the traced rays. Phase retrieval and gradients by frameworks take annuli only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -53,7 +58,8 @@ def pupil(
     Returns
     -------
     Pupil
-        With the obscuration of the telescope and the f-number in this direction.
+        With the obscuration of the telescope and the f-number in this direction; of an ellipse, that of its major
+        axis, the ellipse as `vignetting` and the obscuration as `stop`.
 
     Raises
     ------
@@ -63,7 +69,7 @@ def pupil(
         If an argument is out of range, if rays miss a surface, or if `degree` does not reach `tol`.
     """
     trace, metres, obscuration = _tracer(optic, wavelength, 1.0)
-    return ray_tracing.single_pupil(trace, field, metres, degree, tol, obscuration)
+    return ray_tracing.single_pupil(trace, field, metres, degree, tol, obscuration, circular=circular)
 
 
 def field_map(

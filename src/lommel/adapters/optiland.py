@@ -73,8 +73,7 @@ def pupil(
         `tol`.
     """
     trace, metres = _tracer(optic, wavelength)
-    round_ = validation.truth("circular", circular)
-    return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=round_)
+    return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=circular)
 
 
 def polarized_pupils(

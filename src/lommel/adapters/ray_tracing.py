@@ -23,7 +23,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.field.maps import FieldMap
 from lommel.optics.aperture.mask import Mask
-from lommel.optics.aperture.shapes import Ellipse
+from lommel.optics.aperture.shapes import Disc, Ellipse
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
@@ -114,23 +114,40 @@ def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tu
     return {t: float(c) for t, c in zip(terms, found, strict=True) if t != (0, 0)}
 
 
-def _seen_from_image(traced: TracedField, wavelength: float, degree: int, tol: float) -> tuple[Pupil, Array]:
+def _seen_from_image(
+    traced: TracedField, wavelength: float, degree: int, tol: float, obscuration: float = 0.0
+) -> tuple[Pupil, Array]:
     """Return the pupil, an ellipse off the axis, and the matrix from the entrance pupil to its coordinates."""
-    _slopes(traced)
-    points = np.stack([traced.x, traced.y], axis=1)
-    # Light travels against the place that it comes from, which is seen from behind the sensor.
-    places = np.stack([-traced.direction_x, traced.direction_y], axis=1)
-    transform = np.linalg.lstsq(points, places, rcond=None)[0].T
+    transform = _transform(traced)
     axes, (half, across), _ = np.linalg.svd(transform)
-    ellipse = None
+    ellipse, stop = None, None
     if across > (1.0 - _ROUND) * half:
         half = math.sqrt(half * across)
     else:
-        ellipse = Ellipse(1.0, float(across / half), math.atan2(axes[1, 0], axes[0, 0]))
-    x, y = transform @ points.T / half
+        ratio, angle = float(across / half), math.atan2(axes[1, 0], axes[0, 0])
+        ellipse = Ellipse(1.0, ratio, angle)
+        if obscuration > 0.0:  # which is seen at the same angle
+            stop = Disc() - Ellipse(obscuration, obscuration * ratio, angle)
+            obscuration = 0.0
+    x, y = transform @ np.stack([traced.x, traced.y]) / half
     wavefront = Wavefront.zernike(_terms(traced.phase, x, y, degree, tol), normalization="edge")
-    f_number = 0.5 / float(half)
-    return Pupil(wavefront, wavelength=wavelength, f_number=f_number, vignetting=ellipse), transform / half
+    made = Pupil(
+        wavefront,
+        obscuration=obscuration,
+        wavelength=wavelength,
+        f_number=0.5 / float(half),
+        vignetting=ellipse,
+        stop=stop,
+    )
+    return made, transform / half
+
+
+def _transform(traced: TracedField) -> Array:
+    """Return the matrix from points of the entrance pupil to the direction cosines that the image sees them at."""
+    _slopes(traced)
+    # Light travels against the place that it comes from, which is seen from behind the sensor.
+    places = np.stack([-traced.direction_x, traced.direction_y], axis=1)
+    return np.linalg.lstsq(np.stack([traced.x, traced.y], axis=1), places, rcond=None)[0].T
 
 
 def single_pupil(
@@ -140,13 +157,15 @@ def single_pupil(
     degree: int,
     tol: float,
     obscuration: float = 0.0,
-    circular: bool = True,
+    *,
+    circular: bool,
 ) -> Pupil:
     """Return the pupil at one point of the field, with the f-number there."""
+    round_ = validation.truth("circular", circular)
     hx, hy = _point("field", field)
     traced = trace(hx, hy, *sample_points(degree, tol))
-    if not circular:
-        return _seen_from_image(traced, wavelength, degree, tol)[0]
+    if not round_:
+        return _seen_from_image(traced, wavelength, degree, tol, obscuration)[0]
     terms, f_number = fit(traced, degree, tol)
     wavefront = Wavefront.zernike(terms, normalization="edge")
     return Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=f_number)

@@ -75,8 +75,7 @@ def pupil(
         If an argument is out of range, if rays are blocked, or if `degree` does not reach `tol`.
     """
     trace, metres = _tracer(model, wavelength, apertures)
-    round_ = validation.truth("circular", circular)
-    return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=round_)
+    return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=circular)
 
 
 def field_map(

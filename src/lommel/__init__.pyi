@@ -43,7 +43,7 @@ from lommel.estimation.objective_field import (
     fit_objective_field as fit_objective_field,
 )
 from lommel.estimation.phase_retrieval import Retrieval as Retrieval, retrieve as retrieve
-from lommel.field.maps import FieldMap as FieldMap
+from lommel.field.maps import FieldMap as FieldMap, Foreshortening as Foreshortening
 from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd
 from lommel.field.maps import Shading as Shading, Vignetting as Vignetting

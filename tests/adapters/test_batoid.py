@@ -133,6 +133,23 @@ def test_the_map_is_that_of_single_directions(telescope):
     assert found.obscuration == telescope.pupilObscuration
 
 
+def test_a_map_of_ellipses_has_those_of_single_directions(telescope):
+    field = adapter.field_map(telescope, 0.012, wavelength=WAVELENGTH, circular=False, heights=5)
+    ray = pytest.importorskip("batoid").RayVector.fromStop(
+        0.0, 0.0, optic=telescope, wavelength=WAVELENGTH, theta_x=0.0, theta_y=0.012
+    )
+    telescope.trace(ray)
+    found = field.pupil(side(telescope) * float(ray.x[0]), -float(ray.y[0]))
+    alone = adapter.pupil(telescope, (0.0, 0.012), wavelength=WAVELENGTH)
+    # In radii of different f-numbers.
+    ours, theirs = (
+        sorted(each / of.f_number for each in (of.vignetting.a, of.vignetting.b)) for of in (found, alone)
+    )
+    np.testing.assert_allclose(ours, theirs, rtol=1e-6)
+    values = [lm.psf(each, 15, 2e-6).values for each in (found, alone)]
+    np.testing.assert_allclose(values[0], values[1], atol=1e-4 * values[1].max())
+
+
 def test_what_is_no_telescope_or_no_direction_is_refused(telescope):
     with pytest.raises(TypeError, match="optic must be a batoid Optic, got 5"):
         adapter.pupil(5, wavelength=WAVELENGTH)

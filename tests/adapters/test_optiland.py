@@ -169,6 +169,32 @@ def test_the_map_is_exact_where_it_was_traced_and_close_in_between(triplet):
             assert abs(float(c)) < within, (hx, hy, term)
 
 
+def test_a_map_of_ellipses_has_the_psfs_of_huygens_sum_where_circles_are_wrong(triplet):
+    checked = runpy.run_path(str(Path(__file__).parents[2] / "benchmarks" / "optiland_checked.py"))
+    ellipses, circles = (adapter.field_map(triplet, circular=each) for each in (False, True))
+    pitch = 0.7e6 * circles.pupil_without_wavefront.scale
+    places = checked["steps"](15, pitch)
+    for h in ((0.0, 0.75), (0.5, 0.6)):  # traced, and between
+        chief = triplet.trace_generic(*h, Px=0.0, Py=0.0, wavelength=0.55)
+        place = 1e-3 * float(chief.x[0]), -1e-3 * float(chief.y[0])
+        truth = checked["huygens"](triplet, h, places, places)
+        found, other = (of.psf(*place, 15, 1e-6 * pitch, integrate=False).values[::-1] for of in (ellipses, circles))
+        assert checked["error"](found, truth) < 0.006
+        assert checked["error"](other, truth) > 0.05
+
+
+def test_distortion_moves_the_light_of_elliptical_pupils_to_the_chief_ray(triplet):
+    straight = adapter.field_map(triplet, circular=False, heights=5)
+    bent = adapter.field_map(triplet, circular=False, heights=5, distortion=True)
+    at, ideal = straight.vignetting.height[3], bent.vignetting.height[3]
+    assert bent.vignetting.along == straight.vignetting.along
+    assert abs(at - ideal) > 4e-6
+    axis = 7.0 + (at - ideal) / 2e-6  # of rows downwards, where the field is upwards
+    moved = bent.psf(0.0, -ideal, 15, 2e-6, center=(axis, 7.0))
+    kept = straight.psf(0.0, -at, 15, 2e-6)
+    np.testing.assert_allclose(moved.values, kept.values, atol=1e-5 * kept.values.max())
+
+
 def test_fields_that_are_named_are_traced_instead(triplet):
     points = [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]
     field = adapter.field_map(triplet, fields=points)
@@ -183,6 +209,8 @@ def test_what_is_no_lens_or_no_wavelength_is_refused(triplet):
         adapter.pupil(5)
     with pytest.raises(ValueError, match=r"wavelength is in metres .* for 550 nm give 550e-9"):
         adapter.pupil(triplet, wavelength=550)
+    with pytest.raises(ValueError, match="fields must be left out for elliptical pupils"):
+        adapter.field_map(triplet, circular=False, fields=[(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)])
     with pytest.raises(ValueError, match="degree must be higher: Zernike terms up to 2 leave"):
         adapter.pupil(triplet, degree=2)
 

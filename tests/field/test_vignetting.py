@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy import special
 
 import lommel as lm
 from lommel.optics.pupil import FieldPupil
@@ -90,3 +91,33 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
 def test_what_cannot_be_is_told(ask, message):
     with pytest.raises((TypeError, ValueError), match=message):
         ask()
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.4])
+def test_a_foreshortened_aperture_has_the_stretched_airy_pattern_and_the_light_of_its_area(obscuration):
+    flat = lm.FieldMap.from_seidel(20e-3, wavelength=500e-9, f_number=4.0, obscuration=obscuration)
+    field = flat.seen_through(lm.Foreshortening([0.0, 20e-3], along=[1.0, 0.7], across=[1.0, 0.9]))
+    angle, share = 0.8, 0.5**2  # of the squared height
+    a, b = 1.0 - 0.3 * share, 1.0 - 0.1 * share
+    place = 10e-3 * math.cos(angle), 10e-3 * math.sin(angle)
+    assert field.pupil(*place).transmission == pytest.approx(a * b * (1.0 - obscuration**2), rel=1e-9)
+    assert float(field.illumination(*place)) == pytest.approx(a * b, rel=1e-9)
+    found = field.psf(*place, 15, 0.8e-6, integrate=False, dtype="float64")
+    x, y = np.meshgrid(*2 * (np.pi * 0.4 * (np.arange(15) - 7) + 1e-9,))
+    v = np.hypot(a * (x * math.cos(angle) + y * math.sin(angle)), b * (y * math.cos(angle) - x * math.sin(angle)))
+    airy = (2.0 * special.j1(v) / v - obscuration * 2.0 * special.j1(obscuration * v) / v) ** 2
+    np.testing.assert_allclose(found.values / found.values.max(), airy / airy.max(), rtol=0.0, atol=2e-6)
+    assert found.error_bound < 1e-6
+    assert field.pupil(0.0, 0.0) == flat.pupil(0.0, 0.0)
+
+
+def test_foreshortening_of_bad_axes_or_of_an_aperture_with_parts_is_refused():
+    for along, across in ([0.9, 1.1], [0.8, 0.9]), ([0.9, 0.0], [0.8, 0.9]), ([1.0], [1.0]):
+        with pytest.raises(ValueError, match=r"^along"):
+            lm.Foreshortening([0.0, 1.0], along, across)
+    seen = lm.Foreshortening([0.0, 20e-3], [1.0, 0.8], [1.0, 0.9])
+    with pytest.raises(ValueError, match="lies beyond the last height"):
+        seen.at(0.0, 21e-3)
+    vanes = lm.FieldMap.from_seidel(20e-3, aperture=lm.Pupil(spider=lm.Spider(0.02, [0.0, 2.0])))
+    with pytest.raises(ValueError, match="must not be a Foreshortening for an aperture that is not circular"):
+        vanes.seen_through(seen)

@@ -79,6 +79,7 @@ def field_map(
     wavelength: float,
     heights: int = 9,
     fields: Sequence[tuple[float, float]] | None = None,
+    circular: bool = True,
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
@@ -93,13 +94,17 @@ def field_map(
         Number of directions traced, from the axis to the edge; the telescope must be rotationally symmetric.
     fields : sequence of (float, float), optional
         Directions to trace instead, as fractions of `radius`, for a telescope without that symmetry.
+    circular : bool, default True
+        Whether all pupils are annuli of the f-number on the axis, which blurs over the field require. False gives
+        each direction the elliptical annulus that the image sees, as :func:`pupil` does. Not with `fields`.
     wavelength, degree, tol
         As of :func:`pupil`.
 
     Returns
     -------
     FieldMap
-        With the obscuration, and the f-number on the axis; :func:`pupil` has that of its own direction.
+        With the obscuration, and the f-number on the axis; of ellipses, that of the longest of their axes, and
+        ellipses as `vignetting` (:class:`lommel.Foreshortening`).
 
     Raises
     ------
@@ -108,7 +113,7 @@ def field_map(
     """
     edge = validation.real("radius", radius, above=0.0)
     trace, metres, obscuration = _tracer(optic, wavelength, edge)
-    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, obscuration)
+    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, obscuration, circular=circular)
 
 
 def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.Trace, float, float]:

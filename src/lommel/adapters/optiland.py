@@ -172,6 +172,7 @@ def field_map(
     fields: Sequence[tuple[float, float]] | None = None,
     distortion: bool = False,
     wavelength: float | None = None,
+    circular: bool = True,
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
@@ -189,14 +190,19 @@ def field_map(
         light to where the chief rays meet the sensor, as :func:`lommel.imaging.field_photograph` needs it. Otherwise
         positions are those of the chief rays, and the map has no distortion. The ideal scale is that of the primary
         wavelength, so that maps of several wavelengths differ by the lateral colour of the lens.
+    circular : bool, default True
+        Whether all pupils are circles of the f-number on the axis, which blurs over the field require. At the edge of
+        the fields of four lenses, PSFs are then 3 to 61 % of the peak off Huygens' sum over the traced rays. False
+        gives each position the ellipse that the image sees, as :func:`pupil` does: up to 1.5 % off. Not with
+        `fields`.
     wavelength, degree, tol
         As of :func:`pupil`.
 
     Returns
     -------
     FieldMap
-        With the f-number on the axis. Off the axis the f-number is larger, and different in the two directions (3 and
-        10 % at 14 degrees for an f/5 Cooke triplet); :func:`pupil` has that of its own field point.
+        With the f-number on the axis; of ellipses, that of the longest of their axes, and ellipses as `vignetting`
+        (:class:`lommel.Foreshortening`).
 
     Raises
     ------
@@ -206,7 +212,7 @@ def field_map(
     """
     trace, metres = _tracer(optic, wavelength)
     ideal = _ideal(optic) if validation.truth("distortion", distortion) else None
-    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, ideal=ideal)
+    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, ideal=ideal, circular=circular)
 
 
 _PARAXIAL = 1e-3  # of the largest field: distortion is 1e-6 of that at the edge there

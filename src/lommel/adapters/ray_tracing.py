@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.field.maps import FieldMap
+from lommel.field.maps import FieldMap, Foreshortening, foreshortened
 from lommel.optics.aperture.mask import Mask
-from lommel.optics.aperture.shapes import Disc, Ellipse
+from lommel.optics.aperture.shapes import Ellipse
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
@@ -120,26 +120,15 @@ def _seen_from_image(
     """Return the pupil, an ellipse off the axis, and the matrix from the entrance pupil to its coordinates."""
     transform = _transform(traced)
     axes, (half, across), _ = np.linalg.svd(transform)
-    ellipse, stop = None, None
+    ellipse = None
     if across > (1.0 - _ROUND) * half:
         half = math.sqrt(half * across)
     else:
-        ratio, angle = float(across / half), math.atan2(axes[1, 0], axes[0, 0])
-        ellipse = Ellipse(1.0, ratio, angle)
-        if obscuration > 0.0:  # which is seen at the same angle
-            stop = Disc() - Ellipse(obscuration, obscuration * ratio, angle)
-            obscuration = 0.0
+        ellipse = Ellipse(1.0, float(across / half), math.atan2(axes[1, 0], axes[0, 0]))
     x, y = transform @ np.stack([traced.x, traced.y]) / half
     wavefront = Wavefront.zernike(_terms(traced.phase, x, y, degree, tol), normalization="edge")
-    made = Pupil(
-        wavefront,
-        obscuration=obscuration,
-        wavelength=wavelength,
-        f_number=0.5 / float(half),
-        vignetting=ellipse,
-        stop=stop,
-    )
-    return made, transform / half
+    made = Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=0.5 / float(half))
+    return made if ellipse is None else foreshortened(made, ellipse), transform / half
 
 
 def _transform(traced: TracedField) -> Array:
@@ -209,18 +198,25 @@ def field_map(
     tol: float,
     obscuration: float = 0.0,
     ideal: Callable[[float], float] | None = None,
+    *,
+    circular: bool = True,
 ) -> FieldMap:
     """Return the map over the field, with the f-number on the axis; without `fields` a symmetric lens is required.
+
+    Not `circular`, pupils are ellipses off the axis, and the f-number is that of the longest of their axes.
 
     `ideal` is where light arrives without distortion (metres, upwards), of a fraction of the edge of the field:
     positions are then these, and tilts move the light to where chief rays meet the sensor.
     """
     if ideal is not None and fields is not None:
         raise ValueError("fields must be left out with distortion, which is that of a rotationally symmetric lens")
+    round_ = validation.truth("circular", circular)
+    if not round_ and fields is not None:
+        raise ValueError("fields must be left out for elliptical pupils, which follow the symmetry of the lens")
     points = sample_points(degree, tol)
-    axis, f_number = fit(trace(0.0, 0.0, *points), degree, tol)
-    aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
+    f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
     if fields is not None:
+        aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
         if not isinstance(fields, Sequence | np.ndarray):
             raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
         at = [_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
@@ -230,31 +226,44 @@ def field_map(
         return FieldMap.scattered(x, -y, wavefront, aperture=aperture)
     count = validation.integer("heights", heights, least=2, most=1000)
     along = [trace(0.0, float(hy), *points) for hy in np.linspace(0.0, 1.0, count)]
-    wavefront = _stack([axis, *(fit(one, degree, tol)[0] for one in along[1:])])
     position = np.array([one.position for one in along]) - along[0].position
     upwards = math.copysign(1.0, position[-1, 1])
     distances = upwards * position[:, 1]
     if not distances[-1] > 0.0:
         raise ValueError("the field of the lens must not be a single point: its edge is imaged onto the axis")
+    axes = np.abs([np.diag(_transform(one)) for one in along])  # across the direction of the field, and along it
+    half = 0.5 / f_number if round_ else float(axes.max())
+    aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half)
+
+    def terms(traced: TracedField) -> dict[tuple[int, int], float]:
+        if round_:
+            return fit(traced, degree, tol)[0]
+        x, y = _transform(traced) @ np.stack([traced.x, traced.y]) / half
+        return _terms(traced.phase, x, y, degree, tol)
+
+    wavefront = _stack([terms(one) for one in along])
     made = FieldMap.radial(distances, wavefront, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
-    _require_symmetry(made, trace(1.0, 0.0, *points), distances[-1], degree, tol)
+    _require_symmetry(made, terms(across := trace(1.0, 0.0, *points)), across.position, distances[-1], tol)
+    ellipses = None if round_ else axes.T / half
     if ideal is None:
-        return made
+        return made if ellipses is None else made.seen_through(Foreshortening(distances, *ellipses[::-1]))
     straight = np.array([upwards * ideal(float(h)) for h in np.linspace(0.0, 1.0, count)])
     tilt = -upwards * math.pi / aperture.scale * (distances - straight)
     bent = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
-    return FieldMap.radial(straight, bent, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
+    made = FieldMap.radial(straight, bent, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
+    return made if ellipses is None else made.seen_through(Foreshortening(straight, *ellipses[::-1]))
 
 
-def _require_symmetry(made: FieldMap, across: TracedField, reach: float, degree: int, tol: float) -> None:
-    """Raise ValueError if rays at the edge of the field along x do not agree with those along y."""
-    x, y = across.position
+def _require_symmetry(
+    made: FieldMap, across: dict[tuple[int, int], float], position: tuple[float, float], reach: float, tol: float
+) -> None:
+    """Raise ValueError if the terms of rays at the edge of the field along x do not agree with those along y."""
+    x, y = position
     asymmetric = abs(math.hypot(x, y) - reach) > 1e-6 * reach
     if not asymmetric:
         factor = reach / math.hypot(x, y)
-        rest = made.pupil(x * factor, -y * factor).wavefront - Wavefront.zernike(
-            fit(across, degree, tol)[0], normalization="edge"
-        )
+        found = replace(made, vignetting=None).pupil(x * factor, -y * factor).wavefront
+        rest = found - Wavefront.zernike(across, normalization="edge")
         asymmetric = any(abs(float(c)) > 10.0 * tol for c in rest.edge_terms().values())
     if asymmetric:
         raise ValueError("the lens is not rotationally symmetric; give fields, the points of the field to trace")

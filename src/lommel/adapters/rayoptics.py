@@ -85,6 +85,7 @@ def field_map(
     fields: Sequence[tuple[float, float]] | None = None,
     wavelength: float | None = None,
     apertures: bool = True,
+    circular: bool = True,
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
@@ -98,13 +99,18 @@ def field_map(
         Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
         Points to trace instead, as fractions of the largest field, for a lens without that symmetry.
+    circular : bool, default True
+        Whether all pupils are circles of the f-number on the axis, which blurs over the field require; their PSFs
+        can be wrong by tens of percent of the peak towards the edge of the field. False gives each position the
+        ellipse that the image sees, as :func:`pupil` does. Not with `fields`.
     wavelength, apertures, degree, tol
         As of :func:`pupil`.
 
     Returns
     -------
     FieldMap
-        With the f-number on the axis; :func:`pupil` has that of its own field point.
+        With the f-number on the axis; of ellipses, that of the longest of their axes, and ellipses as `vignetting`
+        (:class:`lommel.Foreshortening`).
 
     Raises
     ------
@@ -112,7 +118,7 @@ def field_map(
         As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given.
     """
     trace, metres = _tracer(model, wavelength, apertures)
-    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol)
+    return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, circular=circular)
 
 
 def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:

@@ -18,7 +18,7 @@ from lommel.channel_psf import colour_psf
 from lommel.field.distortion import Spectrum, inverse, shift_of, spectrum_of, tilt_by
 from lommel.field.psf_grid import PSFGrid, sides
 from lommel.methods import Method
-from lommel.optics.aperture.shapes import CatEye
+from lommel.optics.aperture.shapes import CatEye, Disc, Ellipse
 from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import FieldPupil, Pupil
@@ -74,6 +74,10 @@ class Vignetting:
         for far, size in zip(self.shift, self.radius, strict=True):
             CatEye((far, 0.0), size)
 
+    def applied(self, pupil: Pupil, x: float, y: float) -> Pupil:
+        """Return `pupil` with the vignetting at (`x`, `y`); ValueError beyond the last height."""
+        return replace(pupil, vignetting=self.at(x, y))
+
     def at(self, x: float, y: float) -> CatEye | None:
         """Return the vignetting at (`x`, `y`), None where there is none; ValueError beyond the last height."""
         r = _within(math.hypot(x, y), self.height[-1])
@@ -82,6 +86,73 @@ class Vignetting:
             return None
         along = (x / r, y / r) if r > 0.0 else (1.0, 0.0)
         return CatEye((far * along[0], far * along[1]), size)
+
+
+_ROUND = 1e-5  # below this ellipticity a pupil is a circle, for which all methods are
+
+
+@dataclass(frozen=True, init=False)
+class Foreshortening:
+    """Elliptical pupils off the axis, where the aperture is seen at an angle.
+
+    An alternative to :class:`Vignetting`. The ellipse is centred on the axis of the pupil, with one semi-axis along
+    the direction of the position on the sensor (tangential) and one across it (sagittal). Between heights they are
+    interpolated linearly in the squared height.
+
+    Parameters
+    ----------
+    height : array_like, shape (n,)
+        Distances from the axis on the sensor, increasing from 0, at least two.
+    along, across : array_like, shape (n,)
+        Semi-axes, in radii of the aperture: above 0, at most 1. Of a distant stop before a thin lens about
+        ``cos(theta)**3`` and ``cos(theta)``.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is out of range, or heights do not increase from 0.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> seen = lm.Foreshortening([0.0, 20e-3], along=[1.0, 0.8], across=[1.0, 0.9])
+    >>> seen.at(10e-3, 0.0)
+    Ellipse(a=0.95, b=0.975, angle=0.0, center=(0.0, 0.0))
+    """
+
+    height: tuple[float, ...]
+    along: tuple[float, ...]
+    across: tuple[float, ...]
+
+    def __init__(self, height: ArrayLike, along: ArrayLike, across: ArrayLike) -> None:
+        heights = _heights(height)
+        for name, value in (("along", along), ("across", across)):
+            found = validation.real_array(name, value, least=1e-3, most=1.0)
+            if found.shape != heights.shape:
+                raise ValueError(f"{name} must be one for each height, got {validation.shown(value)}")
+            vars(self)[name] = tuple(found.tolist())
+        vars(self)["height"] = tuple(heights.tolist())
+
+    def at(self, x: float, y: float) -> Ellipse | None:
+        """Return the pupil at (`x`, `y`), None where it is the aperture; ValueError beyond the last height."""
+        r = _within(math.hypot(x, y), self.height[-1])
+        squares = np.square(self.height)
+        a, b = (float(np.interp(r * r, squares, part)) for part in (self.along, self.across))
+        return None if min(a, b) > 1.0 - _ROUND else Ellipse(a, b, math.atan2(y, x))
+
+    def applied(self, pupil: Pupil, x: float, y: float) -> Pupil:
+        """Return `pupil` as it is seen at (`x`, `y`); ValueError beyond the last height."""
+        ellipse = self.at(x, y)
+        return pupil if ellipse is None else foreshortened(pupil, ellipse)
+
+
+def foreshortened(pupil: Pupil, ellipse: Ellipse) -> Pupil:
+    """Return a circular or annular pupil that is seen as an ellipse, with its obscuration."""
+    eps = pupil.obscuration
+    if eps == 0.0:
+        return replace(pupil, vignetting=ellipse)
+    stop = Disc() - Ellipse(eps * ellipse.a, eps * ellipse.b, ellipse.angle)
+    return replace(pupil, obscuration=0.0, vignetting=ellipse, stop=stop)
 
 
 @dataclass(frozen=True, init=False)
@@ -224,8 +295,8 @@ class FieldMap:
     ----------
     pupil_without_wavefront : Pupil
         The aperture on the axis, and over the whole field where there is no vignetting.
-    vignetting : Vignetting or None
-        Vignetting off the axis; see :meth:`seen_through`.
+    vignetting : Vignetting, Foreshortening or None
+        How the aperture differs off the axis; see :meth:`seen_through`.
     shading : Shading or None
 
     Notes
@@ -244,7 +315,7 @@ class FieldMap:
     pupil_without_wavefront: Pupil
     _wavefronts: WavefrontsOnSensor
     _added: Wavefront
-    vignetting: Vignetting | None = None
+    vignetting: Vignetting | Foreshortening | None = None
     shading: Shading | None = None
 
     @classmethod
@@ -394,7 +465,7 @@ class FieldMap:
             return pupil
         if across.shape != ():
             raise ValueError("x and y must be one position where vignetting changes the aperture; psf takes arrays")
-        return replace(pupil, vignetting=self.vignetting.at(float(across), float(down)))
+        return self.vignetting.applied(pupil, float(across), float(down))
 
     def displacement(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
         """Return how far the tilt of the wavefront moves the light at positions (x, y): distortion, lateral colour.
@@ -497,22 +568,31 @@ class FieldMap:
         dx, dy = shift_of(pupil, spectrum_of(wavelength))
         return pupil.carrying(pupil.wavefront + Wavefront.from_edge(tilt_by(pupil, -dx, -dy)), None)
 
-    def seen_through(self, vignetting: Vignetting | None = None, shading: Shading | None = None) -> FieldMap:
-        """Return the map with vignetting and shading off the axis.
+    def seen_through(
+        self, vignetting: Vignetting | Foreshortening | None = None, shading: Shading | None = None
+    ) -> FieldMap:
+        """Return the map with vignetting, or elliptical pupils, and shading off the axis.
 
         Parameters
         ----------
-        vignetting : Vignetting, optional
+        vignetting : Vignetting or Foreshortening, optional
         shading : Shading, optional
             Changes :meth:`illumination`, but no PSF.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is of another type, or the aperture has vignetting already.
+            If an argument is of another type, the aperture has vignetting already, or it is seen as an ellipse and
+            not circular or annular.
         """
-        validation.optional("vignetting", vignetting, Vignetting)
         validation.optional("shading", shading, Shading)
+        if not isinstance(vignetting, Foreshortening):
+            validation.optional("vignetting", vignetting, Vignetting)
+        elif not self.pupil_without_wavefront.circular:
+            raise ValueError(
+                "vignetting must not be a Foreshortening for an aperture that is not circular or annular, for it "
+                "does not change a spider, a mask or a stop"
+            )
         if vignetting is not None and self.pupil_without_wavefront.vignetting is not None:
             raise ValueError("vignetting must be left out for an aperture that has its own everywhere")
         return replace(self, vignetting=vignetting, shading=shading)
@@ -538,8 +618,8 @@ class FieldMap:
         light = np.ones(across.shape) if self.shading is None else self.shading.at(across, down)
         if self.vignetting is not None:
             places = [(0.0, 0.0), *zip(across.ravel().tolist(), down.ravel().tolist(), strict=True)]
-            bare, seen = self.pupil_without_wavefront, (self.vignetting.at(*place) for place in places)
-            axis, *passing = (replace(bare, vignetting=edge).transmission for edge in seen)
+            bare, edge = self.pupil_without_wavefront, self.vignetting
+            axis, *passing = (edge.applied(bare, *place).transmission for place in places)
             light = light * np.reshape(passing, across.shape) / axis
         return numbers(light, across.shape)
 

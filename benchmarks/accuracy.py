@@ -743,14 +743,18 @@ there is one, at a setting of an expert. The error is the largest difference fro
 aperture, which uses no FFT and no code of lommel, relative to the peak; the unit of an image is the one that fits
 best, and its rows and columns may be mirrored. Errors of measured numbers (widths, energies, Strehl ratios) are
 relative to them. The last but one column is processor time of the package over that of lommel for the same values,
-on one core.
+on one core, to a factor of about 1.5.
 
-Written by `python -m benchmarks.accuracy --write`, which also holds the truth; `make peers`, `make peers
-GROUP=compat` and `make peers GROUP=lenses` install the packages. An error is not a fault: most packages state the
-sampling as an option, and 1e-3 of the peak is below the noise of many images. The last column has the cause.
+An error is not a fault: most packages state the sampling as an option, and 1e-3 of the peak is below the noise of
+many images. The last column has the cause. The benchmark also holds the truth:
+
+```sh
+make peers GROUP=accuracy  # installs the packages, one of which brings PyTorch
+PYTHONPATH=.tools/peers .venv/bin/python -m benchmarks.accuracy --write
+```
 
 | package | question | its error | lommel's error | lommel's bound | time | cause |
-|---|---|---|---|---|---|---|
+|---|---|---:|---:|---:|---:|---|
 """
 
 

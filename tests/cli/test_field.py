@@ -123,10 +123,10 @@ def test_a_window_that_loses_light_is_told_with_what_helps(call_lommel, lenses, 
     assert "holds only" not in large
 
 
-def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(run_lommel, lenses, tmp_path):
+def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, lenses, tmp_path):
     lens = lenses["camera-field"]
     options = ["--at", "15mm", "-10mm", "--jitter", "2", "--shape", "33", "-o", "corner.npz"]
-    result = run_lommel("psf", lens, *options, folder=tmp_path)
+    result = call_lommel("psf", lens, *options, folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
     assert "15 mm right of and 10 mm above the middle of the sensor" in result.stdout
     instrument = lm.load_instrument(lens)
@@ -149,8 +149,8 @@ def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(run_lommel, l
         (["--at", "30mm", "0mm"], "lies outside of the map"),
     ],
 )
-def test_a_place_that_has_no_psf_is_told(run_lommel, lenses, tmp_path, options, message):
-    result = run_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
+def test_a_place_that_has_no_psf_is_told(call_lommel, lenses, tmp_path, options, message):
+    result = call_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
     assert result.returncode == 2
     assert re.search(message, result.stderr)
     assert result.stderr.count("\n") < 8

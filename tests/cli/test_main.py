@@ -130,8 +130,8 @@ def test_the_tables_show_what_the_json_says(written, printed):
     assert values["error bound"] == f"each value within {printed['psf']['error_bound']:.2g} of the peak"
 
 
-def test_info_says_about_a_lens_what_psf_does(run_lommel, lenses, tmp_path, printed):
-    result = run_lommel("info", lenses["phone"], *OPTIONS[:6], "--json", folder=tmp_path)
+def test_info_says_about_a_lens_what_psf_does(call_lommel, lenses, tmp_path, printed):
+    result = call_lommel("info", lenses["phone"], *OPTIONS[:6], "--json", folder=tmp_path)
     said = json.loads(result.stdout)
     assert {key: said[key] for key in printed if key not in ("psf", "files")} == {
         key: value for key, value in printed.items() if key not in ("psf", "files")

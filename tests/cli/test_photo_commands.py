@@ -344,13 +344,13 @@ W131 = 1.0
 """
 
 
-def test_a_photograph_through_the_field_of_a_lens_file_is_that_of_python(run_lommel, tmp_path):
+def test_a_photograph_through_the_field_of_a_lens_file_is_that_of_python(call_lommel, tmp_path):
     (tmp_path / "bent.toml").write_text(BENT)
     photo = np.full((64, 96, 3), 20, np.uint8)
     photo[::9, ::7] = 250
     Image.fromarray(photo).save(tmp_path / "photo.png")
     given = ["blur", "photo.png", "bent.toml", "--over-field", "--pixel", "10um", "-o"]
-    made = run_lommel(*given, "out.png", "--json", "--energy", "0.9", folder=tmp_path)
+    made = call_lommel(*given, "out.png", "--json", "--energy", "0.9", folder=tmp_path)
     assert (made.returncode, made.stderr) == (0, "")
     field = lm.load_instrument(tmp_path / "bent.toml").field()
     wanted = lm.imaging.field_photograph(photo, field, 10e-6, encoding="srgb", energy=0.9)
@@ -365,9 +365,9 @@ def test_a_photograph_through_the_field_of_a_lens_file_is_that_of_python(run_lom
         (["bent.toml"], "DEPTH cannot be combined"),
         (["--pixel", "2mm"], "must come from within the map"),
     ):
-        refused = run_lommel(*given, "no.png", *stray, folder=tmp_path)
+        refused = call_lommel(*given, "no.png", *stray, folder=tmp_path)
         assert refused.returncode == 2
         assert message in refused.stderr
     (tmp_path / "bent.toml").write_text(BENT + "[field.vignetting]\nheight = ['0 mm', '1 mm']\nshift = [0.0, 0.5]\n")
-    assert "[field.shading]" in run_lommel(*given, "no.png", folder=tmp_path).stderr
+    assert "[field.shading]" in call_lommel(*given, "no.png", folder=tmp_path).stderr
     assert not (tmp_path / "no.png").exists()

@@ -10,6 +10,8 @@ import lommel as lm
 from lommel.optics.layers.emitter import Absorbed
 
 PIXEL = 6.5e-6
+_TOGETHER = 512  # points at once, for the memory that they take
+_LAST: dict[tuple[bytes, ...], np.ndarray] = {}
 
 
 def nodes(objective: lm.Objective, rings: int) -> tuple[np.ndarray, np.ndarray]:
@@ -33,6 +35,9 @@ def intensity(
 
     Shape (planes, points), not divided by what is collected.
     """
+    if x.size > _TOGETHER:
+        parts = [slice(start, start + _TOGETHER) for start in range(0, x.size, _TOGETHER)]
+        return np.concatenate([intensity(objective, pupil, x[k], y[k], rings, angles) for k in parts], axis=1)
     rho, weight = nodes(objective, rings)
     theta = 2.0 * np.pi * (np.arange(angles) + 0.3) / angles
     wave = pupil.wavelength
@@ -45,7 +50,7 @@ def intensity(
     s_wave = np.stack(np.broadcast_arrays(-around * sin, around * cos, 0.0 * around))
     p_wave = np.stack(np.broadcast_arrays(cosine[:, None] * cos, cosine[:, None] * sin, sine[:, None]))
     kx, ky = (2.0 * np.pi / wave * objective.NA * rho[:, None] * part for part in (cos, sin))
-    kernel = np.exp(-1j * (np.multiply.outer(x, kx) + np.multiply.outer(y, ky)) / objective.magnification)
+    kernel = _waves(x / objective.magnification, y / objective.magnification, kx, ky)
     amplitude = 2.0 * weight[:, None] * inside[:, None] ** -0.5 / angles
 
     def seen(field: np.ndarray) -> np.ndarray:
@@ -65,6 +70,15 @@ def intensity(
             sum(np.abs(part) ** 2 for part in _fields(pupil.emitter, p_pupil, s_wave, p_wave, transmitted, seen))
         )
     return np.array(found)
+
+
+def _waves(x, y, kx, ky):
+    """Return plane waves at points, those of the last call where they are the same."""
+    asked = tuple(part.tobytes() for part in (x, y, kx, ky))
+    if asked not in _LAST:
+        _LAST.clear()
+        _LAST[asked] = np.exp(-1j * (np.multiply.outer(x, kx) + np.multiply.outer(y, ky)))
+    return _LAST[asked]
 
 
 def _fields(emitter, p_pupil, s_wave, p_wave, transmitted, seen):

@@ -131,7 +131,7 @@ def test_few_samples_are_taken_by_chords_and_many_by_circles():
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, aberrations=FIVE)
     assert lm.psf(pupil, 15, PIXEL).method == lm.ChordalDebye(1e-6)
     assert isinstance(lm.psf(pupil, 255, PIXEL).method, lm.DebyeRings)
-    assert isinstance(lm.psf(pupil, 9, PIXEL, center=(900.0, 900.0)).method, lm.DebyeRings)
+    assert isinstance(lm.psf(pupil, 9, PIXEL, center=(200.0, 200.0)).method, lm.DebyeRings)
     stack = OIL.pupil(depth=1e-6, z=np.linspace(-1e-7, 1e-7, 40), wavelength=WAVE, aberrations=FIVE)
     assert isinstance(lm.psf(stack, 25, PIXEL).method, lm.DebyeRings)
     with pytest.raises(ValueError, match="smaller windows"):
@@ -368,9 +368,9 @@ def test_the_derivative_by_the_wavelength_keeps_path_differences(objective, emit
     given = {"depth": [0.3e-6, 3e-6], "z": [1e-6, 4e-6], "origin": "coverslip", "wavelength": WAVE}
     pupil = objective.pupil(**given, emitter=emitter, aberrations=aberrations)
     asked = {"integrate": integrate, "dtype": np.float64, "method": lm.ChordalDebye(1e-9)}
-    made = lm.psf(pupil, 9, PIXEL, derivatives=("z", "wavelength", (2, 2)), **asked)
+    made = lm.psf(pupil, (5, 6), PIXEL, derivatives=("z", "wavelength", (2, 2)), **asked)
     h = 0.05e-9
-    ends = [lm.psf(pupil.in_light(WAVE + s * h), 9, PIXEL, **asked).values for s in (1.0, -1.0, 2.0, -2.0)]
+    ends = [lm.psf(pupil.in_light(WAVE + s * h), (5, 6), PIXEL, **asked).values for s in (1.0, -1.0, 2.0, -2.0)]
     exact = (8.0 * (ends[0] - ends[1]) - (ends[2] - ends[3])) / (12.0 * h)
     off = np.abs(made.derivatives["wavelength"] - exact).max(axis=(1, 2)) / np.abs(exact).max()
     allowed = made.derivative_bounds["wavelength"] * made.values.max(axis=(1, 2)) / np.abs(exact).max()

@@ -21,7 +21,6 @@ import pytest
 from hypothesis import HealthCheck, Phase, settings
 
 import lommel as lm
-from lommel.core import engine
 
 mpl.use("Agg")
 
@@ -45,6 +44,7 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
 
 ROOT = Path(__file__).resolve().parent.parent
 TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COLUMNS", "LINES")
+RESIDENT = {"before": 2**29}  # bytes
 DESCRIBED: dict[bytes, object] = {}
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
 
@@ -127,11 +127,19 @@ def described_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def few_tables() -> Iterator[None]:
-    """Free what the package keeps between calls where it has become much, which no other module asks for again."""
+def little_memory() -> Iterator[None]:
+    """Free what the package keeps, and cycles of large arrays, where memory has grown by half a GiB."""
     yield
-    if engine.table_bytes()[0] > 2**28:
+    if resident() > RESIDENT["before"] + 2**29:
         lm.clear_caches()
+        gc.collect()
+        RESIDENT["before"] = resident()
+
+
+def resident() -> int:
+    """Return the bytes of memory of this process, where the system tells them."""
+    told = Path("/proc/self/statm")
+    return int(told.read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE") if told.exists() else 0
 
 
 @pytest.fixture(autouse=True)

@@ -35,9 +35,13 @@ pixel = "6.5 um"
 def files(tmp_path):
     z, y, x = np.indices((9, 24, 24)) - np.array([4, 12, 12])[:, None, None, None]
     spot = 500.0 * np.exp(-(x**2 + y**2) / 8.0 - z**2 / 6.0)
-    stack = np.random.default_rng(0).poisson(20.0 + spot) + 100
+    stack = (np.random.default_rng(0).poisson(20.0 + spot) + 100).astype(np.uint16)
     fields = {"axes": "ZYX", "PhysicalSizeX": 0.108, "PhysicalSizeY": 0.108, "PhysicalSizeZ": 0.25}
-    tifffile.imwrite(tmp_path / "stack.ome.tif", stack.astype(np.uint16), ome=True, metadata=fields)
+    tifffile.imwrite(tmp_path / "stack.ome.tif", stack, ome=True, metadata=fields)
+    tifffile.imwrite(tmp_path / "plain.tif", stack, photometric="minisblack")
+    tifffile.imwrite(
+        tmp_path / "movie.ome.tif", np.stack([stack, stack]), ome=True, metadata=fields | {"axes": "TZYX"}
+    )
     (tmp_path / "lens.toml").write_text(OBJECTIVE)
     return tmp_path
 
@@ -73,6 +77,14 @@ def test_json_and_zarr(files):
     assert (there / ".zattrs").exists()
 
 
+def test_notes_name_options(files):
+    sized = (files / "lens.toml").read_text() + '[stack]\nplanes = 9\nstep = "250 nm"\n'
+    (files / "lens.toml").write_text(sized)
+    words = (files / "plain.tif", files / "lens.toml", "--axes", "ZYX", *CAMERA, "--direction", "up")
+    found = run(*words, "--json", "-o", files / "restored.ome.tif")
+    assert "250 nm of the stage; --step states another." in " ".join(json.loads(found.output)["notes"])
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -80,6 +92,7 @@ def test_json_and_zarr(files):
         (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr"),
         (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
         (("stack.ome.tif", "lens.toml", "--modality", "confocal", "-o", "a.tif"), "excitation"),
+        (("movie.ome.tif", "lens.toml", "-o", "a.tif"), "2 time points; say which with --time, from 0 to 1"),
         (("missing.ome.tif", "lens.toml", "-o", "a.tif"), "No such file"),
     ],
 )

@@ -84,6 +84,15 @@ def test_beads_on_a_background_keep_their_photons_and_all_light():
         assert found.values[part].sum() == pytest.approx(photons + 125 * 20.0, rel=0.07)
 
 
+def test_a_point_has_its_photons_in_the_window_of_the_psf():
+    wide = kernel(side=51).values  # as fractions of the light of a plane
+    stack = 20.0 + NOISE.offset + 5e4 * wide[:, 12:38, 12:38]
+    found = lm.microscopy.deconvolve(stack, PSF, NOISE, method=lm.imaging.RichardsonLucy(steps=40, target=0.0))
+    photons = found.values[4:7, 11:16, 11:16].sum() - 3 * 5 * 5 * 20.0
+    assert PSF.values.sum() < 0.9 * len(wide)
+    assert photons == pytest.approx(5e4 * PSF.values.sum(), rel=0.05)
+
+
 def test_a_larger_margin_changes_nothing_to_speak_of():
     stack = record(beads())
     usual, larger = (lm.microscopy.deconvolve(stack, PSF, NOISE, margin=margin).values for margin in (None, (9, 14)))

@@ -251,6 +251,18 @@ def test_a_flat_stack_and_the_photons_of_a_bead_are_kept():
     assert around == pytest.approx(3e6, rel=0.01)
 
 
+def test_a_known_background_is_taken_away_as_an_offset_with_its_own_noise():
+    uneven = 30.0 * np.linspace(0.3, 1.7, SIDE) * np.ones((SIDE, 1))  # electrons
+    points = {(9, 20, 20): 3e5}
+    stack = recorded(12e-6, points, level=uneven)
+    known = lm.Noise(white=0.5, read=np.hypot(1.5, np.sqrt(uneven)), offset=100.0 + uneven / 0.5)
+    way = lm.imaging.RichardsonLucy(steps=40, target=0.0)
+    found = 0.5 * quick(stack, noise=known, method=way, pixel=PIXEL, step=STEP, wavelength=WAVE).values
+    around = found[6:13, 13:28, 13:28].sum()
+    assert around == pytest.approx(3e5, rel=0.05)
+    assert found.sum() - around < 0.2 * uneven.sum() * len(found)
+
+
 def test_saturated_voxels_are_left_out_and_told(deep):
     full = np.minimum(deep.astype(int), 1023).astype(np.uint16)
     assert (full == 1023).sum() > 8
@@ -341,15 +353,72 @@ def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said
 
 def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 8)
+    monkeypatch.setattr(refinement, "_MORE", 8)
     monkeypatch.setattr(refinement, "_NARROWEST", 21)
-    monkeypatch.setitem(refinement._TOLERANCE, "spherical", 0.01)
+    monkeypatch.setattr(refinement, "_ROUNDS", 1)
+    monkeypatch.setitem(refinement._TOLERANCE, "spherical", 0.06)
     model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
     truth = np.zeros((8, 24, 24), np.float32)
     truth[4, 12, 12] += 1e6
     stack = CAMERA.record(blurred(model.changed("spherical", 0.12), truth) + 10.0, seed=3)
     crop = refinement.crop_of(stack, 17)
-    _, found = refinement.refined(stack, crop, model, CAMERA, np.inf, ["spherical"], 1, lambda _: None)
+    _, found, errors = refinement.refined(stack, crop, model, CAMERA, np.inf, ["spherical"], 1, lambda _: None)
     assert found["spherical"] == pytest.approx(0.12, abs=0.02)
+    assert abs(found["spherical"] - 0.12) < 2.0 * errors["spherical"]
+
+
+def test_the_least_discrepancy_has_the_standard_error_of_the_deviance_and_of_the_steps():
+    right, bend = np.array([1.34, 9e-6]), np.array([[40.0, -8.0], [-8.0, 10.0]])
+    scale, known = np.array([0.005, 5e-7]), 50_000
+    limits = np.array([1.3, 8e-6]), np.array([1.4, 1e-5])
+
+    def course(values):
+        assert (values > limits[0] - 1.01 * scale).all()
+        off = (values - right) / scale
+        early = off - np.array([0.2, 0.0])  # half of the steps have another minimum
+        return [9.0, 2.0 + 0.5 * early @ bend @ early, 1.0 + 0.5 * off @ bend @ off]
+
+    for away in ([0.0, 0.0], [0.002, -1e-7], [0.02, 1e-6]):  # the last one is out of reach at first
+        found, errors = refinement._minimum(course, right + away, scale, limits, known)
+        np.testing.assert_allclose(found, right, rtol=1e-9)
+        photons = np.sqrt(2.0 / known * np.diag(np.linalg.inv(bend)))
+        np.testing.assert_allclose(errors, np.hypot(photons, [0.2, 0.0]) * scale, rtol=0.05)
+    flat, errors = refinement._minimum(lambda _: [1.0, 1.0, 1.0], right, scale, limits, known)
+    assert np.isinf(errors).all()
+    np.testing.assert_array_equal(flat, right)
+
+
+def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypatch):
+    monkeypatch.setattr(refinement, "_STEPS", 6)
+    monkeypatch.setattr(refinement, "_NARROWEST", 21)
+    monkeypatch.setattr(refinement, "_OTHERS", {"spherical": (0.06, "spherical aberration")})
+    fine = DepthModel(OIL_60X, WAVE, PIXEL, STEP / 2, 3e-6, 16, (29, 21))
+    truth = np.zeros((16, 24, 24), np.float32)
+    truth[9, 12, 12] = 4e6
+    stack = CAMERA.record(blurred(fine.changed("spherical", 0.12), truth)[::2] + 10.0, seed=3)
+    model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
+    right = model.changed("spherical", 0.12)
+
+    def better(values, model, turned):
+        crop = refinement.crop_of(stack, 17)
+        return refinement.better(values, crop, model, CAMERA, np.inf, 1, lambda _: None, turned=turned)
+
+    assert better(stack, right, False) is None
+    assert better(stack, model.changed("spherical", 0.04), False) == "a larger spherical aberration"
+    monkeypatch.setattr(refinement, "_OTHERS", {})
+    assert better(stack[::-1], right, True) == "planes in reverse order"
+
+
+@pytest.mark.parametrize("found", [None, "a smaller depth"])
+def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, deep, found):
+    monkeypatch.setattr("lommel.microscopy.restoration.better", lambda *_, **__: found)
+    way = lm.imaging.RichardsonLucy(target=1.0)
+    made = quick(deep, pixel=PIXEL, step=STEP, wavelength=WAVE, direction="down", method=way)
+    if found is None:
+        assert made.channels[0].stopped.startswith("voxels: no other PSF fits better")
+    else:
+        assert made.channels[0].stopped.startswith("misfit: the PSF")
+        assert made.notes[-1] == "A misfit: the stack follows PSFs of a smaller depth better."
 
 
 def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_so(deep):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,17 @@ from rich.text import Text
 from lommel.base.units import format_length
 from lommel.base.validation import line
 from lommel.cli.instruments import LENS, SQUARE_PIXEL, camera_map, camera_option, microscope_of, noise_of
-from lommel.cli.options import JSON, LENGTHS, MICROMETRES, NANOMETRES, Option, command, documented, under
+from lommel.cli.options import (
+    JSON,
+    LENGTHS,
+    MICROMETRES,
+    NANOMETRES,
+    Option,
+    command,
+    documented,
+    under,
+    with_options,
+)
 from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
@@ -164,6 +175,7 @@ def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:
                 "depths": [low, high],
                 "psfs": len(each.psf_depths),
                 "refined": each.refined,
+                "errors": {name: value if math.isfinite(value) else None for name, value in each.errors.items()},
             }
         )
     return {
@@ -173,7 +185,7 @@ def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:
         "pixel_in_sample": found.recording.pixel,
         "step": found.recording.step,
         "channels": channels,
-        "notes": list(found.notes),
+        "notes": [with_options(note) for note in found.notes],
     }
 
 

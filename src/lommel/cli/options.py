@@ -234,7 +234,7 @@ def _hint(error: OSError) -> str:
 
 
 # Arguments whose options have other names.
-_CALLED = {"scale": "--depth-scale", "zero_is_unknown": "--zero-unknown"}
+_CALLED = {"scale": "--depth-scale", "zero_is_unknown": "--zero-unknown", "time": "--time"}
 # A method with its options in brackets, which stays; then whatever looks like the name of an argument: "`missing`",
 # "largest=", "tol=1e-9", "f_number", but not --set tol=1 or what stands in quotes.
 _NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")

@@ -363,7 +363,7 @@ def _told(made: Recording, found: dict[str, Any], told: str, notes: list[str]) -
     if across and down and abs(across - down) > _SHARE * across:
         raise RecordingError(
             f"{name}: its pixels are {format_length(down)} high and {format_length(across)} wide; resample it to "
-            "square ones, or pass an array with pixel="
+            "square ones"
         )
     if taken:
         notes.append(f"From the {told} metadata of the file: {', '.join(taken)}.")

@@ -65,7 +65,9 @@ def deconvolve(
     -------
     Restoration
         Its `values` are float32, of the shape and unit of the stack, without the offset of its noise, like its
-        `light`; `by_channel` is the discrepancy of each plane. `stopped` states a misfit.
+        `light`; `by_channel` is the discrepancy of each plane. `stopped` states a misfit. A point that sends F
+        photons into each plane has ``F * psf.values.sum()``, those in the window of the PSF. Where that does not
+        hold all light it is less than F times the planes, which :func:`lommel.microscopy.restore` finds.
 
     Raises
     ------

@@ -69,7 +69,12 @@ class DepthModel:
     aberrations: Wavefront | None = None
 
     def changed(self, name: str, value: float) -> DepthModel:
-        """Return the model with another "depth", "sample" index or "spherical" aberration (waves rms, added)."""
+        """Return the model with another value.
+
+        Of "depth" or "sample" index; with "spherical" aberration (waves rms) added; "wavelength" or "step" times it.
+        """
+        if name in ("wavelength", "step"):
+            return replace(self, **{name: value * getattr(self, name)})
         if name == "depth":
             return replace(self, depth=value)
         if name == "sample":

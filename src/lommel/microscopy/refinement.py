@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from lommel.base.arrays import Values
+from lommel.base.arrays import Array, Values
 from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.deconvolution import Counted, Walk
@@ -16,12 +16,24 @@ from lommel.microscopy.depth_model import DepthModel
 
 PARAMETERS = ("depth", "sample", "spherical")
 
-_STEPS = 40  # of each trial: after fewer, sharper PSFs look better than they are
+_STEPS = 40  # of each trial of the search: after fewer, sharper PSFs look better than they are
+_MORE = 160  # of those around the value that was found: of dim points, 40 leave too much unexplained
 _SIDE = 48  # pixels of the part that is looked at
 _NARROWEST, _WIDEST = 33, 49  # pixels of PSFs
 _LEAST_PLANES = 8  # of the margin
-_TOLERANCE = {"depth": 2e-8, "sample": 2e-4, "spherical": 1e-3}
+_TOLERANCE = {"depth": 1e-7, "sample": 1e-3, "spherical": 5e-3}  # of the search
 _REACH = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}
+# What is tried where a stack does not follow its PSF: twice what would matter.
+_OTHERS = {
+    "sample": (6e-3, "index of the sample"),
+    "depth": (6e-7, "depth"),
+    "wavelength": (0.04, "wavelength (or pixel, or NA)"),
+    "step": (0.04, "step of z"),
+}
+_SIGNIFICANT = 9.0  # of the deviance, by which another PSF is better: three standard deviations
+_EXPLAINED = 0.03  # of the misfit, by another PSF that is better
+_APART = 1 / 6  # of these, between values around that which was found
+_ROUNDS = 3  # of these, where the least value is not between them
 
 
 def crop_of(stack: Any, side: int) -> tuple[slice, slice]:
@@ -73,15 +85,25 @@ class _Trial:
         self._counted = Counted(self._values, Noise(**maps), saturation)
         self._counted.most_weight /= self._times  # steps as long as if all planes were known
         self._threads = threads
-        self._paces: list[float] | None = None
+        self._paces: dict[int, list[float]] = {}  # those of the first walk, of each number of steps
 
     @property
     def slack(self) -> float:
         """Three standard deviations of the discrepancy."""
         return self._counted.slack
 
+    @property
+    def known(self) -> int:
+        """Number of voxels."""
+        return int(self._counted.known.sum())
+
     def discrepancy(self, model: DepthModel, *, turned: bool = False) -> float:
         """Return the discrepancy after some steps."""
+        return self.course(model, turned=turned)[-1]
+
+    def course(self, model: DepthModel, steps: int = 0, *, turned: bool = False) -> list[float]:
+        """Return the discrepancy after each step, as far extrapolated as those of the first model."""
+        count = steps or _STEPS
         planes = len(self._values)
         side = min(max(model.window[1], _NARROWEST), _WIDEST)
         deep = self._times * (model.window[0] - 1) + 1
@@ -92,11 +114,11 @@ class _Trial:
             counted = _Flipped.of(counted, self._values[::-1])
         shape = self._values.shape
         blur = small.blur((shape[0], shape[1], shape[2]), margin, threads=self._threads)
-        walk = Walk(blur, counted, self._paces)
-        _, _, each = walk.solve(RichardsonLucy(steps=_STEPS, target=0.0), lambda *_: None)
-        if self._paces is None:
-            self._paces = walk.paces
-        return counted.mean(each)
+        walk = Walk(blur, counted, self._paces.get(count))
+        found: list[float] = []
+        walk.solve(RichardsonLucy(steps=count, target=0.0), lambda _, discrepancy, __: found.append(discrepancy))
+        self._paces.setdefault(count, walk.paces)
+        return found
 
 
 class _Flipped:
@@ -132,6 +154,40 @@ def direction_of(
     )
 
 
+def better(
+    stack: Any,
+    crop: tuple[slice, slice],
+    model: DepthModel,
+    camera: Noise,
+    saturation: float,
+    threads: int,
+    tell: Callable[[str], object],
+    *,
+    turned: bool,
+) -> str | None:
+    """Return in words which other PSFs the stack follows better, or None if the given ones are the best of these.
+
+    Points between voxels leave a misfit whatever the PSF; they hardly change which PSF is the best. Planes in the
+    other order are tried if `turned` says so. Spherical aberration is like another index of the sample.
+    """
+    trial = _Trial(stack, crop, camera, saturation, threads, between=True)
+    given = trial.discrepancy(model)
+    most = given - max(_SIGNIFICANT * given / trial.known, _EXPLAINED * (given - 1.0))
+    tried: dict[str, float] = {}
+    if turned:
+        tell("reversed planes")
+        tried["planes in reverse order"] = trial.discrepancy(model, turned=True)
+    for name, (apart, words) in _OTHERS.items():
+        start = _start(model, name)
+        for value, change in ((start - apart, "smaller"), (start + apart, "larger")):
+            if (name == "depth" and value < 0.0) or (name == "sample" and value < 1.0):
+                continue
+            tell(f"another {words}")
+            tried[f"a {change} {words}"] = trial.discrepancy(model.changed(name, value))
+    best = min(tried, key=lambda words: tried[words])
+    return best if tried[best] < most else None
+
+
 def refined(
     stack: Any,
     crop: tuple[slice, slice],
@@ -141,12 +197,12 @@ def refined(
     names: Sequence[str],
     threads: int,
     tell: Callable[[str], object],
-) -> tuple[DepthModel, dict[str, float]]:
-    """Return the model whose PSFs the stack follows best, and the values of its parameters."""
+) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
+    """Return the model whose PSFs the stack follows best, the values of its parameters, and their standard errors."""
     from scipy.optimize import minimize, minimize_scalar
 
     trial = _Trial(stack, crop, camera, saturation, threads, between=True)
-    start = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
+    start = {name: _start(model, name) for name in names}
     count = 0
 
     def cost(values: Sequence[float]) -> float:
@@ -183,10 +239,63 @@ def refined(
             options={"xatol": 2.0, "fatol": 1e-6, "initial_simplex": np.array(simplex) / scale, "maxfev": 120},
         )
         best = [float(x) for x in answer.x * scale]
-    for name, value in zip(names, best, strict=True):
-        low, high = _limits(name, start[name])
-        model = model.changed(name, min(max(value, low), high))
-    return model, dict(zip(names, best, strict=True))
+    apart = np.array([_REACH[name] * _APART for name in names])
+    least, most = np.array([_limits(name, start[name]) for name in names]).T
+
+    def course(values: Array) -> list[float]:
+        tell("near " + ", ".join(f"{name} {value:.4g}" for name, value in zip(names, values, strict=True)))
+        return trial.course(_with(model, names, values), _MORE)
+
+    found_at, errors = _minimum(course, np.array(best), apart, (least + apart, most - apart), trial.known)
+    found_at = np.clip(found_at, least, most)
+    values, deviations = (dict(zip(names, each.tolist(), strict=True)) for each in (found_at, errors))
+    return _with(model, names, found_at), values, deviations
+
+
+def _start(model: DepthModel, name: str) -> float:
+    """Return a value from which to look for another; 1 of those that are scaled."""
+    given = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
+    return given.get(name, 1.0)
+
+
+def _with(model: DepthModel, names: Sequence[str], values: Sequence[float] | Array) -> DepthModel:
+    """Return the model with other values of some parameters."""
+    for name, value in zip(names, values, strict=True):
+        model = model.changed(name, float(value))
+    return model
+
+
+def _minimum(
+    course: Callable[[Array], list[float]], start: Array, apart: Array, limits: tuple[Array, Array], known: int
+) -> tuple[Array, Array]:
+    """Return where discrepancies of courses around a point are the least, and the standard error of that.
+
+    The deviance, `known` times the discrepancy, rises by 1 at a standard error. That of photons is joined with the
+    change since half of the steps: what more steps would change is unknown.
+    """
+    count, centre = len(start), np.clip(start, *limits)
+    unit = np.eye(count)
+    pairs = [(i, k) for i in range(count) for k in range(i)]
+    places = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
+    for _ in range(_ROUNDS):
+        courses = np.array([course(centre + place * apart) for place in places])
+        minima = []
+        for values in (courses[:, courses.shape[1] // 2], courses[:, -1]):
+            up, down = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
+            slope, bend = (up - down) / 2.0, np.diag(up + down)
+            for (i, k), value in zip(pairs, values[2 * count + 1 :] - values[0], strict=True):
+                bend[i, k] = bend[k, i] = value - up[i] - up[k]
+            if np.linalg.eigvalsh(bend)[0] <= 0.0:
+                return centre, np.full(count, np.inf)
+            minima.append(-np.linalg.solve(bend, slope))
+        earlier, least = minima
+        lowest = max(float(courses[0, -1] + 0.5 * slope @ least), 1.0)
+        variance = 2.0 * lowest * np.diag(np.linalg.inv(bend)) / known
+        found = centre + least * apart
+        if np.abs(least).max() <= 1.0:
+            break
+        centre = np.clip(centre + np.clip(least, -3.0, 3.0) * apart, *limits)
+    return found, np.sqrt(variance + (least - earlier) ** 2) * apart
 
 
 def _limits(name: str, start: float) -> tuple[float, float]:

@@ -28,12 +28,15 @@ from lommel.microscopy import depth_model
 from lommel.microscopy.camera_noise import measured_noise
 from lommel.microscopy.deconvolution import STACK_MISFIT, Counted, Walk
 from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
-from lommel.microscopy.refinement import PARAMETERS, crop_of, direction_of, refined
+from lommel.microscopy.refinement import PARAMETERS, better, crop_of, direction_of, refined
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 
 INTERRUPTED = "interrupted"
 """Why a restoration ended that was interrupted (Ctrl-C): what was done until then is kept."""
+
+BETWEEN = "voxels: no other PSF fits better; points between voxels, or a gain that is off, leave as much"
+"""Why a restoration ended whose rest is more than noise although its PSF is the best of all that were tried."""
 
 _DIRECTIONS = ("auto", "up", "down")
 _MEMORY = 2.0**31  # bytes
@@ -63,8 +66,9 @@ class RestoredChannel:
         Depth below the cover glass that is in focus in each plane, in the order of the recording, metres.
     psf_depths : ndarray of float
         Depths of the PSFs that were used.
-    refined : dict
-        Values found from the stack itself, by name.
+    refined, errors : dict of float
+        Values found from the stack itself, by name, and their standard errors: those of photons, and the change
+        since half of the steps. They are inf where the stack does not determine a value.
     """
 
     discrepancy: float
@@ -76,6 +80,7 @@ class RestoredChannel:
     depths: Array
     psf_depths: Array
     refined: dict[str, float]
+    errors: dict[str, float]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -607,16 +612,15 @@ class _Job:
             notes.append(words)
         source = _Turned(stack) if turned else stack
         estimated: dict[str, float] = {}
+        errors: dict[str, float] = {}
         if refine:
 
             def looked(words: str) -> None:
                 tell(0.02, words)
 
-            model, estimated = refined(source, crop, model, camera, limit, refine, self._threads, looked)
+            model, estimated, errors = refined(source, crop, model, camera, limit, refine, self._threads, looked)
             for name, value in estimated.items():
-                told = format_length(value, digits=4) if name == "depth" else f"{value:.4g}"
-                unit = " waves rms" if name == "spherical" else ""
-                notes.append(f"Estimated from the stack: {_CALLED[name]} {told}{unit}.")
+                notes.append(f"Estimated from the stack: {_CALLED[name]} {_with_error(name, value, errors[name])}.")
         usual = (
             min(model.window[0] // 2, max(_LEAST_PLANES, planes // 4)),
             model.window[1] // 2,
@@ -647,10 +651,17 @@ class _Job:
         ).hexdigest()  # fmt: skip
         self._target.begin(request)
         after, before, steps, stopped = self._tiles(source, camera, limit, psfs, around, side, method, turned, tell)
+        if stopped == STACK_MISFIT:
+            given = source, crop, model, camera, limit, self._threads, _at_the_end(tell)
+            other = better(*given, turned=direction != "auto")
+            if other is None:
+                stopped = BETWEEN
+            else:
+                notes.append(f"A misfit: the stack follows PSFs of {other} better.")
         depths = psfs.planes[around[0] : around[0] + planes]
         return RestoredChannel(
             after, before, steps, stopped, camera, "down" if turned else "up", depths[::-1] if turned else depths,
-            nodes, estimated,
+            nodes, estimated, errors,
         )  # fmt: skip
 
     def _limit(self, saturation: float | None) -> float:
@@ -776,7 +787,21 @@ class _Told:
         self._tell(0.05 + 0.95 * (self._number + share) / self._count, words)
 
 
+def _at_the_end(tell: Shown) -> Callable[[str], object]:
+    return lambda words: tell(0.99, words)
+
+
 _CALLED = {"depth": "depth", "sample": "refractive index of the sample", "spherical": "spherical aberration"}
+
+
+def _with_error(name: str, value: float, error: float) -> str:
+    """Return a value and its standard error in words."""
+    if not math.isfinite(error):
+        return "is not determined by it"
+    if name == "depth":
+        return f"{format_length(value, digits=4)}, standard error {format_length(error, digits=2)}"
+    unit = " waves rms" if name == "spherical" else ""
+    return f"{value:.5g}{unit}, standard error {error:.2g}"
 
 
 def _maps(camera: Noise, side: tuple[int, int]) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from lommel.blur.blurs import Blur
     from lommel.methods.derivative_names import Name
-    from lommel.optics.pupil import Pupil
+    from lommel.optics.pupil import FieldPupil, Pupil
     from lommel.traced.traced_psf import TracedPSF
 
 
@@ -210,6 +210,8 @@ class Plan:
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: Values | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         pupil = imaged(pupil)
+        if not pupil.one_aperture:
+            return self._one_by_one(cast("FieldPupil", pupil), derivatives, out)
         if self._places:
             pupil = question.for_axes(pupil, self._places)
         if not self.plain:
@@ -260,6 +262,27 @@ class Plan:
             raise ValueError("derivatives need square pixels without fill and blur; take differences of such images")
         settings = self.method, self.tol, self.normalize, self.dtype, self.threads
         return PSF(**recorded(pupil, self.grid(pupil), self.blur, settings, out))
+
+    def _one_by_one(self, pupil: FieldPupil, derivatives: Sequence[Name], out: Values | None) -> PSF:
+        """Return the stack of PSFs of pupils whose apertures differ."""
+        if question.names(derivatives):
+            raise ValueError(
+                "derivatives need one aperture: compute each position by itself where vignetting changes it"
+            )
+        if self._places:
+            raise ValueError("center must be one for a stack whose apertures differ; compute each position by itself")
+        shape = (*pupil.shape, *self._sampled.shape)
+        place = np.empty(shape, self.dtype) if out is None else question.place(out, shape, self.dtype)
+        windows = place.reshape(-1, *self._sampled.shape)
+        found = [self(one, out=window) for one, window in zip(pupil.pupils, windows, strict=True)]
+        bounds = [one.error_bound for one in found if one.error_bound is not None]
+        return replace(
+            next((one for one in found if not one.pupil.circular), found[0]),  # whose method stands for all
+            values=place,
+            pupil=pupil,
+            error_bound=max(bounds) if len(bounds) == len(found) else None,
+            scale=np.reshape([float(one.scale) for one in found], pupil.shape),
+        )
 
     def __getstate__(self) -> dict[str, object]:
         # Without what is remembered of the last pupil, which the compiled core has a part in.

@@ -83,7 +83,10 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
         (lambda: PLAIN.seen_through(vignetting=0.5), "vignetting must be of the type Vignetting"),
         (lambda: FIELD.pupil([0.0, 1e-3], 0.0), "psf takes arrays"),
         (lambda: FIELD.illumination(21e-3, 0.0), "beyond the last height"),
-        (lambda: lm.psf(FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).pupil, 5, 2e-6), "one aperture"),
+        (
+            lambda: lm.strehl(FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).pupil),
+            "(one aperture|index the stack|pupil must)",
+        ),
         (lambda: FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).peak_strehl, "index the stack"),
         (lambda: lm.FieldMap.from_seidel(1.0, W131=1.0).working_f_number(0.0, 0.0), "f_number must be known"),
     ],
@@ -91,6 +94,22 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
 def test_what_cannot_be_is_told(ask, message):
     with pytest.raises((TypeError, ValueError), match=message):
         ask()
+
+
+def test_a_stack_of_different_apertures_is_a_pupil_of_psf_too():
+    stack = FIELD.psf([0.0, 15e-3], [[1e-3], [-8e-3]], 7, 2e-6)
+    assert stack.pupil.shape == (2, 2)
+    place = np.empty((2, 2, 9, 9), np.float32)
+    again = lm.psf(stack.pupil, 9, 2e-6, out=place)
+    assert again.values is place
+    assert np.array_equal(again.values[1, 1], FIELD.psf(15e-3, -8e-3, 9, 2e-6).values)
+    assert again.pupil == stack.pupil
+    assert again.error_bound == max(lm.psf(one, 9, 2e-6).error_bound for one in stack.pupil.pupils)
+    assert again.scale.shape == (2, 2)
+    with pytest.raises(ValueError, match="derivatives need one aperture"):
+        lm.psf(stack.pupil, 9, 2e-6, derivatives=["defocus"])
+    with pytest.raises(ValueError, match="center must be one"):
+        lm.psf(stack.pupil, 9, 2e-6, center=([4.0, 5.0], [4.0, 5.0]))
 
 
 @pytest.mark.parametrize("obscuration", [0.0, 0.4])

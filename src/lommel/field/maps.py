@@ -664,20 +664,8 @@ class FieldMap:
         across, down = positions(x, y)
         if self.vignetting is None or across.shape == ():
             return psf(self.pupil(x, y), shape, pixel, method=method, **options)
-        pupils = [self.pupil(float(a), float(b)) for a, b in zip(across.flat, down.flat, strict=True)]
-        found = [psf(one, shape, pixel, method=method, **options) for one in pupils]
-        if found[0].derivatives:
-            raise ValueError(
-                "derivatives need one aperture: compute each position by itself where vignetting changes it"
-            )
-        bounds = [one.error_bound for one in found if one.error_bound is not None]
-        return replace(
-            next((one for one in found if not one.pupil.circular), found[0]),  # whose method stands for all
-            values=np.stack([one.values for one in found]).reshape(across.shape + found[0].values.shape),
-            pupil=FieldPupil(tuple(pupils), across.shape),
-            error_bound=max(bounds) if len(bounds) == len(found) else None,
-            scale=np.reshape([float(one.scale) for one in found], across.shape),
-        )
+        pupils = tuple(self.pupil(float(a), float(b)) for a, b in zip(across.flat, down.flat, strict=True))
+        return psf(FieldPupil(pupils, across.shape), shape, pixel, method=method, **options)
 
     def grid(
         self,

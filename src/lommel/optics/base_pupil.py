@@ -79,6 +79,9 @@ class BasePupil(display.Shown):
     layered: ClassVar[bool] = False
     """Whether the light comes through plane layers, as in a microscope."""
 
+    one_aperture: ClassVar[bool] = True
+    """Whether all pupils of a stack have the same aperture."""
+
     if TYPE_CHECKING:  # fields of some subclasses, properties of others
 
         @property

@@ -452,6 +452,7 @@ class FieldPupil(BasePupil):
         return self.places
 
     radial = False
+    one_aperture = False
 
     @property
     def circular(self) -> bool:
@@ -462,7 +463,7 @@ class FieldPupil(BasePupil):
     def aperture(self) -> tuple[object, ...]:
         """ValueError: there is one for each pupil."""
         raise ValueError(
-            "pupil must have one aperture, got one for each position; index the stack, or use FieldMap.psf"
+            "pupil must have one aperture, got one for each position; index the stack"
         )
 
     @property

@@ -128,7 +128,8 @@ class FieldFit:
     images: Array = attribute(repr=False)
     model: Array = attribute(repr=False)
     _sensor: Sensor = attribute(repr=False)
-    _table: tuple[tuple[Term, ...], Callable[[FieldMap, Array, Array], Array]] = attribute(repr=False)
+    _terms: tuple[Term, ...] = attribute(repr=False)  # of the table,
+    _own: dict[Term, float] = attribute(repr=False)  # and of the pupil, radians at the edge
 
     def at(self, x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
         """Return the estimated terms and their standard errors at positions of the sensor.
@@ -194,10 +195,15 @@ class FieldFit:
                 "a table has positions in metres: give fit_field a pupil with wavelength and f_number, and pixel in "
                 "metres"
             )
-        terms, rest = self._table
+        terms = self._terms
         x, y = self._sensor.grid(_GRID[_splines(self.degree, self.distortion)])
         across, down = (part.ravel() for part in np.meshgrid(x, y))
-        values = rest(chosen, across, down)
+        edge = chosen.pupil(across, down).wavefront.edge_terms()
+        waves = [
+            (np.broadcast_to(edge.get(t, 0.0), across.shape) - self._own.get(t, 0.0)) / zernike.rms_factor(*t)
+            for t in terms
+        ]
+        values = np.stack(waves, axis=-1) / (2.0 * math.pi)
         order = np.argsort([_noll(term) for term in terms])
         columns = [f"Z{_noll(terms[j])}" for j in order]
         used = [name if isinstance(name, str) else f"noll {_noll(name)}" for name in self.names]
@@ -738,16 +744,6 @@ def _answer(
     message += clipping.remark(list(images.swapaxes(0, 1)), list(valid.swapaxes(0, 1)), noise, "exposure")
     pad = tuple(one.terms)
 
-    def table(of: FieldMap, x: Array, y: Array) -> Array:
-        """Return waves rms of all terms at positions, less those of the pupil."""
-        edge = of.pupil(x, y).wavefront.edge_terms()
-        own_edge = pupil.wavefront.edge_terms()
-        columns = [
-            (np.broadcast_to(edge.get(t, 0.0), x.shape) - float(own_edge.get(t, 0.0))) / zernike.rms_factor(*t)
-            for t in kept
-        ]
-        return np.stack(columns, axis=-1) / (2.0 * math.pi)
-
     estimated = {term for term, column in zip(pad, np.abs(one.directions).max(axis=0), strict=True) if column > 0.0}
     if distortion is not None:
         estimated |= {one.terms[column] for column in one.tilts}
@@ -770,7 +766,8 @@ def _answer(
         images=np.where(valid, noise.electrons(images), np.nan),
         model=model.reshape(images.shape) * lit,
         _sensor=chip,
-        _table=(kept, table),
+        _terms=kept,
+        _own={term: float(value) for term, value in pupil.wavefront.edge_terms().items()},
     )
 
 

@@ -311,7 +311,7 @@ def readme(release: documents.Release, folder: Path, report: Report, left: list[
     compiler = run(os.environ.get("CXX", "c++"), "--version").stdout.splitlines()[0]
     offline = "the packed sources, " + ("without a network" if without_network() else "with indexes switched off")
     rows = [
-        f"| `packages/{path.name}` | {report.wheels.get(path.name, '')} |"
+        f"| `packages/{path.name}` | {report.wheels.get(path.name, 'the wheels are built from it')} |"
         for path in sorted(folder.glob("packages/*"))
     ]
     tools = ", ".join(

@@ -85,7 +85,7 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
         (lambda: FIELD.illumination(21e-3, 0.0), "beyond the last height"),
         (
             lambda: lm.strehl(FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).pupil),
-            "(one aperture|index the stack|pupil must)",
+            "pupil must be a Pupil, got FieldPupil",
         ),
         (lambda: FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).peak_strehl, "index the stack"),
         (lambda: lm.FieldMap.from_seidel(1.0, W131=1.0).working_f_number(0.0, 0.0), "f_number must be known"),

@@ -23,7 +23,7 @@ class HanserPSF:
     Parameters
     ----------
     wl : float
-        Wavelength in nanometres; all other lengths likewise.
+        Wavelength.
     na, ni : float
         Numerical aperture and refractive index.
     res : float
@@ -96,5 +96,5 @@ class HanserPSF:
 
     @cached_property
     def OTFi(self) -> NDArray[np.complex128]:
-        """Three-dimensional Fourier transform of `PSFi`, zero frequency in the middle."""
+        """Fourier transform of `PSFi`, zero frequency in the middle; without the light beyond the window."""
         return np.asarray(fft.fftshift(fft.fftn(fft.ifftshift(self.PSFi))))

@@ -21,12 +21,14 @@ set(longest compiled/polar.cpp compiled/layers.cpp bindings/zernike.cpp compiled
 list(TRANSFORM longest PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/")
 list(REMOVE_ITEM rooms ${longest})
 list(PREPEND rooms ${longest})
+# Of nanobind's own files, whose time goes into the same headers, several are compiled as one.
+set(CMAKE_UNITY_BUILD ON)
 # STABLE_ABI takes effect from Python 3.12 on, FREE_THREADED in Pythons without a global lock: nothing in the core relies
 # on that. NOMINSIZE keeps -O3 rather than nanobind's -Os.
 nanobind_add_module(_core STABLE_ABI FREE_THREADED NB_STATIC NOMINSIZE NB_SUPPRESS_WARNINGS ${rooms})
 target_link_libraries(_core PRIVATE lommel)
 target_compile_definitions(_core PRIVATE LOMMEL_COMPILED)
-set_target_properties(_core PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+set_target_properties(_core PROPERTIES UNITY_BUILD OFF CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
 
 # No -ffast-math: the error bounds assume IEEE arithmetic. Fused multiply-adds, where a kernel is compiled for
 # them, round once instead of twice and are within the bounds. -fno-math-errno: nobody reads errno, and loops with square

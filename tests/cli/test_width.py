@@ -54,6 +54,7 @@ def words(text: str) -> set[str]:
 @pytest.mark.usefixtures("described_once")
 @pytest.mark.parametrize("run", RUNS)
 def test_output_fits_80_columns_without_a_broken_word(run, call_lommel, folder, monkeypatch):
+    monkeypatch.setattr("matplotlib.figure.Figure.savefig", lambda *_, **__: None)  # is not looked at
     shown = {}
     for width in (300, 80):
         shutil.rmtree(folder / "stack.zarr", ignore_errors=True)

@@ -61,8 +61,9 @@ def deep():
 
 @pytest.fixture
 def few_trials(monkeypatch):
-    """Tell the direction of the planes after a quarter of the steps."""
+    """Tell the direction of the planes after a quarter of the steps, and try other depths alone."""
     monkeypatch.setattr(refinement, "_STEPS", refinement._STEPS // 4)
+    monkeypatch.setattr(refinement, "_OTHERS", {"depth": refinement._OTHERS["depth"]})
 
 
 @pytest.fixture

@@ -95,8 +95,9 @@ def field_map(
     fields : sequence of (float, float), optional
         Directions to trace instead, as fractions of `radius`, for a telescope without that symmetry.
     circular : bool, default True
-        Whether all pupils are annuli of the f-number on the axis, which blurs over the field require. False gives
-        each direction the elliptical annulus that the image sees, as :func:`pupil` does. Not with `fields`.
+        Whether all pupils are annuli of the f-number on the axis, which blurs over the field require. At the edge of
+        Rubin's field, PSFs are then 2.4 % of the peak off Huygens' sum over the traced rays. False gives each
+        direction the elliptical annulus that the image sees, as :func:`pupil` does: 0.02 % off. Not with `fields`.
     wavelength, degree, tol
         As of :func:`pupil`.
 

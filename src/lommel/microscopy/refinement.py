@@ -292,7 +292,7 @@ def _minimum(
         lowest = max(float(courses[0, -1] + 0.5 * slope @ least), 1.0)
         variance = 2.0 * lowest * np.diag(np.linalg.inv(bend)) / known
         found = centre + least * apart
-        if np.abs(least).max() <= 1.0:
+        if np.abs(least).max() <= 1.5:
             break
         centre = np.clip(centre + np.clip(least, -3.0, 3.0) * apart, *limits)
     return found, np.sqrt(variance + (least - earlier) ** 2) * apart

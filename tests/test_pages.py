@@ -67,6 +67,10 @@ LESS = {
         ("steps=5", "steps=2"),
         ('"method": way}', '"method": way, "psf_shape": (11, 15)}'),
     ],
+    "differentiable": [
+        ("lens, [1.0, 4.0], 3.45e-6, jnp", "lens, [1.98, 2.02], 3.45e-6, jnp"),
+        ("(1.5, 1.7)", "(1.59, 1.61)"),
+    ],
     "field": [
         ("field.grid(5, 7,", "field.grid(2, 3,"),
         ("grid[0, 6]", "grid[0, 2]"),

@@ -462,9 +462,7 @@ class FieldPupil(BasePupil):
     @property
     def aperture(self) -> tuple[object, ...]:
         """ValueError: there is one for each pupil."""
-        raise ValueError(
-            "pupil must have one aperture, got one for each position; index the stack"
-        )
+        raise ValueError("pupil must have one aperture, got one for each position; index the stack")
 
     @property
     def amplitude(self) -> float:

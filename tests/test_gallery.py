@@ -24,7 +24,7 @@ HALF = "left, disparity = (a[:240, 160:500] for a in stereo_motorcycle()[::2])"
 # What takes seconds as the pages have it is run with less: fewer pixels, points, steps or methods.
 LESS = {
     "apertures": [("512, 768, 1024])", "512])"), ("shape=201", "shape=101")],
-    "checkerboard": [("165, 240, 33.0", "120, 155, 33.0"), ("(210e-6,", "(150e-6,")],
+    "checkerboard": [("165, 240, 33.0, 5", "120, 155, 33.0, 3"), ("(210e-6,", "(150e-6,")],
     "colour_fringes": [
         ("np.linspace(1.95, 2.05, 41)", "np.linspace(1.99, 2.01, 3)"),
         ("width=70e-9)", "width=70e-9, count=2)"),

@@ -77,6 +77,17 @@ def test_json_and_zarr(files):
     assert (there / ".zattrs").exists()
 
 
+@pytest.mark.parametrize(("output", "kept"), [("a.ome.zarr", True), ("a.ome.tif", False)])
+def test_after_ctrl_c_it_is_said_whether_chunks_are_kept(files, monkeypatch, output, kept):
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("lommel.cli.deconvolve_command.restore", interrupted)
+    found = run(files / "stack.ome.tif", files / "lens.toml", "-o", files / output)
+    assert found.exit_code == 1
+    assert ("the same command goes on" in found.output) == kept
+
+
 def test_notes_name_options(files):
     sized = (files / "lens.toml").read_text() + '[stack]\nplanes = 9\nstep = "250 nm"\n'
     (files / "lens.toml").write_text(sized)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -138,7 +140,7 @@ def deconvolve(
         noise = Noise(**{name: each for name, each in maps.items() if each is not None})
     whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
     begun = time.perf_counter()
-    with progress("reading") as step:
+    with _kept(whole), progress("reading") as step:
         found = restore(
             stack,
             microscope,
@@ -158,6 +160,17 @@ def deconvolve(
             found.save(*outputs)
     facts = _facts(stack, found, microscope.name) | {"seconds": time.perf_counter() - begun}
     return Report(facts, _parts(facts)) + written(outputs)
+
+
+@contextmanager
+def _kept(place: Path | None) -> Iterator[None]:
+    """Say after Ctrl-C that the chunks of a folder are kept."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        if place is not None:
+            click.echo("Interrupted: chunks that are done are kept, and the same command goes on.", err=True)
+        raise
 
 
 def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:

@@ -77,6 +77,15 @@ def test_json_and_zarr(files):
     assert (there / ".zattrs").exists()
 
 
+def test_a_misfit_is_written_and_has_an_exit_code_of_its_own(files):
+    there = files / "restored.ome.tif"
+    words = (files / "stack.ome.tif", files / "lens.toml", "--gain", 1, "--read", 90, "--offset", 100)
+    found = run(*words, "--direction", "up", "-o", there)
+    assert found.exit_code == 3, found.output
+    assert "misfit: the stack is quieter than its noise" in " ".join(found.output.split())
+    assert there.exists()
+
+
 @pytest.mark.parametrize(("output", "kept"), [("a.ome.zarr", True), ("a.ome.tif", False)])
 def test_after_ctrl_c_it_is_said_whether_chunks_are_kept(files, monkeypatch, output, kept):
     def interrupted(*_, **__):

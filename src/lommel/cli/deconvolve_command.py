@@ -109,7 +109,8 @@ def deconvolve(
 
     STACK is an OME-TIFF, a TIFF of ImageJ or a folder of OME-Zarr, as the camera recorded it; LENS is the file of the
     objective. Voxel sizes, channels and wavelengths are those of STACK. The PSF depends on the depth where the sample
-    and the immersion differ. Iterations stop where the result agrees with the recording within its noise.
+    and the immersion differ. Iterations stop where the result agrees with the recording within its noise; a misfit is
+    said, and has exit code 3.
 
     The output has the voxel sizes of the stack. An output .ome.zarr alone is written chunk by chunk, for stacks
     larger than memory; the same command goes on where it was interrupted. Ctrl-C keeps the steps that are done.
@@ -159,7 +160,8 @@ def deconvolve(
             step("writing")
             found.save(*outputs)
     facts = _facts(stack, found, microscope.name) | {"seconds": time.perf_counter() - begun}
-    return Report(facts, _parts(facts)) + written(outputs)
+    agrees = not any(each.stopped.startswith("misfit") for each in found.channels)
+    return Report(facts, _parts(facts), converged=agrees) + written(outputs)
 
 
 @contextmanager

@@ -106,10 +106,7 @@ def deconvolve(
     with shown(progress) as tell:
         steps, stopped, each = walk.solve(method or RichardsonLucy(target=1.0), tell)
     values, found = walk.inside(planes, pixels), counted.mean(each)
-    if stopped == MISFIT:
-        stopped = STACK_MISFIT
-    elif steps == 0 and counted.electrons >= 1.0 and found < 1.0 - 4.0 * counted.slack:
-        stopped = TOO_QUIET
+    stopped = counted.verdict(stopped, steps, found)
     unknown = 1.0 - float(counted.known.sum()) / recorded.size
     return Restoration(values, values, found, tuple(map(float, each)), before, steps, stopped, unknown=unknown)
 
@@ -153,6 +150,13 @@ class Counted(Counts):
         self.smallest = 1e-6 * max(counts / weights, TINY)
         # The deviance of the true scene is 1 + 1/(6 m) of m electrons, and 1/m the mean of 1/(1 + those counted).
         self._expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
+
+    def verdict(self, stopped: str, steps: int, discrepancy: float) -> str:
+        """Return why a method stopped, in the words for stacks."""
+        if stopped == MISFIT:
+            return STACK_MISFIT
+        quiet = steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack
+        return TOO_QUIET if quiet else stopped
 
     def per_pixel(self, sums: Array) -> Array:
         """Return the Poisson deviance per known voxel, over that of the true scene."""

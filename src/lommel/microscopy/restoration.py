@@ -21,7 +21,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length
 from lommel.base.validation import line, shown
 from lommel.estimation.noise import Noise
-from lommel.imaging.deconvolution import MISFIT, STEPS, RichardsonLucy
+from lommel.imaging.deconvolution import STEPS, RichardsonLucy
 from lommel.io import recordings
 from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
@@ -754,7 +754,8 @@ class _Job:
                     raise
                 count, why, each = len(walk.paces) - 1, INTERRUPTED, walk.discrepancies
             if paces is None:
-                paces, steps, stopped = walk.paces, count, why
+                paces, steps = walk.paces, count
+                stopped = counted.verdict(why, count, counted.mean(each))
             voxels = float(counted.known.sum())
             after += counted.mean(each) * voxels
             before += earlier * voxels
@@ -765,7 +766,6 @@ class _Job:
             inside = np.s_[:, rows.start - y.start : rows.stop - y.start, columns.start - x.start :]
             kept = np.ascontiguousarray(values[inside][:, :, : columns.stop - columns.start])
             self._target.put(name, self._place, rows, columns, kept)
-        stopped = STACK_MISFIT if stopped == MISFIT else stopped
         return after / known, before / known, steps, stopped
 
 

@@ -583,7 +583,8 @@ class FieldMap:
         ------
         TypeError, ValueError
             If an argument is of another type, the aperture has vignetting already, or it is seen as an ellipse and
-            not circular or annular.
+            not circular or annular; if the ellipses of this map would be lost, on which alone its wavefronts are
+            known.
         """
         validation.optional("shading", shading, Shading)
         if not isinstance(vignetting, Foreshortening):
@@ -592,6 +593,11 @@ class FieldMap:
             raise ValueError(
                 "vignetting must not be a Foreshortening for an aperture that is not circular or annular, for it "
                 "does not change a spider, a mask or a stop"
+            )
+        if vignetting is None and isinstance(self.vignetting, Foreshortening):
+            raise ValueError(
+                "vignetting must be that of the map, field_map.vignetting, for its wavefronts are those of the "
+                "elliptical pupils; for round ones make the map with circular=True"
             )
         if vignetting is not None and self.pupil_without_wavefront.vignetting is not None:
             raise ValueError("vignetting must be left out for an aperture that has its own everywhere")
@@ -737,6 +743,20 @@ class FieldMap:
         if channels is None:
             return PSFGrid(psf(pupil, shape, pixel, **options), x, y, height_width, distances)
         return PSFGrid(colour_psf(pupil, shape, pixel, channels, **options), x, y, height_width, distances)
+
+
+def require_one_aperture(field_map: FieldMap) -> None:
+    """Raise ValueError where the aperture changes over the field, which blurs over it do not support."""
+    if isinstance(field_map.vignetting, Foreshortening):
+        raise ValueError(
+            "field_map must have the same pupil over the field, for a blur over it does not support elliptical ones: "
+            "make the map with circular=True, whose PSFs off the axis are less exact"
+        )
+    if field_map.vignetting is not None:
+        raise ValueError(
+            "field_map must have no vignetting, which a blur over the field does not support: give "
+            "field_map.seen_through(None, shading), with all of the relative illumination as shading"
+        )
 
 
 def require_light(light: Pupil, lens: Lens) -> None:

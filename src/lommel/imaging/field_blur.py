@@ -20,7 +20,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
-from lommel.field.maps import FieldMap, require_light
+from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens
 from lommel.imaging.linear import LinearBlur, gathered
@@ -119,6 +119,7 @@ class FieldBlur(LinearBlur):
         **options: Unpack[FieldKeywords],
     ) -> None:
         validation.instance("field_map", field_map, FieldMap)
+        require_one_aperture(field_map)
         light = field_map.pupil_without_wavefront
         metric = light.wavelength is not None
         self.field_map, self.shape = field_map, validation.image_shape(shape)

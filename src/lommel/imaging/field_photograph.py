@@ -12,7 +12,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import to_light
 from lommel.base.options import shares
-from lommel.field.maps import FieldMap
+from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.field_blur import FieldBlur, PointLight
 from lommel.imaging.photograph import Photograph, require_image, stored
 from lommel.imaging.settings import FieldKeywords, Settings, Spectrum
@@ -98,11 +98,7 @@ def field_photograph(
     validation.instance("field_map", field_map, FieldMap)
     given = validation.array("image", image)
     require_image("image", given.shape)
-    if field_map.vignetting is not None:
-        raise ValueError(
-            "field_map must have no vignetting, which a blur over the field does not support: give "
-            "field_map.seen_through(None, shading), with all of the relative illumination as shading"
-        )
+    require_one_aperture(field_map)
     settings = Settings.of(field_photograph, dict(options), FieldKeywords)
     known = field_map.pupil_without_wavefront.wavelength
     spectra: Sequence[Spectrum] | None = None

@@ -28,6 +28,7 @@ from lommel.microscopy import depth_model
 from lommel.microscopy.camera_noise import measured_noise
 from lommel.microscopy.deconvolution import STACK_MISFIT, Counted, Walk
 from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
+from lommel.microscopy.hot_voxels import MOST, LeftOut, hot_voxels, sharpness
 from lommel.microscopy.refinement import PARAMETERS, better, crop_of, direction_of, refined
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
@@ -198,7 +199,7 @@ def restore(
         :func:`lommel.microscopy.estimate_noise` of each channel.
     saturation : float, optional
         Value from which on voxels are saturated, and unknown. By default the largest value of 8, 10, 12, 14 or 16
-        bits, if integers have it at several voxels.
+        bits, if integers have it at several voxels. NaN and hot pixels are unknown, too.
     modality : {"widefield", "confocal", "spinning disc", "light sheet", "two-photon"}, default "widefield"
     excitation : float, optional
         Vacuum wavelength of the excitation, metres: for "confocal", "spinning disc" and "two-photon", where the file
@@ -604,6 +605,7 @@ class _Job:
             )
         _maps(camera, (height, width))
         crop = crop_of(stack, model.window[1])
+        stack, limit = self._without_hot(camera, limit)
         turned = direction == "down"
         if direction == "auto":
             tell(0.01, "direction of z")
@@ -664,11 +666,27 @@ class _Job:
             nodes, estimated, errors,
         )  # fmt: skip
 
+    def _without_hot(self, camera: Noise, limit: float) -> tuple[Any, float]:
+        """Return the stack without its hot voxels, and from which value on voxels are unknown."""
+        hot = hot_voxels(self._stack, camera, sharpness(self._model.psf(0.0).values))
+        share = len(hot) / math.prod(self._stack.shape)
+        which = f"{len(hot)} voxels ({100.0 * share:.2g} %) exceed their neighbours by more than the PSF lets a point"
+        if share > MOST:
+            self._notes.append(f"{which}: are pixel, wavelength and NA right? They were not left out.")
+        if not 0.0 < share <= MOST:
+            return self._stack, limit
+        self._notes.append(f"{which}: they were taken as hot pixels, and left out.")
+        known = LeftOut(self._stack, hot, limit)
+        return known, known.limit
+
     def _limit(self, saturation: float | None) -> float:
         """Return the value from which on voxels are saturated."""
+        whole = self._stack.dtype.kind in "iu"
+        if not whole and (lost := sum(int(np.isnan(self._stack[plane]).sum()) for plane in range(len(self._stack)))):
+            self._notes.append(f"{lost} voxels are NaN: unknown, and left out.")
         if saturation is not None:
             return validation.real("saturation", saturation, infinite=True)
-        if self._stack.dtype.kind not in "iu":
+        if not whole:
             return math.inf
         most = max(int(np.asarray(self._stack[plane]).max()) for plane in range(len(self._stack)))
         if most + 1 not in (2**8, 2**10, 2**12, 2**14, 2**16):

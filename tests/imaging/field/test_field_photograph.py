@@ -149,6 +149,13 @@ def test_bad_questions_are_refused():
     vignetted = BENT.seen_through(lm.Vignetting([0.0, EDGE], shift=[0.0, 0.5], radius=1.0))
     with pytest.raises(ValueError, match="must have no vignetting"):
         field_photograph(image, vignetted, PIXEL, encoding="linear")
+    ellipses = BENT.seen_through(lm.Foreshortening([0.0, 2.0 * EDGE], [1.0, 0.8], [1.0, 0.9]))
+    for ask in (field_photograph, lambda image, field, pixel, **_: lm.imaging.FieldBlur(field, image.shape, pixel)):
+        with pytest.raises(ValueError, match="make the map with circular=True"):
+            ask(image, ellipses, PIXEL, encoding="linear")
+    with pytest.raises(ValueError, match=r"must be that of the map, field_map\.vignetting"):
+        ellipses.seen_through(None)
+    assert ellipses.seen_through(ellipses.vignetting, lm.Shading.cos4(EDGE)).shading is not None
     with pytest.raises(ValueError, match="must come from within the map"):
         field_photograph(np.zeros((120, 180)), BENT, PIXEL, encoding="linear")
     bare = lm.FieldMap.from_seidel(100.0, W131=0.5)

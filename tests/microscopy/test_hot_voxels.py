@@ -48,4 +48,4 @@ def test_what_is_left_out_is_unknown():
     assert whole[1, 1:3, 2:].tolist() == [[7, 7, 7], [7, 4000, 7]]
     assert (whole[0] == 7).all()
     assert LeftOut(np.zeros((2, 4, 5), np.uint16), voxels, np.inf).limit == 65535
-    assert np.isnan(LeftOut(np.zeros((2, 4, 5), np.float32), voxels, np.inf)[1, 2, 3])
+    assert np.isnan(LeftOut(np.zeros((2, 4, 5), np.float32), voxels, np.inf)[1][2, 3])

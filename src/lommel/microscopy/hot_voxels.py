@@ -66,8 +66,11 @@ class LeftOut:
 
     def __getitem__(self, at: Any) -> Values:
         plane, *rest = at if isinstance(at, tuple) else (at,)
-        whole = np.array(self._stack[plane])
-        here = self._voxels[self._voxels[:, 0] == plane]
-        whole[here[:, 1], here[:, 2]] = self._unknown
-        part: Values = whole[tuple(rest)]
+        part: Values = np.array(self._stack[(plane, *rest)])
+        here = self._voxels[self._voxels[:, 0] == plane][:, 1:]
+        for axis, each in enumerate(rest):
+            first, end, _ = each.indices(self.shape[1 + axis])
+            here = here[(here[:, axis] >= first) & (here[:, axis] < end)]
+            here[:, axis] -= first
+        part[here[:, 0], here[:, 1]] = self._unknown
         return part

@@ -35,15 +35,15 @@ def hot_voxels(stack: Any, noise: Noise, sharpest: float) -> Array:
     found = []
     for plane in range(len(stack)):
         given = np.asarray(stack[plane], dtype=np.float64)
-        values = np.where(np.isfinite(given), given, -np.inf)
+        known = np.isfinite(given)
+        values = np.where(known, given, -np.inf)
         height, width = values.shape
         padded = np.pad(values, 1, constant_values=-np.inf)
         near = np.full_like(values, -np.inf)
         for y, x in product(range(3), range(3)):
             if (y, x) != (1, 1):
                 np.maximum(near, padded[y : y + height, x : x + width], out=near)
-        known = given[np.isfinite(given)]
-        base = float(np.median(known)) if known.size else 0.0
+        base = float(np.median(given[known])) if known.any() else 0.0
         counted = np.maximum(gain * (np.maximum(values, base) - noise.offset), 0.0)
         sure = _SURE * np.sqrt(counted + np.asarray(noise.read) ** 2) / gain
         hot = values - base > _SHARPER * sharpest * np.maximum(near - base, 0.0) + sure

@@ -259,7 +259,7 @@ def test_a_long_stack_can_be_interrupted_and_leaves_nothing_broken():
 
     pupil = lm.Pupil(lm.Wavefront(np.linspace(10.0, 30.0, 40_000)))
     before = signal.signal(signal.SIGALRM, interrupt)
-    signal.setitimer(signal.ITIMER_REAL, 0.1)
+    signal.setitimer(signal.ITIMER_REAL, 0.02)
     try:
         with pytest.raises(KeyboardInterrupt):
             lm.psf(pupil, (1, 1001), 3.0, threads=1)

@@ -1,6 +1,7 @@
 // Thread pool: all callers together never use more threads than there are processors.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "lommel/base/fork.hpp"
@@ -10,7 +11,6 @@
 #include "lommel/base/watch.hpp"
 
 #if !defined(LOMMEL_SINGLE_THREADED)
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -30,6 +30,7 @@ namespace lommel {
 
 #if defined(LOMMEL_SINGLE_THREADED)
 inline int processors() { return 1; }
+inline std::size_t workers(int) { return 1; }
 inline void give_way() {}
 #else
 // While another thread is waited for that is at work.
@@ -44,6 +45,11 @@ inline int processors() {
     }
 #endif
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// How many threads, the caller's included, that many that are granted (0: any number) come to.
+inline std::size_t workers(int threads) {
+    return static_cast<std::size_t>(threads > 0 ? std::min(threads, processors()) : processors());
 }
 
 // Threads that help callers, fewer than there are processors: made when they are first wanted, and asleep between calls. A
@@ -212,9 +218,7 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
             fail();
         }
     };
-    const int limit = processors();
-    const std::size_t wanted =
-        std::min<std::size_t>(tasks, static_cast<std::size_t>(threads > 0 ? std::min(threads, limit) : limit));
+    const std::size_t wanted = std::min(tasks, workers(threads));
     Helpers::Offer offer{run, Watch::mine()};
     helpers.offer(offer, static_cast<int>(wanted) - 1);
     run(0);
@@ -240,6 +244,19 @@ void parallel_for(std::size_t tasks, [[maybe_unused]] int threads, const Work& w
         look();
         work(std::size_t{0}, task);
     }
+}
+
+// Runs work(i) for every i below `count`, neighbours on the same thread: what they write shares cache lines, which are slow to
+// go from one processor to another.
+template <class Work>
+void parallel_runs(std::size_t count, int threads, const Work& work) {
+    const std::size_t run = threads == 1 ? count : std::max<std::size_t>(1, count / (8 * workers(threads)));
+    parallel_for(count == 0 ? 0 : (count + run - 1) / run, threads, [&](std::size_t, std::size_t task) {
+        for (std::size_t i = task * run; i < std::min(count, (task + 1) * run); ++i) {
+            look();
+            work(i);
+        }
+    });
 }
 
 }  // namespace lommel

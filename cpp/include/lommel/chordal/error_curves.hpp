@@ -93,7 +93,8 @@ class ChordLines {
             const bool same = b > 0 && tables[b - 1]->curve == curve;
             tables[b] = same ? tables[b - 1] : cache<SharpTable>.get(stack_.terms, sum, curve, box);
         }
-        parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
+        const double work = 2.0 * static_cast<double>(batches) * SharpTable::work(terms_);
+        parallel_for(batches, worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
             thread_local Floats given, room;
             const std::size_t* pupils = worth.data() + b * lanes;
             const std::size_t here = std::min(lanes, worth.size() - b * lanes);

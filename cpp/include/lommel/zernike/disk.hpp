@@ -11,7 +11,9 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/tasks.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/special/fft.hpp"
 #include "lommel/special/legendre.hpp"
@@ -137,13 +139,18 @@ struct ZernikeSeries {
 class ZernikeAnalysis {
    public:
     // Fills `series` with the coefficients times (-1)^(n/2) (-i)^n, what zernike_transforms() leaves to them.
-    template <class I>
-    LOMMEL_INLINE void run(I isa, const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders,
-                           ZernikeSeries& series) {
+    void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
+             ZernikeSeries& series) {
         series.resize(degrees, orders);
-        prepare(isa, rule, phase);
-        transform(isa, rule, phase.amplitude, orders);
-        project(isa, rule, series);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { prepare(isa, rule, phase); });
+        rings_.resize(orders * 4 * rule.rings);
+        const double nodes = static_cast<double>(rule.rings) * static_cast<double>(rule.fft.n + degrees * orders);
+        const int worth = worthwhile_threads(threads, 1e-3 * nodes);
+        parallel_for(rule.rings / fft_rows, worth, [&](std::size_t, std::size_t group) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { transform(isa, rule, phase.amplitude, orders, group * fft_rows); });
+        });
+        parallel_runs(orders, worth,
+                      [&](std::size_t m) { dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { project(isa, rule, m, series); }); });
     }
 
    private:
@@ -176,49 +183,46 @@ class ZernikeAnalysis {
         }
     }
 
-    // Azimuthal Fourier coefficients of every ring, times its weight, [m][cos re, cos im, sin re, sin im][ring]; eight rings
-    // together.
+    // Azimuthal Fourier coefficients of eight rings, times their weights, [m][cos re, cos im, sin re, sin im][ring].
     template <class I>
-    LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders) {
+    LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders,
+                                 std::size_t first) {
         using V = typename I::pack;
         const std::size_t n = rule.fft.n, rings = rule.rings;
-        rings_.resize(orders * 4 * rings);
-        for (Doubles& numbers : spectrum_) {
+        thread_local Doubles spectrum[2];
+        for (Doubles& numbers : spectrum) {
             numbers.resize(n * fft_element);
         }
-        for (std::size_t first = 0; first < rings; first += fft_rows) {
-            look();
-            for (std::size_t k = 0; k < fft_rows; k += I::lanes) {
-                evaluate(isa, rule, amplitude, first + k, spectrum_[0].data() + k);
+        for (std::size_t k = 0; k < fft_rows; k += I::lanes) {
+            evaluate(isa, rule, amplitude, first + k, spectrum[0].data() + k);
+        }
+        double* y = rule.fft.run<false>(isa, spectrum[0].data(), spectrum[1].data());
+        double* x = spectrum[y == spectrum[0].data() ? 1 : 0].data();
+        for (std::size_t k = 0; k < fft_rows; k += I::lanes) {
+            for (std::size_t q = 0; q < n / 4; ++q) {
+                ComplexPack<V> found[4];
+                rule.fft.last(y + q * fft_element + k, found);
+                for (std::size_t j = 0; j < 4; ++j) {
+                    double* to = x + (q + j * (n / 4)) * fft_element + k;
+                    store(to, found[j].re);
+                    store(to + fft_rows, found[j].im);
+                }
             }
-            double* y = rule.fft.run<false>(isa, spectrum_[0].data(), spectrum_[1].data());
-            double* x = spectrum_[y == spectrum_[0].data() ? 1 : 0].data();
-            for (std::size_t k = 0; k < fft_rows; k += I::lanes) {
-                for (std::size_t q = 0; q < n / 4; ++q) {
-                    ComplexPack<V> found[4];
-                    rule.fft.last(y + q * fft_element + k, found);
-                    for (std::size_t j = 0; j < 4; ++j) {
-                        double* to = x + (q + j * (n / 4)) * fft_element + k;
-                        store(to, found[j].re);
-                        store(to + fft_rows, found[j].im);
-                    }
-                }
-                for (std::size_t m = 0; m < orders; ++m) {
-                    // Of exp(-i m theta) and exp(i m theta), the first angle being half a step.
-                    const auto at = [&](std::size_t l, double turn) LOMMEL_INLINE_LAMBDA {
-                        const double* here = x + l * fft_element + k;
-                        const ComplexPack<V> found = {load<V>(here), load<V>(here + fft_rows)};
-                        return found.times(splat<V>(rule.cosines[m]), splat<V>(turn * rule.sines[m]));
-                    };
-                    const ComplexPack<V> there = at(m, 1.0), back = at(m == 0 ? 0 : n - m, -1.0);
-                    const V share = splat<V>(m == 0 ? 0.5 : 1.0);
-                    const ComplexPack<V> cosine = there + back, sine = (back - there).times_i();
-                    double* to = &rings_[m * 4 * rings + first + k];
-                    store(to, share * cosine.re);
-                    store(to + rings, share * cosine.im);
-                    store(to + 2 * rings, share * sine.re);
-                    store(to + 3 * rings, share * sine.im);
-                }
+            for (std::size_t m = 0; m < orders; ++m) {
+                // Of exp(-i m theta) and exp(i m theta), the first angle being half a step.
+                const auto at = [&](std::size_t l, double turn) LOMMEL_INLINE_LAMBDA {
+                    const double* here = x + l * fft_element + k;
+                    const ComplexPack<V> found = {load<V>(here), load<V>(here + fft_rows)};
+                    return found.times(splat<V>(rule.cosines[m]), splat<V>(turn * rule.sines[m]));
+                };
+                const ComplexPack<V> there = at(m, 1.0), back = at(m == 0 ? 0 : n - m, -1.0);
+                const V share = splat<V>(m == 0 ? 0.5 : 1.0);
+                const ComplexPack<V> cosine = there + back, sine = (back - there).times_i();
+                double* to = &rings_[m * 4 * rings + first + k];
+                store(to, share * cosine.re);
+                store(to + rings, share * cosine.im);
+                store(to + 2 * rings, share * sine.re);
+                store(to + 3 * rings, share * sine.im);
             }
         }
     }
@@ -260,40 +264,38 @@ class ZernikeAnalysis {
         }
     }
 
+    // The coefficients of an order.
     template <class I>
-    LOMMEL_INLINE void project(I isa, const DiskRule& rule, ZernikeSeries& series) {
+    LOMMEL_INLINE void project(I isa, const DiskRule& rule, std::size_t m, ZernikeSeries& series) {
         using V = typename I::pack;
         const std::size_t rings = rule.rings;
         constexpr std::size_t most = 64;  // vectors of rings whose recurrences are kept
-        for (std::size_t m = 0; m < series.orders; ++m) {
-            look();
-            const double* in = &rings_[m * 4 * rings];
-            const std::size_t count = series.count(m), to = series.start[m];
-            for (Doubles& part : series.parts) {
-                std::fill_n(&part[to], count, 0.0);
+        const double* in = &rings_[m * 4 * rings];
+        const std::size_t count = series.count(m), to = series.start[m];
+        for (Doubles& part : series.parts) {
+            std::fill_n(&part[to], count, 0.0);
+        }
+        for (std::size_t first = 0; first < rings; first += most * I::lanes) {
+            const std::size_t packs = std::min(most, (rings - first) / I::lanes);
+            V x[most], before[most], here[most];
+            for (std::size_t p = 0; p < packs; ++p) {
+                const V t = load<V>(&rule.t[first + p * I::lanes]);
+                x[p] = t + t - splat<V>(1.0);
+                before[p] = here[p] = power(isa, rule, first + p * I::lanes, m);
             }
-            for (std::size_t first = 0; first < rings; first += most * I::lanes) {
-                const std::size_t packs = std::min(most, (rings - first) / I::lanes);
-                V x[most], before[most], here[most];
+            for (std::size_t j = 0; j < count; ++j) {
+                V sums[4] = {};
+                const RadialStep<double> step(j, static_cast<double>(m));
                 for (std::size_t p = 0; p < packs; ++p) {
-                    const V t = load<V>(&rule.t[first + p * I::lanes]);
-                    x[p] = t + t - splat<V>(1.0);
-                    before[p] = here[p] = power(isa, rule, first + p * I::lanes, m);
-                }
-                for (std::size_t j = 0; j < count; ++j) {
-                    V sums[4] = {};
-                    const RadialStep<double> step(j, static_cast<double>(m));
-                    for (std::size_t p = 0; p < packs; ++p) {
-                        for (std::size_t c = 0; c < 4; ++c) {
-                            sums[c] = sums[c] + here[p] * load<V>(in + c * rings + first + p * I::lanes);
-                        }
-                        advance(step, x[p], before[p], here[p]);
-                    }
-                    // Of odd orders times -i.
-                    const double norm = static_cast<double>(m + 2 * j + 1), turned = m % 2 == 0 ? norm : -norm;
                     for (std::size_t c = 0; c < 4; ++c) {
-                        series.parts[c][to + j] += (c % 2 == 0 ? norm : turned) * lane_sum(sums[c ^ m % 2]);
+                        sums[c] = sums[c] + here[p] * load<V>(in + c * rings + first + p * I::lanes);
                     }
+                    advance(step, x[p], before[p], here[p]);
+                }
+                // Of odd orders times -i.
+                const double norm = static_cast<double>(m + 2 * j + 1), turned = m % 2 == 0 ? norm : -norm;
+                for (std::size_t c = 0; c < 4; ++c) {
+                    series.parts[c][to + j] += (c % 2 == 0 ? norm : turned) * lane_sum(sums[c ^ m % 2]);
                 }
             }
         }
@@ -320,7 +322,7 @@ class ZernikeAnalysis {
         return result;
     }
 
-    Doubles spectrum_[2], radial_, rings_;
+    Doubles radial_, rings_;
     std::vector<std::size_t> orders_;
 };
 

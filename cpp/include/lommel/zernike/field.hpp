@@ -42,17 +42,17 @@ class ZernikeField {
     // Expands the pupil, to `error` in U for v up to `reach`. `inner` is the phase within the obscuration, as a function of the
     // radius over that of the obscuration; roundings of both have `lost` so much of U already.
     void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error,
-                double lost = 0.0) {
+                double lost = 0.0, int threads = 1) {
         // An obscuration that takes less light than the rounding is none.
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
         // Radii in units of a ring are off by three roundings, the step in v by three, and |U'| < 1/2.
-        base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, outer_) + 3.0 * unit_roundoff * reach;
+        base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, threads, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
-            base_ += area * expand(inner, obscuration_ * reach, ZernikeBudget::inner * error, inner_);
+            base_ += area * expand(inner, obscuration_ * reach, ZernikeBudget::inner * error, threads, inner_);
         }
         base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
@@ -227,7 +227,7 @@ class ZernikeField {
 
     using Tables = std::array<std::shared_ptr<const PieceTable>, 2>;
 
-    double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series);
+    double expand(const ZernikePhase& phase, double reach, double error, int threads, ZernikeSeries& series);
 
     // A_m(v) and B_m(v), re A, im A, re B, im B for each order.
     const std::vector<double>& all_orders(double v) const {
@@ -307,10 +307,11 @@ class ZernikeField {
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double ZernikeField::expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
+LOMMEL_ONCE double ZernikeField::expand(const ZernikePhase& phase, double reach, double error, int threads,
+                                        ZernikeSeries& series) {
     check_phase(phase.size());
     const DiskExpansion plan(phase, reach, error);
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
+    analysis_.run(*plan.rule, phase, plan.degrees, plan.orders, threads, series);
     return plan.error(phase);
 }
 #endif

@@ -62,7 +62,7 @@ class ZernikeRenderer {
             ZernikeBudget::field * tol * stack_.amplitude.integral(stack_.obscuration) / (phase(pupil).size() + 1.0);
         double error = first, peak = 0.0;
         const auto expand = [&](ZernikeField& field, double reach) {
-            field.expand(phase(pupil), inner_phase(pupil), stack_.obscuration, reach, error, stack_.lost[pupil]);
+            field.expand(phase(pupil), inner_phase(pupil), stack_.obscuration, reach, error, stack_.lost[pupil], threads);
         };
         const double reach = step_ * std::sqrt(static_cast<double>(tiles.farthest()));
         expand(image.field(), reach);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/base/parallel.hpp"
 #include "lommel/zernike/error_check.hpp"
 #include "lommel/zernike/orders.hpp"
 #include "lommel/zernike/polar_pupil.hpp"
@@ -19,7 +20,7 @@ class PolarLooks : public Looks {
     static constexpr std::size_t block = LookTable::block;
     std::size_t orders;
 
-    PolarLooks(const PolarPupil& pupil, double reach)
+    PolarLooks(const PolarPupil& pupil, double reach, int threads)
         : orders(pupil.orders()), blocks_(LookTable::blocks_to(reach)), sizes_(blocks_ * orders * block) {
         std::vector<std::shared_ptr<const LookTable>> tables;
         std::vector<PolarDisk> disks;
@@ -31,9 +32,9 @@ class PolarLooks : public Looks {
         }
         const RowFft<float> fft(RowFft<float>::length(4 * orders));
         const std::vector<double> gains(orders, 1.0);
-        thread_local PolarSpectra<float> spectra;
         bright.assign(blocks_ * block, 0.0);
-        for (std::size_t b = 0; b < blocks_; ++b) {
+        parallel_for(blocks_, threads, [&](std::size_t, std::size_t b) {
+            thread_local PolarSpectra<float> spectra;
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 spectra.combine<float>(isa, fft.n, gains.data(), disks, b, orders,
                                        [&](std::size_t m, std::size_t at, auto size)
@@ -43,7 +44,7 @@ class PolarLooks : public Looks {
                               &bright[b * block + half * fft_rows]);
                 }
             });
-        }
+        });
         for (std::size_t i = 0; i < bright.size(); ++i) {
             v.push_back(LookTable::at(i));
         }

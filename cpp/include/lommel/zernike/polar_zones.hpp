@@ -45,7 +45,7 @@ class PolarZones {
    public:
     // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
     // among them at most. Returns false where the expansion, or the most exact style, is not likely to let that be.
-    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol);
+    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, int threads);
 
     // Computes all circles.
     void fill(const PolarPupil& pupil, int threads);
@@ -118,11 +118,11 @@ class PolarZones {
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest,
-                                  double tol) {
+LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol,
+                                  int threads) {
     const double near = step * std::sqrt(static_cast<double>(nearest)), reach = step * std::sqrt(static_cast<double>(farthest));
-    const PolarLooks looks(pupil, reach);
     const PolarOrders orders(pupil);
+    const PolarLooks looks(pupil, reach, threads);
     const double all = PolarBudget::image * tol * looks.brightest(near, reach);
     // Of U, where it is that bright.
     const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };

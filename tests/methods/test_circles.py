@@ -92,11 +92,11 @@ def test_every_instruction_set_and_normalization_keeps_the_bound(level, normaliz
 def test_bits_depend_on_no_threads_and_on_no_tables_that_are_kept():
     # An obscuration that no other test has: its tables are made here.
     pupil = coma(6.0, obscuration=0.21351)
-    first, series = both_ways(pupil, (150, 150), 0.5)
+    first, series = both_ways(pupil, (320, 320), 0.5)
     assert not np.array_equal(first.values, series.values)
-    both_ways(coma(12.0, obscuration=0.21351), (260, 260), 1.0)
+    both_ways(coma(12.0, obscuration=0.21351), (460, 460), 1.0)
     for threads in (1, 2, 3):
-        again, _ = both_ways(pupil, (150, 150), 0.5, threads=threads)
+        again, _ = both_ways(pupil, (320, 320), 0.5, threads=threads)
         np.testing.assert_array_equal(first.values, again.values)
         assert first.error_bound == again.error_bound
 

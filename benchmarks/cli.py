@@ -14,6 +14,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from benchmarks import (
     apertures,
     beads,
+    beside,
     costs,
     features,
     fields,
@@ -36,6 +37,7 @@ TABLES: dict[str, Callable[[Settings], Table]] = {
     "sizes": sizes.run,
     "costs": costs.costs,
     "physical": costs.physical,
+    "changes": beside.changes,
     "aberrations": sweeps.aberrations,
     "tolerances": sweeps.tolerances,
     "accuracy": sweeps.accuracy,

@@ -11,6 +11,7 @@
 #include "lommel/imaging/depth_layers.hpp"
 #include "lommel/imaging/field_spread.hpp"
 #include "lommel/imaging/levels.hpp"
+#include "lommel/imaging/plane_filter.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/imaging/spread.hpp"
 
@@ -234,6 +235,33 @@ void field_spread(In<T, 4> windows, std::size_t side, In<T, 2> down, In<T, 2> pl
     });
 }
 
+// Blurs the first planes of a room along all planes, or applies the transpose of that, in place.
+void filter_planes(Out<std::complex<float>, 3> room, const nb::typed<nb::list, nb::object>& transfers, In<float, 2> weights,
+                   std::size_t recording, std::size_t first, std::size_t before, std::size_t after, std::size_t length,
+                   bool transposed, int threads) {
+    const lommel::StackPlanes planes{room.shape(0), recording, first, before, after};
+    const std::size_t rows = room.shape(1), columns = room.shape(2), half = length / 2 + 1;
+    require(planes.specimen > 0 && rows > 0 && columns > 0 && threads >= 0, "the room must have planes, rows and columns");
+    require(recording <= planes.specimen && first <= planes.specimen - recording, "the recording must be in the specimen");
+    require(length < (1U << 24U) && before < length && after < length && planes.specimen + before + after <= length &&
+                lommel::RowFft<float>::length(length) == length,
+            "the length must be one of fft_length, and hold all planes");
+    require(weights.shape(0) == transfers.size() && weights.shape(1) == planes.specimen && transfers.size() > 0,
+            "there must be a weight for each kernel and plane");
+    std::vector<In<float, 4>> arrays;
+    std::vector<lommel::PlaneTransfer> kernels;
+    for (const nb::handle each : transfers) {
+        const auto& array = arrays.emplace_back(nb::cast<In<float, 4>>(each));
+        require((array.shape(0) == rows || array.shape(0) == rows / 2 + 1) && array.shape(1) == (columns + 7) / 8 &&
+                    (array.shape(2) == length || array.shape(2) == half) && array.shape(3) == lommel::fft_element,
+                "transfer functions must match the room and the length");
+        kernels.push_back({array.data(), array.shape(0), array.shape(2)});
+    }
+    released([&] {
+        lommel::PlaneFilter(planes, length, rows, columns, kernels, weights.data()).run(room.data(), transposed, threads);
+    });
+}
+
 }  // namespace
 
 void bindings::define_imaging(nb::module_& m) {
@@ -245,6 +273,9 @@ void bindings::define_imaging(nb::module_& m) {
           "Writes the layer of each point, and the point that stands for what it hides, or -1; returns how many layers there "
           "are, "
           "and how many points hide something.");
+    m.def("filter_planes", &filter_planes, "room"_a.noconvert(), "transfers"_a, "weights"_a, "recording"_a, "first"_a,
+          "before"_a, "after"_a, "length"_a, "transposed"_a, "threads"_a,
+          "Convolves the first planes of a room along all planes, at each lateral frequency, or applies the transpose.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
         m.def("composite", &composite<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a,

@@ -303,6 +303,11 @@ def depth_layers(defocus: Annotated[NDArray[numpy.float64], dict(shape=(None, No
     Writes the layer of each point, and the point that stands for what it hides, or -1; returns how many layers there are, and how many points hide something.
     """
 
+def filter_planes(room: Annotated[NDArray[numpy.complex64], dict(shape=(None, None, None), order='C', device='cpu')], transfers: list[object], weights: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu', writable=False)], recording: int, first: int, before: int, after: int, length: int, transposed: bool, threads: int) -> None:
+    """
+    Convolves the first planes of a room along all planes, at each lateral frequency, or applies the transpose.
+    """
+
 @overload
 def composite(windows: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], halves: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], energies: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], positions: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], layers: Annotated[NDArray[numpy.uint8], dict(shape=(None, None), order='C', device='cpu', writable=False)], behind: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)] | None, count: int, rows: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], columns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], mirrored: bool, dark: bool, image: Annotated[NDArray[numpy.float32], dict(shape=(None, None), device='cpu', writable=False)] | None, from_layer: int, to_layer: int, known: bool, threads: int, seen: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], total: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')], out: Annotated[NDArray[numpy.float32], dict(shape=(None, None), order='C', device='cpu')] | None = None) -> None: ...
 

@@ -30,6 +30,7 @@ depth_layers = _core.depth_layers
 distinct_radii = _core.distinct_radii
 fft_length = _core.fft_length
 field_spread = _core.field_spread
+filter_planes = _core.filter_planes
 gauss_error = _core.gauss_error
 gauss_legendre = _core.gauss_legendre
 huygens_sum = _core.huygens_sum

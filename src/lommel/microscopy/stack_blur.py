@@ -14,6 +14,7 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
+from lommel.core import engine
 from lommel.imaging.linear import LinearBlur
 from lommel.measures.axial import stage
 from lommel.psf import PSF
@@ -107,7 +108,7 @@ class _Job(NamedTuple):
 _SHARE = 3.0  # of the recording that the transform of a tile takes, in memory
 _SMALL = 2**23  # values that it may have in any case
 _UNSEEN = 1e-6  # share of the light of a point that is next to nothing
-_ROWS = 1  # of a transform that are filtered in one go: what is done with them stays in the fast cache
+_COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # of a transform that are filtered in one go, in the order of the core
 _ALIKE = 1e-6  # of the largest value, by which a kernel may differ from its mirror image
 
 
@@ -141,8 +142,8 @@ class TiledBlur:
         self._lower = middle
         self._upper = tuple(side - 1 - at for side, at in zip(sides, middle, strict=True))
         self._before, self._after = (max(0, reach[0] - margin[0]) for reach in (self._upper, self._lower))
-        self._depth = next_fast_len(self.whole[0] + self._before + self._after)
-        self._weights = None if weights is None else np.asarray(weights, dtype=np.float32)
+        self._depth: int = engine.fft_length(self.whole[0] + self._before + self._after)
+        self._weights = np.ones((1, self.whole[0]), np.float32) if weights is None else weights.astype(np.float32)
         most = max(_SHARE * math.prod(shape), _SMALL) / self.whole[0]
         # One tile has what it lacks at its other end, where it is dark.
         full = [
@@ -161,7 +162,7 @@ class TiledBlur:
             self._tile = down, across
         self._limits, self._places = self._edges()
         self._seen = np.zeros((self.whole[0], *(side.shape[1] for side in self._limits)), np.float32)
-        self._transfers: list[tuple[Values, bool]] = []
+        self._transfers: list[object] = []
         # One after the other, as there may be many.
         for number, values in enumerate(chain([first], (_kernel(each)[0] for each in kernels))):
             self._learn(number, values)
@@ -171,14 +172,14 @@ class TiledBlur:
 
     def _learn(self, number: int, kernel: Array) -> None:
         """Keep what is needed to convolve with a kernel."""
-        even = _mirrored(kernel)
-        self._transfers.append((self._transfer(kernel, even), even))
+        self._transfers.append(self._transfer(kernel, _mirrored(kernel)))
 
     def _transfer(self, kernel: Array, even: bool) -> Values:
         """Return the transform of a kernel, with the point in the first voxel.
 
         That of an even one is real until planes are transformed, and the same in rows of opposite frequencies: an
-        eighth of the values says it all.
+        eighth of the values says it all. The shape is (rows, groups of columns, frequencies, real and imaginary
+        parts).
         """
         from scipy.fft import fft, rfft, rfft2
 
@@ -191,13 +192,16 @@ class TiledBlur:
             tile[: values.shape[0], : values.shape[1]] = values
             found = rfft2(np.roll(tile, [-at for at in middle[1:]], axis=(0, 1)))[:rows]
             made[plane] = found.real if even else found
-        out = np.empty((rows, planes, made.shape[2]), np.complex64)
-        column = np.zeros((self._depth, made.shape[2]), made.dtype)
+        groups = -(-made.shape[2] // len(_COLUMNS))
+        out = np.empty((rows, groups, planes, 2, len(_COLUMNS)), np.float32)
+        column = np.zeros((self._depth, groups * len(_COLUMNS)), made.dtype)
         order = np.arange(len(kernel)) - middle[0]
         for row in range(rows):
-            column[order] = made[:, row]
-            out[row] = rfft(column, axis=0) if even else fft(column, axis=0)
-        return out
+            column[order, : made.shape[2]] = made[:, row]
+            found = (rfft(column, axis=0) if even else fft(column, axis=0)) / np.float32(self._depth)
+            parts = found.reshape(planes, groups, -1)[:, :, _COLUMNS].transpose(1, 0, 2)
+            out[row, :, :, 0], out[row, :, :, 1] = parts.real, parts.imag
+        return out.reshape(rows, groups, planes, -1)
 
     def _edges(self) -> tuple[list[NDArray[np.intp]], list[_Places]]:
         """Return what part of a kernel falls on the recording, of few rows and columns that are all there are.
@@ -224,7 +228,7 @@ class TiledBlur:
         along = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0)
         for at in range(-self._before, self.whole[0] + self._after):
             plane = min(max(at, 0), self.whole[0] - 1)
-            share = 1.0 if self._weights is None else self._weights[number, plane]
+            share = self._weights[number, plane]
             if share == 0.0:
                 continue
             begin = self._margin[0] + self._lower[0] - at
@@ -322,73 +326,20 @@ class TiledBlur:
 
     def _along(self, *, transposed: bool) -> None:
         """Convolve the room along the planes, in place, or apply the transpose."""
-        self._over_rows(self._returned_rows if transposed else self._seen_rows)
-
-    def _over_rows(self, task: Callable[[slice], None]) -> None:
-        def several(first: int) -> None:
-            task(slice(first, min(first + _ROWS, self._tile[0])))
-
-        side_by_side(several, range(0, self._tile[0], _ROWS), self._threads)
-
-    def _seen_rows(self, rows: slice) -> None:
-        """Convolve rows of the room along the planes, in place: the specimen becomes the recording."""
-        from scipy.fft import fft, ifft
-
         assert self._room is not None
-        here, total = self._room[:, rows], None
-        planes, first = self.whole[0], self._margin[0]
-        for number in range(len(self._transfers)):
-            light = np.empty((self._depth, *here.shape[1:]), np.complex64)
-            if self._weights is None:
-                light[:planes] = here
-            else:
-                np.multiply(here, self._weights[number][:, np.newaxis, np.newaxis], out=light[:planes])
-            light[planes:] = 0.0
-            # Beyond the outermost planes it is taken to go on like these.
-            light[planes:][: self._after] = light[planes - 1]
-            light[self._depth - self._before :] = light[0]
-            made = fft(light, axis=0, overwrite_x=True)
-            self._filter(made, number, rows)
-            total = made if total is None else np.add(total, made, out=total)
-        here[: self.shape[0]] = ifft(total, axis=0, overwrite_x=True)[first : first + self.shape[0]]
-
-    def _returned_rows(self, rows: slice) -> None:
-        """Apply the transpose of `_seen_rows`, in place."""
-        from scipy.fft import fft, ifft
-
-        assert self._room is not None
-        here, planes, first = self._room[:, rows], self.whole[0], self._margin[0]
-        light = np.empty((self._depth, *here.shape[1:]), np.complex64)
-        light[:first] = 0.0
-        light[first : first + self.shape[0]] = here[: self.shape[0]]
-        light[first + self.shape[0] :] = 0.0
-        seen = fft(light, axis=0, overwrite_x=True)
-        for number in range(len(self._transfers)):
-            made = seen if len(self._transfers) == 1 else seen.copy()
-            self._filter(made, number, rows, transposed=True)
-            back = ifft(made, axis=0, overwrite_x=True)
-            if self._after:
-                back[planes - 1] += back[planes:][: self._after].sum(axis=0)
-            if self._before:
-                back[0] += back[self._depth - self._before :].sum(axis=0)
-            back = back[:planes]
-            if self._weights is not None:
-                back *= self._weights[number][:, np.newaxis, np.newaxis]
-            if number:
-                here += back
-            else:
-                here[...] = back
-
-    def _filter(self, made: Values, number: int, rows: slice, *, transposed: bool = False) -> None:
-        """Multiply the transform of rows by that of a kernel, in place."""
-        transfers, even = self._transfers[number]
-        for place, row in enumerate(range(rows.start, rows.stop)):
-            transfer = transfers[min(row, self._tile[0] - row)] if even else transfers[row]
-            half, here = len(transfer), made[:, place]
-            here[:half] *= transfer.conj() if transposed else transfer
-            if half < self._depth:
-                other = transfer[self._depth - half : 0 : -1]
-                here[half:] *= other if transposed else other.conj()
+        # Beyond the outermost planes the specimen is taken to go on like these.
+        engine.filter_planes(
+            self._room,
+            self._transfers,
+            self._weights,
+            self.shape[0],
+            self._margin[0],
+            self._before,
+            self._after,
+            self._depth,
+            transposed,
+            self._threads,
+        )
 
 
 def _kernel(given: PSF | Array) -> tuple[Array, tuple[int, int, int]]:

@@ -1,0 +1,229 @@
+// Convolution of a stack along its planes, at each of its lateral frequencies.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/special/fft.hpp"
+
+namespace lommel {
+
+// Planes of a specimen, and those of its recording, which begin at plane `first` of the specimen. Light reaches the recording
+// from so many planes `before` and `after` the specimen, which are taken to be like its outermost ones.
+struct StackPlanes {
+    std::size_t specimen, recording, first, before, after;
+};
+
+// The transform of a kernel over `length` planes, over the length: [row][eight columns][frequency][re, im of each],
+// columns in the order 0 4 1 5 2 6 3 7. Where rows are half of all and 1, those of opposite frequencies are the same; where frequencies are, opposite ones are conjugate.
+struct PlaneTransfer {
+    const float* values;
+    std::size_t rows, frequencies;
+};
+
+// The sum over kernels of what each makes of the specimen, times its weight at each plane; and the transpose of it. In place,
+// [plane][row][column], eight columns at a time: a row of all planes is copied first, as one of them is on a page of its own.
+class PlaneFilter {
+   public:
+    // `length` is one of RowFft, and all planes at least; weights are [kernel][plane of the specimen].
+    PlaneFilter(StackPlanes planes, std::size_t length, std::size_t rows, std::size_t columns,
+                std::vector<PlaneTransfer> kernels, const float* weights)
+        : planes_(planes), fft_(length), rows_(rows), columns_(columns), groups_((columns + 7) / 8),
+          kernels_(std::move(kernels)), weights_(weights) {}
+
+    // The first planes of `room`: those of the specimen become those of the recording, or the transpose of it.
+    void run(std::complex<float>* room, bool transposed, int threads) const {
+        constexpr std::size_t together = 4;
+        std::vector<Scratch> scratch(static_cast<std::size_t>(processors()) + 1);
+        parallel_for((rows_ + together - 1) / together, threads, [&](std::size_t worker, std::size_t task) {
+            Scratch& own = scratch[worker];
+            if (own.held.empty()) {
+                own.held.resize(groups_ * planes_.specimen * fft_element);
+                for (Floats* each : {&own.a, &own.b, &own.c, &own.d}) {
+                    each->resize(fft_.n * fft_element);
+                }
+            }
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t row = task * together; row < std::min(rows_, (task + 1) * together); ++row) {
+                    take(room, row, transposed ? planes_.recording : planes_.specimen, own.held.data());
+                    for (std::size_t group = 0; group < groups_; ++group) {
+                        float* const held = &own.held[group * planes_.specimen * fft_element];
+                        if (transposed) {
+                            returned(isa, row, group, held, own);
+                        } else {
+                            seen(isa, row, group, held, own);
+                        }
+                    }
+                    put(room, row, transposed ? planes_.specimen : planes_.recording, own.held.data());
+                }
+            });
+        });
+    }
+
+   private:
+    struct Scratch {
+        Floats held, a, b, c, d;
+    };
+
+    // Pairs of floats, as whole numbers, so that vectors are masked and shifted alone.
+#if defined(LOMMEL_VECTORS)
+    typedef std::uint64_t Pairs __attribute__((vector_size(32)));
+#else
+    using Pairs = std::uint64_t;
+#endif
+    static constexpr std::uint64_t low = 0xffffffffU;
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    static LOMMEL_INLINE Pairs firsts(Pairs a, Pairs b) { return (a & ~low) | (b >> 32U); }
+    static LOMMEL_INLINE Pairs seconds(Pairs a, Pairs b) { return (a << 32U) | (b & low); }
+#else
+    static LOMMEL_INLINE Pairs firsts(Pairs a, Pairs b) { return (a & low) | (b << 32U); }
+    static LOMMEL_INLINE Pairs seconds(Pairs a, Pairs b) { return (a >> 32U) | (b & ~low); }
+#endif
+
+    // The way back is the way there with real and imaginary parts exchanged: they are when taken, until they are multiplied.
+    // Columns are in the order 0 4 1 5 2 6 3 7.
+    LOMMEL_INLINE void take(const std::complex<float>* room, std::size_t row, std::size_t count, float* held) const {
+        for (std::size_t plane = 0; plane < count; ++plane) {
+            const float* from = reinterpret_cast<const float*>(room + (plane * rows_ + row) * columns_);
+            float* to = held + plane * fft_element;
+            float last[fft_element] = {};
+            for (std::size_t group = 0; group < groups_; ++group, from += fft_element, to += planes_.specimen * fft_element) {
+                if (8 * group + 8 > columns_) {
+                    std::memcpy(last, from, (columns_ - 8 * group) * 2 * sizeof(float));
+                    from = last;
+                }
+                for (std::size_t k = 0; k < 8; k += sizeof(Pairs) / sizeof(float)) {
+                    const Pairs a = load<Pairs>(from + k), b = load<Pairs>(from + k + 8);
+                    store(to + k, seconds(a, b));
+                    store(to + k + 8, firsts(a, b));
+                }
+            }
+        }
+    }
+
+    LOMMEL_INLINE void put(std::complex<float>* room, std::size_t row, std::size_t count, const float* held) const {
+        for (std::size_t plane = 0; plane < count; ++plane) {
+            float* to = reinterpret_cast<float*>(room + (plane * rows_ + row) * columns_);
+            const float* from = held + plane * fft_element;
+            float last[fft_element];
+            for (std::size_t group = 0; group < groups_; ++group, to += fft_element, from += planes_.specimen * fft_element) {
+                const bool part = 8 * group + 8 > columns_;
+                float* const here = part ? last : to;
+                for (std::size_t k = 0; k < 8; k += sizeof(Pairs) / sizeof(float)) {
+                    const Pairs re = load<Pairs>(from + k), im = load<Pairs>(from + k + 8);
+                    store(here + k, firsts(re, im));
+                    store(here + k + 8, seconds(re, im));
+                }
+                if (part) {
+                    std::memcpy(to, last, (columns_ - 8 * group) * 2 * sizeof(float));
+                }
+            }
+        }
+    }
+
+    template <class I>
+    LOMMEL_INLINE void seen(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
+        const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n;
+        for (std::size_t kernel = 0; kernel < kernels_.size(); ++kernel) {
+            float* const line = own.a.data();
+            scaled<false>(isa, held, planes_.specimen, weights_ + kernel * planes_.specimen, line);
+            std::memset(line + last + fft_element, 0, (n - planes_.specimen) * fft_element * sizeof(float));
+            for (std::size_t k = 1; k <= planes_.after; ++k) {
+                std::memcpy(line + last + k * fft_element, line + last, fft_element * sizeof(float));
+            }
+            for (std::size_t k = 1; k <= planes_.before; ++k) {
+                std::memcpy(line + (n - k) * fft_element, line, fft_element * sizeof(float));
+            }
+            const float* const made = fft_.whole(isa, line, own.b.data());
+            if (kernel == 0) {
+                multiply<false, false>(isa, made, row, group, kernels_[kernel], own.c.data());
+            } else {
+                multiply<false, true>(isa, made, row, group, kernels_[kernel], own.c.data());
+            }
+        }
+        const float* const back = fft_.whole(isa, own.c.data(), own.a.data());
+        std::memcpy(held, back + planes_.first * fft_element, planes_.recording * fft_element * sizeof(float));
+    }
+
+    template <class I>
+    LOMMEL_INLINE void returned(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
+        const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n, from = planes_.first * fft_element;
+        float* const line = own.a.data();
+        std::memset(line, 0, from * sizeof(float));
+        std::memcpy(line + from, held, planes_.recording * fft_element * sizeof(float));
+        const std::size_t to = from + planes_.recording * fft_element;
+        std::memset(line + to, 0, (n * fft_element - to) * sizeof(float));
+        const float* const made = fft_.whole(isa, line, own.b.data());
+        for (std::size_t kernel = 0; kernel < kernels_.size(); ++kernel) {
+            multiply<true, false>(isa, made, row, group, kernels_[kernel], own.c.data());
+            float* const back = fft_.whole(isa, own.c.data(), own.d.data());
+            for (std::size_t k = 1; k <= planes_.after; ++k) {
+                add(back + last + k * fft_element, back + last);
+            }
+            for (std::size_t k = 1; k <= planes_.before; ++k) {
+                add(back + (n - k) * fft_element, back);
+            }
+            if (kernel == 0) {
+                scaled<false>(isa, back, planes_.specimen, weights_, held);
+            } else {
+                scaled<true>(isa, back, planes_.specimen, weights_ + kernel * planes_.specimen, held);
+            }
+        }
+    }
+
+    static LOMMEL_INLINE void add(const float* from, float* to) {
+        for (std::size_t k = 0; k < fft_element; ++k) {
+            to[k] += from[k];
+        }
+    }
+
+    template <bool Added, class I>
+    static LOMMEL_INLINE void scaled(I, const float* from, std::size_t count, const float* weights, float* to) {
+        using V = typename RowPack<I, float>::type;
+        for (std::size_t plane = 0; plane < count; ++plane) {
+            const V weight = splat<V>(weights[plane]);
+            for (std::size_t k = 0; k < fft_element; k += sizeof(V) / sizeof(float), from += sizeof(V) / sizeof(float)) {
+                float* const here = to + plane * fft_element + k;
+                const V value = weight * load<V>(from);
+                store(here, Added ? load<V>(here) + value : value);
+            }
+        }
+    }
+
+    // Of exchanged numbers, the product with a transfer function, or with its conjugate for the transpose.
+    template <bool Transposed, bool Added, class I>
+    LOMMEL_INLINE void multiply(I, const float* x, std::size_t row, std::size_t group, const PlaneTransfer& kernel,
+                                float* y) const {
+        using V = typename RowPack<I, float>::type;
+        const std::size_t its = kernel.rows < rows_ ? std::min(row, rows_ - row) : row, n = fft_.n;
+        const float* const transfer = kernel.values + (its * groups_ + group) * kernel.frequencies * fft_element;
+        for (std::size_t f = 0; f < n; ++f) {
+            const bool opposite = f >= kernel.frequencies;
+            const float* const t = transfer + (opposite ? n - f : f) * fft_element;
+            const float turn = opposite != Transposed ? -1.0F : 1.0F;
+            for (std::size_t k = 0; k < fft_rows; k += sizeof(V) / sizeof(float)) {
+                const V im = load<V>(x + f * fft_element + k), re = load<V>(x + f * fft_element + fft_rows + k);
+                const V c = load<V>(t + k), s = splat<V>(turn) * load<V>(t + fft_rows + k);
+                float* const here = y + f * fft_element + k;
+                const V real = re * c - im * s, imaginary = im * c + re * s;
+                store(here, Added ? load<V>(here) + real : real);
+                store(here + fft_rows, Added ? load<V>(here + fft_rows) + imaginary : imaginary);
+            }
+        }
+    }
+
+    StackPlanes planes_;
+    RowFft<float> fft_;
+    std::size_t rows_, columns_, groups_;
+    std::vector<PlaneTransfer> kernels_;
+    const float* weights_;
+};
+
+}  // namespace lommel

@@ -226,8 +226,9 @@ def restore(
         As of :func:`lommel.microscopy.deconvolve`.
     tile : int, optional
         Side of lateral chunks, pixels. By default the whole, or what `memory` holds. Chunks overlap by the PSF, and
-        all take the steps of the central one; in tests of few steps the sum of differences from the whole was 4 % of
-        the light.
+        all take the steps of the central one, with its extrapolation: what differs from the whole is what some steps
+        change. In a test the sum of differences was 3 % of the light after 5 steps and 17 % after 25, of which 2 %
+        without extrapolation (``RichardsonLucy(accelerate=False)``).
     memory : float, default 2**31
         Bytes that may be used besides input and output.
     out : path, optional

@@ -2,7 +2,7 @@
 
 `python benchmarks/deconvolution.py` measures a stack of 64 x 512 x 512 float32 with a PSF of 64 x 65 x 65 (time of a
 step in CPU seconds, memory above the stack). Then it restores beads of known photons on a background, 20 um deep in
-water under oil, each blurred by the PSF of its own depth: with PSFs by depth, with one PSF, and with scikit-image.
+water under oil, each blurred by the PSF of its own depth: with PSFs by depth, with one PSF, and with other packages.
 `--small` takes less.
 """
 
@@ -13,6 +13,7 @@ import itertools
 import json
 import os
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -217,26 +218,46 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
     return found
 
 
-def _others() -> dict[str, Any]:
-    """Return other packages that are installed, as functions of a stack, a PSF and a number of steps."""
+def _others() -> dict[str, Callable[[Array, Array, int], Array]]:
+    """Return other packages that are installed, as functions of a stack, a PSF and a number of steps.
+
+    RedLionfish computes by SciPy. clij2-fft computes by OpenCL, for which PoCL takes the processor; its library must
+    be on LD_LIBRARY_PATH.
+    """
     from skimage.restoration import richardson_lucy
 
     def scikit(light: Array, kernel: Array, steps: int) -> Array:
         return np.asarray(light.max() * richardson_lucy(light / light.max(), kernel, num_iter=steps, clip=False))
 
-    found: dict[str, Any] = {"scikit-image": scikit}
+    found: dict[str, Callable[[Array, Array, int], Array]] = {"scikit-image": scikit}
     try:
         from RedLionfishDeconv import doRLDeconvolutionFromNpArrays
     except ImportError:
+        pass
+    else:
+
+        def lionfish(light: Array, kernel: Array, steps: int) -> Array:
+            made = doRLDeconvolutionFromNpArrays(
+                light.astype(np.float32), kernel.astype(np.float32), niter=steps, method="cpu", resAsUint8=False
+            )
+            return np.asarray(made)
+
+        found["RedLionfish"] = lionfish
+    try:
+        from clij2fft.richardson_lucy import richardson_lucy_nc
+
+        richardson_lucy_nc(np.ones((8, 8, 8)), np.ones((1, 1, 1)), 1)
+    except (ImportError, OSError):
         return found
 
-    def lionfish(light: Array, kernel: Array, steps: int) -> Array:
-        made = doRLDeconvolutionFromNpArrays(
-            light.astype(np.float32), kernel.astype(np.float32), niter=steps, method="cpu", resAsUint8=False
-        )
-        return np.asarray(made)
+    def clij2(weight: float) -> Callable[[Array, Array, int], Array]:
+        def run(light: Array, kernel: Array, steps: int) -> Array:
+            return np.asarray(richardson_lucy_nc(light, kernel, steps, weight), np.float64)
 
-    return found | {"RedLionfish": lionfish}
+        return run
+
+    names = {"clij2-fft": 0.0} | {f"clij2-fft, total variation {weight}": weight for weight in (0.0005, 0.002, 0.01)}
+    return found | {name: clij2(weight) for name, weight in names.items()}
 
 
 def main() -> None:

@@ -56,9 +56,12 @@ CAMERA = ("--gain", 1, "--read", 1.6, "--offset", 100, "--steps", 3)
 def test_a_stack_is_restored_from_file_to_file(files, monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 4)  # of each of both directions
     there = files / "restored.ome.tif"
-    found = run(files / "stack.ome.tif", files / "lens.toml", *CAMERA, "-o", there)
+    picture = files / "restored.png"
+    found = run(files / "stack.ome.tif", files / "lens.toml", *CAMERA, "-o", there, "--plot", picture)
     assert found.exit_code == 0, found.output
-    assert "wrote" in found.output
+    assert f"wrote {picture}" in " ".join(found.output.split())
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert "after all steps" in found.output
     assert "From the OME metadata of the file: 108 nm pixels, 250 nm planes apart." in found.output
     assert "The wavelength of the objective file, 520 nm, was taken." in found.output
     with tifffile.TiffFile(there) as file:
@@ -109,7 +112,7 @@ def test_notes_name_options(files):
     ("words", "said"),
     [
         (("lens.toml", "stack.ome.tif", "-o", "a.tif"), "the order is STACK LENS"),
-        (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr"),
+        (("stack.ome.tif", "lens.toml", "-o", "a.png"), "must end in .ome.tif or .ome.zarr, got a.png; --plot"),
         (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
         (("stack.ome.tif", "lens.toml", "--modality", "confocal", "-o", "a.tif"), "excitation"),
         (("movie.ome.tif", "lens.toml", "-o", "a.tif"), "2 time points; say which with --time, from 0 to 1"),

@@ -138,13 +138,19 @@ def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(call_lommel, le
     assert sorted(folder.rglob("*")) == before
 
 
-def test_nothing_is_written_where_plots_cannot_be_drawn(call_lommel, lenses, folder, monkeypatch):
+@pytest.mark.parametrize(
+    "arguments", ["psf {phone} -o a.tif --plot a.png", "psf zeiss-63x-1.4-oil.toml --stack 3 -o a.ome.tif -o a.png"]
+)
+def test_nothing_is_computed_where_plots_cannot_be_drawn(call_lommel, lenses, folder, monkeypatch, arguments):
+    assert call_lommel("examples", "zeiss-63x-1.4-oil", folder=folder).returncode == 0
+    monkeypatch.setattr("lommel.cli.psf_command.compute", None)
     found = importlib.util.find_spec
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "matplotlib" else found(name))
     before = sorted(folder.rglob("*"))
     refused(
-        call_lommel(*fill("psf {phone} -o a.tif --plot a.png", lenses), folder=folder),
-        'plots need matplotlib: pip install matplotlib (the extra "plot" of lommel brings it; in a clone, make env)',
+        call_lommel(*fill(arguments, lenses), folder=folder),
+        "nothing was computed: the figure 'a.png' needs matplotlib: pip install matplotlib "
+        '(the extra "plot" of lommel brings it; in a clone, make env)',
     )
     assert sorted(folder.rglob("*")) == before
 

@@ -294,6 +294,39 @@ def test_noise_that_is_not_to_be_known_is_refused():
         lm.microscopy.estimate_noise(np.ones((4, 4)))
 
 
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({}, None),
+        ({"offset": 160.0}, "% of the voxels are below the offset by more than the read noise explains"),
+        ({"white": 0.25}, "The noise of the stack has 0.4"),
+        ({"read": 6.0}, "The noise of the stack has 0."),
+    ],
+    ids=str,
+)
+def test_a_noise_that_the_stack_contradicts_is_told(deep, wrong, said):
+    camera = lm.Noise(**({"white": 0.5, "read": 1.5, "offset": 100.0} | wrong))
+    way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
+    sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "slabs": 1}
+    notes = " ".join(quick(deep, noise=camera, method=way, **sizes).notes)
+    if said is None:
+        assert "noise of the stack" not in notes
+        assert "below the offset" not in notes
+    else:
+        assert said in notes
+
+
+def test_planes_that_a_depth_puts_above_the_sample_are_told(deep):
+    way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
+    sizes = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "method": way}
+    notes = " ".join(quick(deep, depth=1e-6, **sizes).notes)
+    count = int((DepthModel(OIL_60X, WAVE, PIXEL, STEP, 1e-6, PLANES, WINDOW).depths() <= 0.0).sum())
+    assert 3 < count < PLANES // 2
+    assert f"{count} of {PLANES} planes have their focus above the sample" in notes
+    assert "of depths from 0 to " in notes
+    assert "above the sample" not in " ".join(quick(deep, **sizes).notes)
+
+
 @pytest.mark.parametrize("kind", [np.int16, np.float64])
 def test_all_real_types_are_taken(deep, kind):
     way = lm.imaging.RichardsonLucy(steps=2, target=0.0)
@@ -357,13 +390,17 @@ def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
     monkeypatch.setattr(refinement, "_MORE", 8)
     monkeypatch.setattr(refinement, "_NARROWEST", 21)
     monkeypatch.setattr(refinement, "_ROUNDS", 1)
-    monkeypatch.setitem(refinement._TOLERANCE, "spherical", 0.06)
     model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))
     truth = np.zeros((8, 24, 24), np.float32)
     truth[4, 12, 12] += 1e6
     stack = CAMERA.record(blurred(model.changed("spherical", 0.12), truth) + 10.0, seed=3)
     crop = refinement.crop_of(stack, 17)
-    _, found, errors = refinement.refined(stack, crop, model, CAMERA, np.inf, ["spherical"], 1, lambda _: None)
+    looked, told = refinement.Looked(stack, model, CAMERA, np.inf, 1), []
+    _, found, errors = refinement.refined(looked, crop, ["spherical"], lambda *said: told.append(said))
+    shares = [share for share, _ in told]
+    assert shares == sorted(shares)
+    assert shares[-1] > 0.8
+    assert told[0] == (0.0, "spherical aberration 0")
     assert found["spherical"] == pytest.approx(0.12, abs=0.02)
     assert abs(found["spherical"] - 0.12) < 2.0 * errors["spherical"]
 
@@ -401,25 +438,27 @@ def test_points_between_planes_follow_the_right_psf_better_than_others(monkeypat
     right = model.changed("spherical", 0.12)
 
     def better(values, model, turned):
-        crop = refinement.crop_of(stack, 17)
-        return refinement.better(values, crop, model, CAMERA, np.inf, 1, lambda _: None, turned=turned)
+        looked = refinement.Looked(values, model, CAMERA, np.inf, 1)
+        return refinement.better(looked, lambda *_: None, turned=turned)
 
-    assert better(stack, right, False) is None
-    assert better(stack, model.changed("spherical", 0.04), False) == "a larger spherical aberration"
+    assert better(stack, right, False) == []
+    (other,) = better(stack, model.changed("spherical", 0.04), False)
+    assert other.startswith("a larger spherical aberration (about 0.0")
     monkeypatch.setattr(refinement, "_OTHERS", {})
-    assert better(stack[::-1], right, True) == "planes in reverse order"
+    assert better(stack[::-1], right, True) == ["planes in reverse order"]
 
 
-@pytest.mark.parametrize("found", [None, "a smaller depth"])
+@pytest.mark.parametrize("found", [[], ["a smaller depth"], ["a larger NA", "a smaller depth"]])
 def test_a_misfit_is_one_of_the_psf_where_another_one_is_better(monkeypatch, deep, found):
     monkeypatch.setattr("lommel.microscopy.restoration.better", lambda *_, **__: found)
     way = lm.imaging.RichardsonLucy(target=1.0)
     made = quick(deep, pixel=PIXEL, step=STEP, wavelength=WAVE, direction="down", method=way)
-    if found is None:
+    if not found:
         assert made.channels[0].stopped.startswith("voxels: no other PSF fits better")
     else:
         assert made.channels[0].stopped.startswith("misfit: the PSF")
-        assert made.notes[-1] == "A misfit: the stack follows PSFs of a smaller depth better."
+        assert made.notes[-1].startswith("A misfit: the stack follows")
+        assert ", ".join(found) in made.notes[-1]
 
 
 def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_so(deep):

@@ -122,6 +122,14 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
     return f"{metres / LENGTHS[name]:.{digits}g} {name}"
 
 
+def with_error(value: float, error: float) -> tuple[str, str]:
+    """Return a number and its standard error with two digits, to the same place."""
+    if not 0.0 < error < math.inf:
+        return f"{value:.6g}", f"{error:g}"
+    places = max(0, 1 - math.floor(math.log10(error)))
+    return f"{value:.{places}f}", f"{error:.{places}f}"
+
+
 def with_units(message: str) -> str:
     """Return a message of the library with lengths as they are written at the edges, ``"3.45 um"`` for 3.45e-6."""
     units = {"6": "um", "9": "nm"}

@@ -23,18 +23,19 @@ from lommel.cli.options import (
     Option,
     command,
     documented,
+    plot_option,
     under,
     with_options,
 )
-from lommel.cli.output import Facts, Report, Wrapped, list_of, require_folder, written
+from lommel.cli.output import Facts, Report, Wrapped, figure_format, list_of, require_folder, save_figure, written
 from lommel.cli.progress import progress
 from lommel.estimation.noise import Noise
-from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.imaging.deconvolution import NOISE, STEPS, RichardsonLucy
 from lommel.io import recordings
 from lommel.microscopy import RestoredStack, restore
 from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
-from lommel.microscopy.restoration import INTERRUPTED
+from lommel.microscopy.restoration import BETWEEN, INTERRUPTED, between
 
 if TYPE_CHECKING:
     from lommel.lensfiles.camera import Camera
@@ -47,6 +48,7 @@ _STACK = click.Path(path_type=Path)  # a file, or a folder of OME-Zarr
     LENS,
     Option("-o", "--output", "outputs", type=_STACK, required=True, multiple=True,
            help="Restored stack: .ome.tif or .ome.zarr; may be repeated."),
+    plot_option("Figure of projections before and after, and of the residual"),
     *under(
         "Microscope",
         Option("--depth", type=MICROMETRES,
@@ -93,6 +95,7 @@ def deconvolve(
     stack: Path,
     lens: Path,
     outputs: tuple[Path, ...],
+    figure: Path | None,
     wavelength: tuple[float, ...] | None,
     pixel: float | None,
     camera: Camera | None,
@@ -117,12 +120,16 @@ def deconvolve(
 
     Examples
     --------
-      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --depth 8um -o restored.ome.tif
+      lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --depth 8um -o restored.ome.tif --plot restored.png
       lommel deconvolve stack.ome.tif zeiss-63x-1.4-oil.toml --gain 0.46 --read 1.6 --offset 100 -o restored.ome.zarr
     """
     for path in outputs:
+        if path.suffix.lower() in (".png", ".pdf", ".svg"):
+            raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {line(path)}; --plot writes a picture")
         recordings.kind_of(path)
         require_folder(path)
+    if figure is not None:
+        figure_format(figure)
     if stack.suffix.lower() == ".toml" != lens.suffix.lower():
         raise ValueError(f"the order is STACK LENS, the stack first, got {line(stack)} and then {line(lens)}")
     microscope = microscope_of(lens)
@@ -159,9 +166,12 @@ def deconvolve(
         if whole is None:
             step("writing")
             found.save(*outputs)
+        if figure is not None:
+            step("drawing")
+            save_figure(found.plot(), figure)
     facts = _facts(stack, found, microscope.name) | {"seconds": time.perf_counter() - begun}
     agrees = not any(each.stopped.startswith("misfit") for each in found.channels)
-    return Report(facts, _parts(facts), converged=agrees) + written(outputs)
+    return Report(facts, _parts(facts), converged=agrees) + written([*outputs, figure])
 
 
 @contextmanager
@@ -204,6 +214,15 @@ def _facts(stack: Path, found: RestoredStack, name: str) -> Facts:
     }
 
 
+_STOPPED = {
+    NOISE: "at the noise: the result agrees with the recording",
+    STEPS: "after all steps",
+    INTERRUPTED: "interrupted: the result has the steps that were done",
+    BETWEEN: "more than noise is left, but no other PSF fits better: points between voxels leave as much, or a gain "
+    "that is off",
+}
+
+
 def _parts(facts: Facts) -> list[Any]:
     planes, height, width = facts["shape"]
     lines = [
@@ -211,15 +230,13 @@ def _parts(facts: Facts) -> list[Any]:
         ("voxels", f"{format_length(facts['pixel_in_sample'])} x {format_length(facts['step'])} along z"),
     ]
     for each in facts["channels"]:
-        low, high = (format_length(end, digits=3) for end in each["depths"])
         before, after = each["discrepancy"]["before"], each["discrepancy"]["after"]
-        label = each["name"] if len(facts["channels"]) > 1 else "restored"
+        name = f", {each['name']}" if len(facts["channels"]) > 1 else ""
         lines += [
-            (label, f"discrepancy {before:.3g} before, {after:.3g} after {each['steps']} steps ({each['stopped']})"),
-            ("depth in focus", f"{low} to {high}, {each['psfs']} PSF{'s' * (each['psfs'] > 1)}"),
+            (f"discrepancy{name}", f"{before:#.3g} before, {after:#.3g} after {each['steps']} steps"),
+            ("stopped", _STOPPED.get(each["stopped"], each["stopped"])),
+            ("depth in focus", f"{between(*each['depths'])}, {each['psfs']} PSF{'s' * (each['psfs'] > 1)}"),
         ]
     notes = [*facts["notes"]]
-    if any(each["stopped"] == INTERRUPTED for each in facts["channels"]):
-        notes.append("It was interrupted: the result has the steps that were done.")
     lines.append(("time", f"{facts['seconds']:.3g} s"))
     return [Text(facts["name"], "bold"), list_of(lines), *map(Wrapped, notes)]

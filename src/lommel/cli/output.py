@@ -153,7 +153,7 @@ def figure_format(path: Path) -> str:
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in ("png", "pdf", "svg"):
         raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")
-    optional.require("matplotlib", "plots need", "plot")
+    optional.require("matplotlib", f"nothing was computed: the figure {shown(path.name)} needs", "plot")
     require_folder(path)
     return suffix
 

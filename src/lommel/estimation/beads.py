@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.units import with_error
 from lommel.core.answers import Declined
 from lommel.estimation import clipping, goodness_of_fit
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, light_of, shifts_of
@@ -92,19 +93,11 @@ class Suspect(NamedTuple):
             way = "lower" if self.value < self.given else "higher"
             said = f"{self.name} {way} than {factor * self.given:.6g}{unit}, beyond what is possible"
             return f"{said} ({abs(self.sigmas):.2g} sigma)"
-        value, error = _with_error(factor * self.value, factor * self.deviation)
+        value, error = with_error(factor * self.value, factor * self.deviation)
         return f"{self.name} = {value} +- {error}{unit} ({abs(self.sigmas):.2g} sigma)"
 
 
 _SHOWN = {"m": (1e6, " um")}
-
-
-def _with_error(value: float, error: float) -> tuple[str, str]:
-    """Return a number and its standard error with two digits, to the same place."""
-    if not 0.0 < error < math.inf:
-        return f"{value:.6g}", f"{error:g}"
-    places = max(0, 1 - math.floor(math.log10(error)))
-    return f"{value:.{places}f}", f"{error:.{places}f}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -334,7 +327,7 @@ class BeadFit:
         for name, value in self.coefficients.items():
             unit = CONSTANTS[name].unit if isinstance(name, str) else "rad"
             factor, unit = _SHOWN.get(unit, (1.0, f" {unit}".rstrip()))
-            shown, error = _with_error(factor * value, factor * self.deviation[name])
+            shown, error = with_error(factor * value, factor * self.deviation[name])
             lines.append(f"  {name if isinstance(name, str) else label(name)}: {shown} +- {error}{unit}")
         return "\n".join(lines) + ">"
 
@@ -940,7 +933,7 @@ def _settled_at(joint: BeadModel, worst: Suspect, solved: Climbed) -> str:
     value = state.places[0].depth if worst.name == "depth" else state.setup.value(worst.name)
     if not possible(state.setup, worst.name, value):
         return ""
-    shown, _ = _with_error(factor * value, factor * worst.deviation)
+    shown, _ = with_error(factor * value, factor * worst.deviation)
     chi2 = joint.chi2_of(solved.normal.parts)[0]
     return f"{worst.name} = {shown}{unit} (solved for, with chi2 {chi2:.4g}); by score tests "
 

@@ -524,21 +524,20 @@ def save_stack(path: Path, values: Values, recording: Recording, description: st
 
     As OME-TIFF where the name ends in .tif or .tiff, as OME-Zarr (0.4) where it ends in .zarr.
     """
-    kind = kind_of(path)
-    if kind == "zarr":
-        optional.require("zarr", "writing OME-Zarr needs", "zarr")
+    if kind_of(path) == "zarr":
         atomic.write_folder(path, lambda folder: _fill_zarr(folder, values, recording, description))
     else:
-        optional.require("tifffile", "writing OME-TIFF needs", "images")
         atomic.write_by(path, lambda target: _fill_tiff(target, values, recording, description))
 
 
 def kind_of(path: Path) -> str:
-    """Return the format of a stack that is written; ValueError for another."""
+    """Return the format of a stack that can be written: ValueError for another, ImportError without its library."""
     name = path.name.lower()
     if name.endswith(".zarr"):
+        optional.require("zarr", "writing OME-Zarr needs", "zarr")
         return "zarr"
     if name.endswith((".tif", ".tiff")):
+        optional.require("tifffile", "writing OME-TIFF needs", "images")
         return "tiff"
     raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {shown(path.name)}")
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.units import with_error
 from lommel.estimation.noise import Noise
 
 _PLANES = 24  # that are looked at
@@ -65,6 +66,38 @@ def measured_noise(stack: Any, read: float = _READ) -> tuple[Noise, float]:
         )
     offset = lowest - constant / slope + sigma**2 * slope
     return Noise(white=1.0 / slope, read=sigma, offset=min(offset, lowest)), error / slope
+
+
+def contradiction(stack: Any, noise: Noise) -> str | None:
+    """Return in words how the noise of a stack differs from that of a camera by more than their errors, or None."""
+    try:
+        mean, squares, independent = _points(stack)
+    except ValueError:  # too small
+        return None
+    given = noise.white, noise.read, noise.offset
+    white, read, offset = (float(np.mean(1.0 if each is None else each)) for each in given)
+    rounded = 1.0 / 12.0 if np.dtype(stack.dtype).kind in "iu" else 0.0
+    expected = np.maximum(mean - offset, 0.0) / white + (read / white) ** 2 + rounded
+    # The median is not that of details, which are no noise.
+    ratio = float(np.median(squares / expected)) / _MEDIAN
+    error = ratio * 2.3 / math.sqrt(mean.size * independent)
+    if abs(math.log(ratio)) < max(_DIFFERENT, 4.0 * error):
+        return None
+    said = (
+        f"The noise of the stack has {ratio:.2g} times the variance that gain, read noise and offset imply: are "
+        "these right?"
+    )
+    try:
+        found, relative = measured_noise(stack, read)
+    except ValueError:
+        return said
+    gain = float(1.0 if found.white is None else found.white)
+    alone = " +- ".join(with_error(gain, gain * relative))
+    return f"{said} The stack alone gives {alone} electrons per count and an offset of {float(found.offset):.4g}."
+
+
+_MEDIAN = 0.4549  # of the square of a normal deviate
+_DIFFERENT = 0.3  # logarithm of variances, below which details and rounding may be the reason
 
 
 def _points(stack: Any) -> tuple[Array, Array, float]:

@@ -176,6 +176,15 @@ class Counted(Counts):
         known = np.isfinite(given) & (given < self._saturation)
         return np.where(known, counts, np.float32(0.0)), np.where(known, weight, np.float32(0.0))
 
+    def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
+        """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
+        counts, weight = self.part(plane, rows, columns)
+        added = _at(self._added, rows, columns)
+        model = np.maximum(light + added, TINY)
+        known = np.broadcast_to(weight > 0.0, counts.shape)
+        off = (counts - model) * np.sqrt(self.white * weight / model)
+        return np.where(known, np.maximum(counts - added, 0.0), 0.0), off, known.astype(np.float32)
+
     def scene(self, planes: int, pixels: int) -> Part:
         """Return the stack itself as a specimen, with these margins: as bright as its mean where nothing is known."""
 

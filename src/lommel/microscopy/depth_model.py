@@ -71,15 +71,17 @@ class DepthModel:
     def changed(self, name: str, value: float) -> DepthModel:
         """Return the model with another value.
 
-        Of "depth" or "sample" index; with "spherical" aberration (waves rms) added; "wavelength" or "step" times it.
+        Of "depth" or "sample" index; with "spherical" aberration (waves rms) added; "wavelength", "step" or "NA"
+        times it. ValueError where it is out of range.
         """
         if name in ("wavelength", "step"):
             return replace(self, **{name: value * getattr(self, name)})
         if name == "depth":
-            return replace(self, depth=value)
-        if name == "sample":
+            return replace(self, depth=validation.real("depth", value, least=0.0, most=DEPTH_MOST))
+        if name in ("sample", "NA"):
             given = {key: getattr(self.objective, key) for key in self.objective.__dataclass_fields__}
-            return replace(self, objective=Objective(**given | {"sample": value}))
+            given[name] = value if name == "sample" else value * self.objective.NA
+            return replace(self, objective=Objective(**given))
         terms = {} if self.aberrations is None else dict(self.aberrations.to_zernike(unit="waves"))
         terms[(4, 0)] = float(terms.get((4, 0), 0.0)) + value
         return replace(self, aberrations=Wavefront.zernike(terms, unit="waves"))

@@ -2,46 +2,60 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from lommel.base.arrays import Array, Values
+from lommel.base.units import format_length
 from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.deconvolution import Counted, Walk
 from lommel.microscopy.depth_model import DepthModel
 
-PARAMETERS = ("depth", "sample", "spherical")
+PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
+"""What can be estimated from a stack, and its name."""
+
+Tell = Callable[[float, str], object]
+"""Takes the share that is done, 0 to 1, and what is being done."""
 
 _STEPS = 40  # of each trial of the search: after fewer, sharper PSFs look better than they are
 _MORE = 160  # of those around the value that was found: of dim points, 40 leave too much unexplained
-_SIDE = 48  # pixels of the part that is looked at
+_SIDES = 48, 64  # pixels of the part that is looked at
 _NARROWEST, _WIDEST = 33, 49  # pixels of PSFs
+_ROUGH = 40  # pixels of the part in which values are searched for, with the narrowest PSFs
 _LEAST_PLANES = 8  # of the margin
-_TOLERANCE = {"depth": 1e-7, "sample": 1e-3, "spherical": 5e-3}  # of the search
+_FAR = 3  # depths of light far from its emitter, which changes slowly
 _REACH = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}
-# What is tried where a stack does not follow its PSF: twice what would matter.
+_APART = 1 / 6  # of these, between values around that which was found; twice that in the search
+_ROUNDS = 3  # of these, where the least value is not between them
+# What is tried where a stack does not follow its PSF: first changes, which are doubled while that is better.
 _OTHERS = {
     "sample": (6e-3, "index of the sample"),
+    "NA": (0.02, "NA"),
     "depth": (6e-7, "depth"),
-    "wavelength": (0.04, "wavelength (or pixel, or NA)"),
-    "step": (0.04, "step of z"),
+    "wavelength": (0.03, "wavelength"),
+    "step": (0.03, "step of z"),
 }
+_DOUBLED = 5  # changes of one value
+_USUAL = 2.6  # of these are tried
 _SIGNIFICANT = 9.0  # of the deviance, by which another PSF is better: three standard deviations
-_EXPLAINED = 0.03  # of the misfit, by another PSF that is better
-_APART = 1 / 6  # of these, between values around that which was found
-_ROUNDS = 3  # of these, where the least value is not between them
+_EXPLAINED = 0.05  # of the misfit, by another PSF that is better: of what these steps leave
+_AS_GOOD = 0.5  # of what the best PSF explains: others that explain so much are named beside it
 
 
 def crop_of(stack: Any, side: int) -> tuple[slice, slice]:
-    """Return rows and columns around the brightest detail."""
+    """Return rows and columns around the brightest detail, of a part as wide as PSFs of a `side`, within limits."""
+    return _brightest(stack, max(_SIDES[0], min(side, _SIDES[1])))
+
+
+def _brightest(stack: Any, size: int) -> tuple[slice, slice]:
     from scipy.ndimage import uniform_filter
 
     planes, height, width = stack.shape
-    size = max(_SIDE, min(side, 64))
     whole = np.zeros((height, width))
     for plane in np.unique(np.linspace(0, planes - 1, min(planes, 16)).astype(int)):
         values = np.nan_to_num(np.asarray(stack[int(plane)], np.float64))
@@ -56,6 +70,44 @@ def _placed(middle: int, size: int, side: int) -> slice:
     return slice(start, min(start + size, side))
 
 
+def work_of(direction: bool, names: int) -> tuple[float, float]:
+    """Return about how many steps the direction of z, and so many values, take in the part that is looked at."""
+    return 2.0 * _STEPS * direction, 2.0 * (_MORE + 0.5 * _STEPS) * _places(names) if names else 0.0
+
+
+def _places(names: int) -> int:
+    """Return how many trials determine a quadratic function."""
+    return 1 + 2 * names + names * (names - 1) // 2
+
+
+class Looked(NamedTuple):
+    """A stack, and what is known of it."""
+
+    stack: Any
+    model: DepthModel
+    camera: Noise
+    saturation: float
+    threads: int
+
+
+class _Work:
+    """Says how much of several trials is done, of about so many steps."""
+
+    def __init__(self, tell: Tell, steps: float) -> None:
+        self._tell, self._steps, self._done = tell, steps, 0.0
+
+    def __call__(self, words: str, steps: int) -> Callable[[int, float, float], None]:
+        """Begin a trial, and return what is to be called after each of its steps."""
+        begun, self._done = self._done, self._done + steps
+
+        def told(step: int, *_: float) -> None:
+            share = (begun + step) / max(self._steps, self._done)
+            self._tell(min(share, 1.0), words)
+
+        told(0)
+        return told
+
+
 class _Trial:
     """A part of a stack that is restored in a few steps, again and again, with other PSFs.
 
@@ -64,16 +116,10 @@ class _Trial:
     """
 
     def __init__(
-        self,
-        stack: Any,
-        crop: tuple[slice, slice],
-        camera: Noise,
-        saturation: float,
-        threads: int,
-        *,
-        between: bool = False,
+        self, looked: Looked, crop: tuple[slice, slice], *, between: bool = False, widest: int = _WIDEST
     ) -> None:
         rows, columns = crop
+        stack, camera = looked.stack, looked.camera
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
         self._times = 2 if between else 1
         if between:
@@ -82,9 +128,9 @@ class _Trial:
             known, self._values = self._values, np.full((planes, *self._values.shape[1:]), np.nan, np.float32)
             self._values[::2] = known
         maps = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
-        self._counted = Counted(self._values, Noise(**maps), saturation)
+        self._counted = Counted(self._values, Noise(**maps), looked.saturation)
         self._counted.most_weight /= self._times  # steps as long as if all planes were known
-        self._threads = threads
+        self._threads, self._widest = looked.threads, widest
         self._paces: dict[int, list[float]] = {}  # those of the first walk, of each number of steps
 
     @property
@@ -97,15 +143,12 @@ class _Trial:
         """Number of voxels."""
         return int(self._counted.known.sum())
 
-    def discrepancy(self, model: DepthModel, *, turned: bool = False) -> float:
-        """Return the discrepancy after some steps."""
-        return self.course(model, turned=turned)[-1]
-
-    def course(self, model: DepthModel, steps: int = 0, *, turned: bool = False) -> list[float]:
+    def course(
+        self, model: DepthModel, steps: int, told: Callable[[int, float, float], object], *, turned: bool = False
+    ) -> list[float]:
         """Return the discrepancy after each step, as far extrapolated as those of the first model."""
-        count = steps or _STEPS
         planes = len(self._values)
-        side = min(max(model.window[1], _NARROWEST), _WIDEST)
+        side = min(max(model.window[1], _NARROWEST), self._widest)
         deep = self._times * (model.window[0] - 1) + 1
         small = replace(model, window=(deep, side), planes=planes, step=model.step / self._times)
         margin = min(deep // 2, max(self._times * _LEAST_PLANES, planes // 4)), side // 2
@@ -113,11 +156,20 @@ class _Trial:
         if turned:
             counted = _Flipped.of(counted, self._values[::-1])
         shape = self._values.shape
-        blur = small.blur((shape[0], shape[1], shape[2]), margin, threads=self._threads)
-        walk = Walk(blur, counted, self._paces.get(count))
+        psfs = small.psfs(margin[0])
+        if psfs.radial is not None:
+            far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR, len(psfs.nodes))).astype(int)
+            psfs = psfs._replace(nodes=psfs.nodes[far])
+        blur = small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
+        walk = Walk(blur, counted, self._paces.get(steps))
         found: list[float] = []
-        walk.solve(RichardsonLucy(steps=count, target=0.0), lambda _, discrepancy, __: found.append(discrepancy))
-        self._paces.setdefault(count, walk.paces)
+
+        def each(step: int, discrepancy: float, left: float) -> None:
+            found.append(discrepancy)
+            told(step, discrepancy, left)
+
+        walk.solve(RichardsonLucy(steps=steps, target=0.0), each)
+        self._paces.setdefault(steps, walk.paces)
         return found
 
 
@@ -134,12 +186,13 @@ class _Flipped:
         return made
 
 
-def direction_of(
-    stack: Any, crop: tuple[slice, slice], model: DepthModel, camera: Noise, saturation: float, threads: int
-) -> tuple[str, str]:
+def direction_of(looked: Looked, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:
     """Return "up" or "down", whichever the stack follows better, and what to say of it."""
-    trial = _Trial(stack, crop, camera, saturation, threads)
-    up, down = (trial.discrepancy(model, turned=turned) for turned in (False, True))
+    trial, work = _Trial(looked, crop), _Work(tell, 2.0 * _STEPS)
+    up, down = (
+        trial.course(looked.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
+        for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
+    )
     better, worse = min(up, down), max(up, down)
     figures = f"discrepancy {up:.3g} against {down:.3g}"
     if worse - better < max(0.5 * trial.slack, 0.005 * better):
@@ -154,102 +207,107 @@ def direction_of(
     )
 
 
-def better(
-    stack: Any,
-    crop: tuple[slice, slice],
-    model: DepthModel,
-    camera: Noise,
-    saturation: float,
-    threads: int,
-    tell: Callable[[str], object],
-    *,
-    turned: bool,
-) -> str | None:
-    """Return in words which other PSFs the stack follows better, or None if the given ones are the best of these.
+def better(looked: Looked, tell: Tell, *, turned: bool) -> list[str]:
+    """Return in words which other PSFs the stack follows better, the best first, each with one other value.
 
     Points between voxels leave a misfit whatever the PSF; they hardly change which PSF is the best. Planes in the
-    other order are tried if `turned` says so. Spherical aberration is like another index of the sample.
+    other order are tried if `turned` says so. Spherical aberration is like another index of the sample. Those that
+    explain half of what the best one does are named, too: errors of an index, a depth or a step are much alike.
     """
-    trial = _Trial(stack, crop, camera, saturation, threads, between=True)
-    given = trial.discrepancy(model)
-    most = given - max(_SIGNIFICANT * given / trial.known, _EXPLAINED * (given - 1.0))
-    tried: dict[str, float] = {}
+    model, steps = looked.model, _STEPS
+    trial = _Trial(looked, _brightest(looked.stack, _ROUGH), between=True, widest=_NARROWEST)
+    work = _Work(tell, steps * (1.0 + turned + _USUAL * len(_OTHERS)))
+
+    def cost(changed: DepthModel, words: str, *, turned: bool = False) -> float:
+        return trial.course(changed, steps, work(words, steps), turned=turned)[-1]
+
+    given = cost(model, "the PSF as given")
+    explained: dict[str, float] = {}
     if turned:
-        tell("reversed planes")
-        tried["planes in reverse order"] = trial.discrepancy(model, turned=True)
+        words = "planes in reverse order"
+        explained[words] = given - cost(model, words, turned=True)
     for name, (apart, words) in _OTHERS.items():
+
+        def changed(value: float, name: str = name, words: str = words) -> float:
+            try:
+                other = model.changed(name, value)
+            except ValueError:
+                return math.inf
+            return cost(other, f"another {words}: {_shown(model, name, value)}")
+
         start = _start(model, name)
-        for value, change in ((start - apart, "smaller"), (start + apart, "larger")):
-            if (name == "depth" and value < 0.0) or (name == "sample" and value < 1.0):
-                continue
-            tell(f"another {words}")
-            tried[f"a {change} {words}"] = trial.discrepancy(model.changed(name, value))
-    best = min(tried, key=lambda words: tried[words])
-    return best if tried[best] < most else None
+        value, found = _downhill(changed, start, apart, given)
+        if value != start:
+            change = "smaller" if value < start else "larger"
+            explained[f"a {change} {words} (about {_shown(model, name, value)})"] = given - found
+    most = max(explained.values(), default=0.0)
+    least = max(_SIGNIFICANT * given / trial.known, _EXPLAINED * (given - 1.0), _AS_GOOD * most)
+    return sorted((each for each in explained if explained[each] > least), key=lambda each: -explained[each])
+
+
+def _downhill(cost: Callable[[float], float], start: float, apart: float, given: float) -> tuple[float, float]:
+    """Return the place of the least cost on a line and that cost, from that `given` at the start; costs are few.
+
+    Changes are doubled while the cost falls. It is infinite where a value is out of range, which ends the line.
+    """
+    for way in (apart, -apart):
+        places, costs = [start], [given]
+        for doubled in range(_DOUBLED):
+            place = start + 2**doubled * way
+            if math.isinf(found := cost(place)):
+                break
+            places.append(place)
+            costs.append(found)
+            if found >= costs[-2]:
+                break
+        if len(costs) > 1 and costs[1] < given:
+            at = int(np.argmin(costs))
+            if at == len(costs) - 1:
+                return places[at], costs[at]
+            # The parabola through three of them.
+            near = slice(at - 1, at + 2)
+            bend, slope, height = np.polyfit(np.array(places[near]) - places[at], costs[near], 2)
+            return float(places[at] - 0.5 * slope / bend), float(height - 0.25 * slope**2 / bend)
+    return start, given
+
+
+def _shown(model: DepthModel, name: str, value: float) -> str:
+    """Return the value of a parameter in words."""
+    if name == "depth":
+        return format_length(value, digits=3)
+    if name in ("wavelength", "step"):
+        return format_length(value * getattr(model, name), digits=3)
+    return f"{value * (model.objective.NA if name == 'NA' else 1.0):.4g}"
 
 
 def refined(
-    stack: Any,
-    crop: tuple[slice, slice],
-    model: DepthModel,
-    camera: Noise,
-    saturation: float,
-    names: Sequence[str],
-    threads: int,
-    tell: Callable[[str], object],
+    looked: Looked, crop: tuple[slice, slice], names: Sequence[str], tell: Tell
 ) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
     """Return the model whose PSFs the stack follows best, the values of its parameters, and their standard errors."""
-    from scipy.optimize import minimize, minimize_scalar
-
-    trial = _Trial(stack, crop, camera, saturation, threads, between=True)
-    start = {name: _start(model, name) for name in names}
-    count = 0
-
-    def cost(values: Sequence[float]) -> float:
-        nonlocal count
-        count += 1
-        changed, extra = model, 0.0
-        for name, value in zip(names, values, strict=True):
-            low, high = _limits(name, start[name])
-            inside = min(max(value, low), high)
-            extra += abs(value - inside) / _REACH[name]
-            changed = changed.changed(name, inside)
-        found = trial.discrepancy(changed) * (1.0 + extra)
-        said = ", ".join(f"{name} {value:.4g}" for name, value in zip(names, values, strict=True))
-        tell(f"trial {count}: {said}")
-        return found
-
-    if len(names) == 1:
-        limits = _limits(names[0], start[names[0]])
-        found = minimize_scalar(
-            lambda x: cost([float(x)]), bounds=limits, method="bounded", options={"xatol": _TOLERANCE[names[0]]}
-        )
-        best = [float(found.x)]
-    else:
-        first = np.array([start[name] for name in names])
-        simplex = [first]
-        for k, name in enumerate(names):
-            simplex.append(first + 0.5 * _REACH[name] * np.eye(len(names))[k])
-        # In units of the tolerances, which are alike then.
-        scale = np.array([_TOLERANCE[name] for name in names])
-        answer = minimize(
-            lambda x: cost(list(x * scale)),
-            first / scale,
-            method="Nelder-Mead",
-            options={"xatol": 2.0, "fatol": 1e-6, "initial_simplex": np.array(simplex) / scale, "maxfev": 120},
-        )
-        best = [float(x) for x in answer.x * scale]
+    model = looked.model
+    start = np.array([_start(model, name) for name in names])
     apart = np.array([_REACH[name] * _APART for name in names])
-    least, most = np.array([_limits(name, start[name]) for name in names]).T
+    least, most = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
+    rough = _Trial(looked, _brightest(looked.stack, _ROUGH), between=True, widest=_NARROWEST)
+    fine = _Trial(looked, crop, between=True)
+    faster = rough.known / fine.known
+    work = _Work(tell, _places(len(names)) * (_STEPS * faster + _MORE))
 
-    def course(values: Array) -> list[float]:
-        tell("near " + ", ".join(f"{name} {value:.4g}" for name, value in zip(names, values, strict=True)))
-        return trial.course(_with(model, names, values), _MORE)
+    def course(trial: _Trial, steps: int, much: float) -> Callable[[Array], list[float]]:
+        def made(values: Array) -> list[float]:
+            pairs = zip(names, values.tolist(), strict=True)
+            words = ", ".join(f"{PARAMETERS[name]} {_shown(model, name, value)}" for name, value in pairs)
+            told = work(words, int(steps * much))
+            return trial.course(_with(model, names, values), steps, lambda step, *rest: told(int(step * much), *rest))
 
-    found_at, errors = _minimum(course, np.array(best), apart, (least + apart, most - apart), trial.known)
-    found_at = np.clip(found_at, least, most)
-    values, deviations = (dict(zip(names, each.tolist(), strict=True)) for each in (found_at, errors))
-    return _with(model, names, found_at), values, deviations
+        return made
+
+    wide = 2.0 * apart
+    found, _ = _minimum(course(rough, _STEPS, faster), start, wide, (least + wide, most - wide), rough.known)
+    found, errors = _minimum(course(fine, _MORE, 1.0), found, apart, (least + apart, most - apart), fine.known)
+    found = np.clip(found, least, most)
+    values, deviations = (dict(zip(names, each.tolist(), strict=True)) for each in (found, errors))
+    return _with(model, names, found), values, deviations
 
 
 def _start(model: DepthModel, name: str) -> float:
@@ -277,25 +335,40 @@ def _minimum(
     unit = np.eye(count)
     pairs = [(i, k) for i in range(count) for k in range(i)]
     places = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
+    found, errors = centre, np.full(count, np.inf)
     for _ in range(_ROUNDS):
         courses = np.array([course(centre + place * apart) for place in places])
-        minima = []
-        for values in (courses[:, courses.shape[1] // 2], courses[:, -1]):
-            up, down = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
-            slope, bend = (up - down) / 2.0, np.diag(up + down)
-            for (i, k), value in zip(pairs, values[2 * count + 1 :] - values[0], strict=True):
-                bend[i, k] = bend[k, i] = value - up[i] - up[k]
-            if np.linalg.eigvalsh(bend)[0] <= 0.0:
-                return centre, np.full(count, np.inf)
-            minima.append(-np.linalg.solve(bend, slope))
-        earlier, least = minima
-        lowest = max(float(courses[0, -1] + 0.5 * slope @ least), 1.0)
-        variance = 2.0 * lowest * np.diag(np.linalg.inv(bend)) / known
+        fits = [_quadratic(values, pairs) for values in (courses[:, courses.shape[1] // 2], courses[:, -1])]
+        bend, slope = fits[-1]
+        early, late = (bool(np.linalg.eigvalsh(each)[0] > 0.0) for each, _ in fits)
+        errors = np.full(count, np.inf)
+        if not late:
+            least = places[int(courses[:, -1].argmin())]
+            found = centre + least * apart
+            if not least.any():
+                break
+            centre = np.clip(found + least * apart, *limits)
+            continue
+        least = -np.linalg.solve(bend, slope)
         found = centre + least * apart
+        if early:
+            lowest = max(float(courses[0, -1] + 0.5 * slope @ least), 1.0)
+            variance = 2.0 * lowest * np.diag(np.linalg.inv(bend)) / known
+            errors = np.sqrt(variance + (least + np.linalg.solve(*fits[0])) ** 2) * apart
         if np.abs(least).max() <= 1.5:
             break
         centre = np.clip(centre + np.clip(least, -3.0, 3.0) * apart, *limits)
-    return found, np.sqrt(variance + (least - earlier) ** 2) * apart
+    return found, errors
+
+
+def _quadratic(values: Array, pairs: Sequence[tuple[int, int]]) -> tuple[Array, Array]:
+    """Return second and first derivatives at a point, from values there and one unit away, and away along pairs."""
+    count = (len(values) - 1 - len(pairs)) // 2
+    up, down = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
+    bend = np.diag(up + down)
+    for (i, k), value in zip(pairs, values[2 * count + 1 :] - values[0], strict=True):
+        bend[i, k] = bend[k, i] = value - up[i] - up[k]
+    return bend, (up - down) / 2.0
 
 
 def _limits(name: str, start: float) -> tuple[float, float]:

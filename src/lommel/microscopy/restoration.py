@@ -11,27 +11,32 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Array, Values
-from lommel.base.units import format_length
+from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import STEPS, RichardsonLucy
 from lommel.io import recordings
 from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
-from lommel.microscopy.camera_noise import measured_noise
+from lommel.microscopy.camera_noise import contradiction, measured_noise
 from lommel.microscopy.deconvolution import STACK_MISFIT, Counted, Walk
 from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
 from lommel.microscopy.hot_voxels import MOST, LeftOut, hot_voxels, sharpness
-from lommel.microscopy.refinement import PARAMETERS, better, crop_of, direction_of, refined
+from lommel.microscopy.projections import Projecting, Projections
+from lommel.microscopy.refinement import PARAMETERS, Looked, better, crop_of, direction_of, refined, work_of
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
+from lommel.show import restored as pictures
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 INTERRUPTED = "interrupted"
 """Why a restoration ended that was interrupted (Ctrl-C): what was done until then is kept."""
@@ -44,6 +49,8 @@ _MEMORY = 2.0**31  # bytes
 _FULL = 8  # voxels of the largest value a sensor has, from which on they count as saturated
 _OFF = 0.02  # by which lengths of the file and of the objective may differ
 _PARTIAL = ".partial"
+_BELOW = 0.02  # of the voxels: so many are not below the offset by chance
+_USUAL_STEPS = 60  # of a restoration
 _LEAST_PLANES = 8  # of the margin
 
 Shown = Callable[[float, str], object]
@@ -70,6 +77,9 @@ class RestoredChannel:
     refined, errors : dict of float
         Values found from the stack itself, by name, and their standard errors: those of photons, and the change
         since half of the steps. They are inf where the stack does not determine a value.
+    projections : Projections
+        What :meth:`RestoredStack.plot` draws: the maxima of recording and result, and the residual, each along z and
+        along y. NaN in chunks that were restored by an earlier call.
     """
 
     discrepancy: float
@@ -82,6 +92,7 @@ class RestoredChannel:
     psf_depths: Array
     refined: dict[str, float]
     errors: dict[str, float]
+    projections: Projections
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -117,6 +128,35 @@ class RestoredStack:
             f"<RestoredStack, {size}: discrepancy {first.before:.3g} before, {first.discrepancy:.3g} after "
             f"{first.steps} steps, stopped by {first.stopped!r}>"
         )
+
+    def plot(self) -> Figure:
+        """Return a matplotlib figure of maximum projections before and after, and of the residual over its noise.
+
+        Projections along z (xy), and below them along y (xz), with a scale bar. The residual is the sum over each
+        projected line over the square root of its voxels: where PSF and noise are right it has no pattern, and hardly
+        exceeds 3.
+
+        Returns
+        -------
+        matplotlib Figure
+
+        Raises
+        ------
+        ImportError
+            If matplotlib is not installed.
+        """
+        several = len(self.channels) > 1
+        drawn = [
+            (f"{name}, " if several else "", each.projections)
+            for name, each in zip(self.recording.names, self.channels, strict=False)
+        ]
+        assert self.recording.pixel is not None
+        assert self.recording.step is not None
+        said = "; ".join(
+            f"{name}discrepancy {each.before:.3g} before, {each.discrepancy:.3g} after {each.steps} steps"
+            for (name, _), each in zip(drawn, self.channels, strict=True)
+        )
+        return pictures.projections(drawn, (self.recording.step, self.recording.pixel), said)
 
     def save(self, *paths: str | PathLike[str]) -> None:
         """Write the stack with its voxel sizes, channels and wavelengths.
@@ -286,8 +326,8 @@ def restore(
         ]
         if depth is None and given is None:
             notes.append(
-                f"The depth in focus in the middle was taken to be {format_length(models[0].depth, digits=3)}, as if "
-                "the stack began at the cover glass; depth= states another."
+                f"The depth in focus in the middle plane was taken to be {format_length(models[0].depth, digits=3)}, "
+                "as if the stack began at the cover glass; depth= states another."
             )
         described = replace(
             opened,
@@ -577,6 +617,7 @@ class _Job:
     ) -> None:
         self._stack, self._model, self._notes, self._threads = stack, model, notes, threads
         self._memory, self._target, self._place = memory, target, place
+        self._projecting = Projecting(stack.shape)
 
     def run(
         self,
@@ -598,32 +639,31 @@ class _Job:
         camera = noise
         if camera is None:
             camera, error = measured_noise(stack)
-            gain = 1.0 if camera.white is None else float(camera.white)
             notes.append(
-                f"The noise was estimated from the stack: {gain:.3g} electrons per count, standard error "
-                f"{gain * error:.1g}, offset {float(camera.offset):.4g}; read noise {float(camera.read):g} electrons "
-                "was assumed."
+                f"The noise was estimated from the stack: {_gain(camera, error)} and an offset of "
+                f"{float(camera.offset):.4g} counts; a read noise of {float(camera.read):g} electrons was assumed."
             )
         _maps(camera, (height, width))
+        if noise is not None:
+            self._doubt(camera)
         crop = crop_of(stack, model.window[1])
         stack, limit = self._without_hot(camera, limit)
         turned = direction == "down"
+        looked = Looked(stack, model, camera, limit, self._threads)
+        parts = _shares(looked, crop, direction == "auto", len(refine))
         if direction == "auto":
-            tell(0.01, "direction of z")
-            found, words = direction_of(stack, crop, model, camera, limit, self._threads)
+            found, words = direction_of(looked, crop, _within(tell, 0.0, parts[0]))
             turned = found == "down"
             notes.append(words)
         source = _Turned(stack) if turned else stack
+        looked = looked._replace(stack=source)
         estimated: dict[str, float] = {}
         errors: dict[str, float] = {}
         if refine:
-
-            def looked(words: str) -> None:
-                tell(0.02, words)
-
-            model, estimated, errors = refined(source, crop, model, camera, limit, refine, self._threads, looked)
+            model, estimated, errors = refined(looked, crop, refine, _within(tell, *parts))
+            looked = looked._replace(model=model)
             for name, value in estimated.items():
-                notes.append(f"Estimated from the stack: {_CALLED[name]} {_with_error(name, value, errors[name])}.")
+                notes.append(f"Estimated from the stack: {PARAMETERS[name]} {_estimate(name, value, errors[name])}.")
         usual = (
             min(model.window[0] // 2, max(_LEAST_PLANES, planes // 4)),
             model.window[1] // 2,
@@ -632,16 +672,22 @@ class _Job:
         if not isinstance(asked, tuple | list) or len(asked) != 2:
             raise ValueError(f"margin must be (planes, pixels), got {shown(margin)}")
         around = (int(asked[0]), int(asked[1]))
-        tell(0.03, "PSFs")
+        tell(parts[1], "PSFs")
         psfs = model.psfs(around[0], slabs)
-        nodes = psfs.depths
+        nodes, depths = psfs.depths, psfs.planes[around[0] : around[0] + planes]
+        above = int((depths <= 0.0).sum())
+        if above > 1:
+            notes.append(
+                f"{above} of {planes} planes have their focus above the sample, in the cover glass or at it, if the "
+                f"middle plane is {format_length(model.depth, digits=3)} deep; depth= states another depth."
+            )
         if len(nodes) > 1:
-            ends = f"{format_length(nodes[0], digits=3)} to {format_length(nodes[-1], digits=3)}"
-            notes.append(f"{len(nodes)} PSFs were used, of depths from {ends}.")
+            each = "one for each plane and its margin" if psfs.radial is not None else "with weights between them"
+            notes.append(f"{len(nodes)} PSFs were used, {each}, of depths from {between(nodes[0], nodes[-1])}.")
         if model.spreads:
             notes.append(
-                f"Restored values are the light of {model.window[0]} planes: a point that sends F counts into each "
-                f"plane has {model.window[0]} F."
+                f"Restored values are the light of {model.window[0]} planes together: a point of F counts in each "
+                f"plane has {model.window[0]} F, and an even background keeps its counts."
             )
         side = self._side(tile, around, psfs)
         if margin is None and planes < model.window[0] // 2:
@@ -653,18 +699,29 @@ class _Job:
             ).encode()
         ).hexdigest()  # fmt: skip
         self._target.begin(request)
-        after, before, steps, stopped = self._tiles(source, camera, limit, psfs, around, side, method, turned, tell)
+        reached = parts[1]
+
+        def told(share: float, words: str) -> None:
+            nonlocal reached
+            reached = parts[1] + (1.0 - parts[1]) * share
+            tell(reached, words)
+
+        after, before, steps, stopped = self._tiles(source, camera, limit, psfs, around, side, method, turned, told)
         if stopped == STACK_MISFIT:
-            given = source, crop, model, camera, limit, self._threads, _at_the_end(tell)
-            other = better(*given, turned=direction != "auto")
-            if other is None:
+            # The restoration ended before its time.
+            others = better(looked, _within(tell, min(reached, 0.5), 1.0), turned=direction != "auto")
+            if not others:
                 stopped = BETWEEN
+            elif len(others) == 1:
+                notes.append(f"A misfit: the stack follows PSFs of {others[0]} better.")
             else:
-                notes.append(f"A misfit: the stack follows PSFs of {other} better.")
-        depths = psfs.planes[around[0] : around[0] + planes]
+                notes.append(
+                    "A misfit: the stack follows other PSFs better. One of these may be wrong, the likeliest first: "
+                    f"{', '.join(others)}."
+                )
         return RestoredChannel(
             after, before, steps, stopped, camera, "down" if turned else "up", depths[::-1] if turned else depths,
-            nodes, estimated, errors,
+            nodes, estimated, errors, self._projecting.made(turned=turned),
         )  # fmt: skip
 
     def _without_hot(self, camera: Noise, limit: float) -> tuple[Any, float]:
@@ -679,6 +736,24 @@ class _Job:
         self._notes.append(f"{which}: they were taken as hot pixels, and left out.")
         known = LeftOut(self._stack, hot, limit)
         return known, known.limit
+
+    def _doubt(self, camera: Noise) -> None:
+        """Note where the noise that was given is not that of the stack."""
+        planes, lowest = len(self._stack), math.inf
+        dark = camera.offset - 3.0 * np.hypot(camera.read / (1.0 if camera.white is None else camera.white), 0.3)
+        below = 0
+        for plane in range(planes):
+            values = np.asarray(self._stack[plane])
+            below += int((values < dark).sum())
+            lowest = min(lowest, float(np.nanpercentile(values, 1.0)))
+        share = below / math.prod(self._stack.shape)
+        if share > _BELOW:
+            self._notes.append(
+                f"{100.0 * share:.2g} % of the voxels are below the offset by more than the read noise explains, and "
+                f"count as dark: is it right? The darkest of the stack have {lowest:.4g} counts."
+            )
+        elif words := contradiction(self._stack, camera):
+            self._notes.append(words)
 
     def _limit(self, saturation: float | None) -> float:
         """Return the value from which on voxels are saturated."""
@@ -779,11 +854,11 @@ class _Job:
             after += counted.mean(each) * voxels
             before += earlier * voxels
             known += voxels
-            values = walk.inside(*margin)
-            if turned:
-                values = values[::-1]
+            light = walk.inside(*margin)
             inside = np.s_[:, rows.start - y.start : rows.stop - y.start, columns.start - x.start :]
-            kept = np.ascontiguousarray(values[inside][:, :, : columns.stop - columns.start])
+            kept = np.ascontiguousarray(light[inside][:, :, : columns.stop - columns.start])
+            self._projecting.add(rows, columns, (y.start, x.start), blur, counted, walk._guess, kept)
+            kept = kept[::-1] if turned else kept
             self._target.put(name, self._place, rows, columns, kept)
         return after / known, before / known, steps, stopped
 
@@ -803,24 +878,40 @@ class _Told:
             share = spent / (spent + left) if spent + left > 0.0 else 0.0
         else:
             words = f"chunk {self._number + 1} of {self._count}, {words}"
-        self._tell(0.05 + 0.95 * (self._number + share) / self._count, words)
+        self._tell((self._number + share) / self._count, words)
 
 
-def _at_the_end(tell: Shown) -> Callable[[str], object]:
-    return lambda words: tell(0.99, words)
+def _within(tell: Shown, begin: float, end: float) -> Shown:
+    """Return what says shares of a part of the work."""
+    return lambda share, words: tell(begin + (end - begin) * share, words)
 
 
-_CALLED = {"depth": "depth", "sample": "refractive index of the sample", "spherical": "spherical aberration"}
+def _shares(looked: Looked, crop: tuple[slice, slice], direction: bool, refine: int) -> tuple[float, float]:
+    """Return about which share of the work is done once the direction of z, and the PSF, are found."""
+    height, width = looked.stack.shape[1:]
+    part = math.prod(at.stop - at.start for at in crop) / (height * width)
+    first, second = (part * steps for steps in work_of(direction, refine))
+    whole = first + second + _USUAL_STEPS
+    return first / whole, (first + second) / whole
 
 
-def _with_error(name: str, value: float, error: float) -> str:
+def _estimate(name: str, value: float, error: float) -> str:
     """Return a value and its standard error in words."""
     if not math.isfinite(error):
         return "is not determined by it"
-    if name == "depth":
-        return f"{format_length(value, digits=4)}, standard error {format_length(error, digits=2)}"
-    unit = " waves rms" if name == "spherical" else ""
-    return f"{value:.5g}{unit}, standard error {error:.2g}"
+    factor, unit = {"depth": (1e6, " um"), "spherical": (1.0, " waves rms")}.get(name, (1.0, ""))
+    return " +- ".join(with_error(factor * value, factor * error)) + unit
+
+
+def _gain(camera: Noise, error: float) -> str:
+    """Return a gain that was measured, in words."""
+    gain = 1.0 if camera.white is None else float(camera.white)
+    return " +- ".join(with_error(gain, gain * error)) + " electrons per count"
+
+
+def between(low: float, high: float) -> str:
+    """Return a range of depths in one unit, in words."""
+    return f"{format_length(low, like=high, digits=3).split()[0]} to {format_length(high, digits=3)}"
 
 
 def _maps(camera: Noise, side: tuple[int, int]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -40,15 +40,15 @@ class WideBlur:
         self._far = TiledBlur(
             kernels, (near.shape[0], nodes[0], nodes[1]), (margin[0], reach), weights=weights, threads=threads
         )
-        self._recorded = [_hats(side, 0, pitch, 0, count) for side, count in zip(near.shape[1:], nodes, strict=True)]
+        self._recorded = [_Hats(side, 0, pitch, 0, count) for side, count in zip(near.shape[1:], nodes, strict=True)]
         self._given = [
-            _hats(side, margin[1], pitch, reach, count + 2 * reach)
+            _Hats(side, margin[1], pitch, reach, count + 2 * reach)
             for side, count in zip(near.whole[1:], nodes, strict=True)
         ]
-        down, across = (each.sum(axis=0) for each in self._given)
+        down, across = (each.shares.sum(axis=0) for each in self._given)
         self._beyond = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
         self.outside = np.ones(near.whole[0], np.float32)
-        ones = np.outer(*(each.sum(axis=0) for each in self._recorded)).astype(np.float32)
+        ones = np.outer(*(each.shares.sum(axis=0) for each in self._recorded)).astype(np.float32)
         self._seen = self._returned(np.broadcast_to(ones, (near.shape[0], *ones.shape)))
         self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._beyond)
         self.outside_back = np.zeros(near.whole[0], np.float32)
@@ -58,7 +58,7 @@ class WideBlur:
         """Hand the recording of a specimen to `take`, as :meth:`TiledBlur.forward` does."""
         coarse = self._binned(specimen, self.whole, self._given)
         coarse += self.outside[:, np.newaxis, np.newaxis] * self._beyond
-        light = np.empty((self.shape[0], *(each.shape[1] for each in self._recorded)), np.float32)
+        light = np.empty((self.shape[0], *(each.nodes for each in self._recorded)), np.float32)
 
         def put(plane: int, rows: slice, columns: slice, values: Values) -> None:
             light[plane, rows, columns] = values
@@ -79,8 +79,7 @@ class WideBlur:
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
-        down, across = self._given
-        found = product(product(down[rows], self._seen[plane]), across[columns].T)
+        found = _between(self._seen[plane], self._given, rows, columns)
         found += self._near.seen(plane, rows, columns)
         return found
 
@@ -99,7 +98,7 @@ class WideBlur:
 
     def _returned(self, light: Values) -> Values:
         """Return the transpose of the coarse blur."""
-        back = np.empty((self.whole[0], *(each.shape[1] for each in self._given)), np.float32)
+        back = np.empty((self.whole[0], *(each.nodes for each in self._given)), np.float32)
 
         def put(plane: int, rows: slice, columns: slice, values: Values) -> None:
             back[plane, rows, columns] = values
@@ -107,27 +106,59 @@ class WideBlur:
         self._far.adjoint(lambda plane, *at: light[(plane, *at)], put)
         return back
 
-    def _binned(self, values: Part, shape: tuple[int, ...], hats: list[Values]) -> Values:
+    def _binned(self, values: Part, shape: tuple[int, ...], hats: list[_Hats]) -> Values:
         """Return planes shared between the nodes of the coarse grid."""
         rows, columns = slice(0, shape[1]), slice(0, shape[2])
         down, across = hats
-        made = np.empty((shape[0], down.shape[1], across.shape[1]), np.float32)
+        made = np.empty((shape[0], down.nodes, across.nodes), np.float32)
 
         def share(plane: int) -> None:
-            made[plane] = product(product(down.T, values(plane, rows, columns)), across)
+            given = values(plane, rows, columns)
+            tall = np.zeros((down.nodes, shape[2]), np.float32)
+            for part, nodes in down.parts(rows):
+                tall[nodes] += product(down.shares[part, nodes].T, given[part])
+            made[plane] = product(tall, across.shares)
 
         side_by_side(share, range(shape[0]), self._threads)
         return made
 
-    def _added(self, light: Values, hats: list[Values], take: Take[Made]) -> Take[Made]:
+    def _added(self, light: Values, hats: list[_Hats], take: Take[Made]) -> Take[Made]:
         """Return `take`, with interpolated light added to what it gets."""
-        down, across = hats
 
         def added(plane: int, rows: slice, columns: slice, values: Values) -> Made:
-            values += product(product(down[rows], light[plane]), across[columns].T)
+            values += _between(light[plane], hats, rows, columns)
             return take(plane, rows, columns, values)
 
         return added
+
+
+class _Hats:
+    """The share of each pixel in each node of a coarse grid: node `lower` is at pixel `before`."""
+
+    def __init__(self, side: int, before: int, pitch: int, lower: int, nodes: int) -> None:
+        place = (np.arange(side) - before) / pitch + lower
+        self._first = np.floor(place).astype(int)
+        self.nodes, self.shares = nodes, np.zeros((side, nodes), np.float32)
+        self.shares[np.arange(side), self._first] = 1.0 - (place - self._first)
+        inside = self._first + 1 < nodes
+        self.shares[np.arange(side)[inside], self._first[inside] + 1] = (place - self._first)[inside]
+
+    def parts(self, pixels: slice) -> Iterator[tuple[slice, slice]]:
+        """Yield parts of the pixels, and the few nodes in which these have a share."""
+        for start in range(pixels.start, pixels.stop, _TOGETHER):
+            stop = min(start + _TOGETHER, pixels.stop)
+            yield slice(start, stop), slice(self._first[start], min(self._first[stop - 1] + 2, self.nodes))
+
+
+def _between(light: Values, hats: list[_Hats], rows: slice, columns: slice) -> Values:
+    """Return a part of a plane, interpolated between nodes."""
+    down, across = hats
+    tall = product(down.shares[rows], light)
+    made = np.empty((len(tall), columns.stop - columns.start), np.float32)
+    for part, nodes in across.parts(columns):
+        here = slice(part.start - columns.start, part.stop - columns.start)
+        made[:, here] = product(tall[:, nodes], across.shares[part, nodes].T)
+    return made
 
 
 def per(seen: Values) -> Values:
@@ -137,17 +168,7 @@ def per(seen: Values) -> Values:
 
 
 _UNSEEN = 1e-6
-
-
-def _hats(side: int, before: int, pitch: int, lower: int, nodes: int) -> Values:
-    """Return the share of each pixel in each node: node `lower` is at pixel `before`."""
-    place = (np.arange(side) - before) / pitch + lower
-    first = np.floor(place).astype(int)
-    made = np.zeros((side, nodes), np.float32)
-    made[np.arange(side), first] = 1.0 - (place - first)
-    inside = first + 1 < nodes
-    made[np.arange(side)[inside], first[inside] + 1] = (place - first)[inside]
-    return made
+_TOGETHER = 64  # pixels that are interpolated in one go, between few of all nodes
 
 
 def pitch_of(side: int) -> int:

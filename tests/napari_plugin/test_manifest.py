@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import tifffile
 import yaml
 
 import lommel as lm
@@ -61,7 +62,24 @@ def test_layers_have_voxels_in_micrometres_of_the_sample(tmp_path):
     assert "scale" not in layers.layer_of(lm.psf(lm.Pupil(), 9, 0.5), "one")[1]
 
 
-def test_files_that_others_made_are_left_to_other_readers(tmp_path):
+def test_recorded_stacks_are_a_layer_for_each_channel_with_voxels_and_wavelength(tmp_path):
+    (data, options, _) = layers.reader(str(ROOT / "tests" / "truth" / "microsim.ome.tif"))("")[0]
+    assert (data.shape, options["name"]) == ((16, 28, 28), "microsim")
+    assert options["scale"] == pytest.approx((0.35, 6.5 / 60, 6.5 / 60))
+    assert options["metadata"][layers.EMISSION] == pytest.approx(520e-9)
+    stack = np.arange(2 * 3 * 5 * 6, dtype=np.uint16).reshape(2, 3, 5, 6)
+    colours = {"Name": ["GFP", "Cy5"], "EmissionWavelength": [509, 670]}
+    sizes = {"PhysicalSizeX": 0.1, "PhysicalSizeY": 0.1, "PhysicalSizeZ": 0.3}
+    tifffile.imwrite(tmp_path / "a.tif", stack, ome=True, metadata={"axes": "CZYX", "Channel": colours} | sizes)
+    made = layers.reader(str(tmp_path / "a.tif"))("")
+    assert [each[1]["name"] for each in made] == ["a GFP", "a Cy5"]
+    assert [each[1]["metadata"][layers.EMISSION] for each in made] == pytest.approx([509e-9, 670e-9])
+    np.testing.assert_array_equal(np.stack([each[0] for each in made]), stack)
+
+
+def test_files_without_voxels_are_left_to_other_readers(tmp_path):
+    tifffile.imwrite(tmp_path / "plain.tif", np.zeros((4, 8, 8), np.uint8), photometric="minisblack")
+    assert layers.reader(str(tmp_path / "plain.tif")) is None
     np.save(tmp_path / "a.npy", np.zeros((3, 3)))
     (tmp_path / "b.tif").write_bytes(b"nothing")
     for path in (str(tmp_path / "a.npy"), str(tmp_path / "b.tif"), str(tmp_path / "none.npz"), ["a.tif", "b.tif"]):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ pytest.importorskip("napari")
 if sys.platform == "linux" and not os.environ.get("DISPLAY"):
     pytest.skip("napari needs a display: xvfb-run", allow_module_level=True)
 
+ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.filterwarnings("default")
 
 
@@ -107,6 +109,22 @@ def test_the_deconvolution_widget_restores_the_sample_by_depth_as_the_command_do
     way = lm.imaging.RichardsonLucy(steps=4, target=1.0)
     truth = lm.microscopy.restore(viewer.layers["beads"].data, microscope, method=way, **given)
     np.testing.assert_allclose(found.data, truth.values, rtol=1e-3, atol=1e-2)
+    viewer.layers.clear()
+
+
+def test_the_stack_of_another_package_opens_with_its_voxels_and_is_restored(viewer):
+    (layer,) = viewer.open(ROOT / "tests" / "truth" / "microsim.ome.tif", plugin="lommel")
+    assert tuple(layer.scale) == pytest.approx((0.35, 6.5 / 60, 6.5 / 60))
+    panel = panel_of(viewer, "Deconvolution")
+    fields = {one.label: one for one in panel.widget if hasattr(one, "label")}
+    fields["objective"].value = "nikon-60x-1.27-water"  # of another wavelength
+    assert fields["wavelength (nm)"].value == pytest.approx(520.0)
+    assert fields["step (nm)"].value == pytest.approx(350.0)
+    fields["steps at most"].value = 2
+    panel.start()
+    wait(lambda: panel.run.enabled)
+    assert panel.status.value.startswith("2 steps, discrepancy "), panel.status.value
+    assert tuple(viewer.layers["microsim deconvolved"].scale) == tuple(layer.scale)
     viewer.layers.clear()
 
 

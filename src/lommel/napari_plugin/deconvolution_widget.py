@@ -14,7 +14,7 @@ from lommel.lensfiles.camera_files import load_camera
 from lommel.lensfiles.example_files import of_kind
 from lommel.microscopy.deconvolution import deconvolve
 from lommel.microscopy.restoration import restore
-from lommel.napari_plugin.layers import KEY, psf_of, voxel_of
+from lommel.napari_plugin.layers import EMISSION, KEY, psf_of, voxel_of
 from lommel.napari_plugin.panel import ObjectiveFields, Panel
 
 if TYPE_CHECKING:
@@ -64,10 +64,13 @@ def deconvolution_widget() -> Container[Any]:
         size = None if stack.value is None else voxel_of(layers[stack.value])
         own = found.pixel / found.objective.magnification, abs(found.step) or 200e-9
         pixel.value, step.value = (1e9 * length for length in size or own)
+        # That of a file is of its channel, that of an objective an example.
+        known = None if stack.value is None else layers[stack.value].metadata.get(EMISSION)
+        light.value = 1e9 * (known or found.wavelength)
 
     def microscope() -> None:
         found = objective.chosen()
-        depth.value, light.value = 1e6 * found.depth, 1e9 * found.wavelength
+        depth.value = 1e6 * found.depth
         voxels()
 
     def refresh(_: Any = None) -> None:

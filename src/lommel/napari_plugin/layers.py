@@ -1,4 +1,4 @@
-"""PSFs as layers of napari, and back."""
+"""PSFs and recorded stacks as layers of napari, and back."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from lommel.io.recordings import open_recording
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF
 
@@ -15,6 +16,7 @@ LayerData: TypeAlias = tuple[Any, dict[str, Any], str]
 """Data, options and type of a layer."""
 
 KEY = "lommel"  # of what a layer's metadata holds for this plugin
+EMISSION = "emission wavelength"  # of a layer's metadata, metres, or None
 _METRES = {"meter": 1.0, "millimeter": 1e-3, "micrometer": 1e-6, "nanometer": 1e-9, "picometer": 1e-12}
 
 
@@ -49,15 +51,42 @@ def psf_of(metadata: dict[str, Any]) -> PSF | None:
 
 
 def reader(path: str | Sequence[str]) -> Callable[[str | Sequence[str]], list[LayerData]] | None:
-    """Return a function that reads the PSF of a file, or None for files that others made."""
+    """Return a function that reads a PSF, or a stack with its voxel size; None for other files."""
     if not isinstance(path, str):
         return None
+    found: list[LayerData] | None
     try:
-        psf = PSF.load(path)
+        found = [layer_of(PSF.load(path), Path(path).name.partition(".")[0])]
+    except (ValueError, OSError, ImportError, TypeError):
+        found = _channels(path)
+    # Read once: napari calls the function at once with the same path.
+    return None if found is None else lambda _: found
+
+
+def _channels(path: str) -> list[LayerData] | None:
+    """Return a stack that a microscope recorded, a layer for each channel; None where a file has no voxel size."""
+    try:
+        with open_recording(path) as opened:
+            count, planes = opened.shape[:2]
+            if opened.pixel is None or opened.step is None or planes < 2:
+                return None
+            name = Path(path).name.partition(".")[0]
+            scale = tuple(1e6 * side for side in (opened.step, opened.pixel, opened.pixel))
+            shared = {"scale": scale, "units": ("um",) * 3, "blending": "additive"}
+            return [
+                (
+                    np.asarray(opened.stack(k)),
+                    shared
+                    | {
+                        "name": name if count == 1 else f"{name} {opened.names[k]}",
+                        "metadata": {EMISSION: opened.emission[k]},
+                    },
+                    "image",
+                )
+                for k in range(count)
+            ]
     except (ValueError, OSError, ImportError, TypeError):
         return None
-    # Read once: napari calls the function at once with the same path.
-    return lambda _: [layer_of(psf, Path(path).name.partition(".")[0])]
 
 
 def voxel_of(layer: Any) -> tuple[float, float] | None:

@@ -43,6 +43,7 @@ def test_residuals_have_unit_variance_where_the_model_is_right_and_unknown_voxel
         assert np.nanstd(residual) == pytest.approx(1.0, abs=0.12)
     assert np.isnan(found.channels[0].projections.residual[0][5, :7]).all()
     assert np.isfinite(found.channels[0].projections.residual[0][6]).all()
+    np.testing.assert_array_equal(*(np.isnan(found.channels[0].projections[k][0]) for k in (0, 2)))
 
 
 def test_a_wrong_psf_leaves_a_pattern_in_the_residual(stack):
@@ -56,5 +57,5 @@ def test_channels_are_drawn_below_each_other_with_a_scale_bar(stack):
     figure = found.plot()
     assert isinstance(figure, Figure)
     titles = [axes.get_title() for axes in figure.axes if axes.get_title()]
-    assert titles == [f"channel {k}, {words}" for k in (0, 1) for words in ("recorded", "restored", "residual")]
+    assert titles == [f"channel {k}: {words}" for k in (0, 1) for words in ("recorded", "restored", "residual")]
     assert [text.get_text() for axes in figure.axes for text in axes.texts] == [" 1 µm; z is that of the stage"] * 2

@@ -170,7 +170,7 @@ class Observed(Counts):
         return means if image.ndim == 3 else means.reshape(())
 
 
-_FIRST = 20  # steps after which a misfit can be told
+EARLIEST = 20  # steps after which a misfit can be told
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -272,7 +272,7 @@ class Course:
         if target > 0.0 and (discrepancy <= target or (step == 0 and discrepancy <= most)):
             return NOISE
         half = self._history[step // 2]
-        if target > 0.0 and step >= _FIRST and discrepancy > most and 2.0 * discrepancy - half > target:
+        if target > 0.0 and step >= EARLIEST and discrepancy > most and 2.0 * discrepancy - half > target:
             return MISFIT
         return STEPS if step == self._method.steps else None
 

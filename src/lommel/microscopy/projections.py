@@ -79,14 +79,16 @@ class Projecting:
 
         blur.forward(light, compared)
         recorded, after, residual = self._made
-        recorded[0][rows, columns], after[0][rows, columns] = most, restored.max(axis=0)
+        recorded[0][rows, columns] = np.where(known > 0.0, most, np.float32(np.nan))
+        after[0][rows, columns] = restored.max(axis=0)
         residual[0][rows, columns] = _over_root(sums, known)
         # Chunks above and below have a part of each voxel of the projection along y.
         before = self._known[:, columns]
         off = along[0] + np.nan_to_num(residual[1][:, columns]) * np.sqrt(before)
         self._known[:, columns] = before + along[1]
         residual[1][:, columns] = _over_root(off, self._known[:, columns])
-        for whole, part in ((recorded, along[2]), (after, restored.max(axis=1))):
+        highest = np.where(along[1] > 0.0, along[2], np.float32(np.nan))
+        for whole, part in ((recorded, highest), (after, restored.max(axis=1))):
             whole[1][:, columns] = np.fmax(whole[1][:, columns], part)
 
     def made(self, *, turned: bool) -> Projections:

@@ -21,7 +21,7 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.estimation.noise import Noise
-from lommel.imaging.deconvolution import STEPS, RichardsonLucy
+from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy
 from lommel.io import recordings
 from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
@@ -51,6 +51,7 @@ _OFF = 0.02  # by which lengths of the file and of the objective may differ
 _PARTIAL = ".partial"
 _BELOW = 0.02  # of the voxels: so many are not below the offset by chance
 _USUAL_STEPS = 60  # of a restoration
+_EARLY = 0.3  # of the work, after the steps in which a misfit may be found
 _LEAST_PLANES = 8  # of the margin
 
 Shown = Callable[[float, str], object]
@@ -147,13 +148,13 @@ class RestoredStack:
         """
         several = len(self.channels) > 1
         drawn = [
-            (f"{name}, " if several else "", each.projections)
+            (f"{name}: " if several else "", each.projections)
             for name, each in zip(self.recording.names, self.channels, strict=False)
         ]
         assert self.recording.pixel is not None
         assert self.recording.step is not None
         said = "; ".join(
-            f"{name}discrepancy {each.before:.3g} before, {each.discrepancy:.3g} after {each.steps} steps"
+            f"{name}discrepancy {each.before:#.3g} before, {each.discrepancy:#.3g} after {each.steps} steps"
             for (name, _), each in zip(drawn, self.channels, strict=True)
         )
         return pictures.projections(drawn, (self.recording.step, self.recording.pixel), said)
@@ -678,8 +679,8 @@ class _Job:
         above = int((depths <= 0.0).sum())
         if above > 1:
             notes.append(
-                f"{above} of {planes} planes have their focus above the sample, in the cover glass or at it, if the "
-                f"middle plane is {format_length(model.depth, digits=3)} deep; depth= states another depth."
+                f"{above} of {planes} planes are focused above the sample, in the cover glass or at it, if the "
+                f"middle one is focused {format_length(model.depth, digits=3)} below it; depth= states another depth."
             )
         if len(nodes) > 1:
             each = "one for each plane and its margin" if psfs.radial is not None else "with weights between them"
@@ -836,7 +837,7 @@ class _Job:
                 blurs.clear()  # one at a time is in memory
                 blurs[size] = self._model.blur(size, margin, psfs, threads=self._threads)
             blur = blurs[size]
-            told = _Told(tell, number, len(tiles), way.steps if paces is None else len(paces))
+            told = _Told(tell, number, len(tiles), way.steps if paces is None else len(paces), way.target > 0.0)
             if blur.outside is not None:
                 blur.outside[...] = counted.level
             earlier = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
@@ -866,8 +867,9 @@ class _Job:
 class _Told:
     """Tells the steps of a chunk as a share of all."""
 
-    def __init__(self, tell: Shown, number: int, count: int, steps: int) -> None:
+    def __init__(self, tell: Shown, number: int, count: int, steps: int, doubtful: bool) -> None:
         self._tell, self._number, self._count, self._steps = tell, number, count, steps
+        self._doubtful = doubtful  # it may end as a misfit, after which other PSFs are tried
         self._begun = clock.monotonic()
 
     def __call__(self, step: int, discrepancy: float, left: float) -> None:
@@ -876,6 +878,8 @@ class _Told:
         if self._count == 1:
             spent = clock.monotonic() - self._begun
             share = spent / (spent + left) if spent + left > 0.0 else 0.0
+            if self._doubtful and step <= EARLIEST:
+                share = min(share, _EARLY * step / EARLIEST)
         else:
             words = f"chunk {self._number + 1} of {self._count}, {words}"
         self._tell((self._number + share) / self._count, words)

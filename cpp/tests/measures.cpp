@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lommel/imaging/convolution.hpp"
+#include "lommel/imaging/plane_filter.hpp"
 #include "lommel/measures/encircled.hpp"
 #include "lommel/measures/overlap.hpp"
 #include "lommel/pixels/taps.hpp"
@@ -152,6 +153,68 @@ void convolutions() {
     }
 }
 
+// Eleven columns are more than eight: those of the second group stand alone. Light beyond the outermost planes is like theirs.
+void stacks() {
+    using Complex = std::complex<float>;
+    const lommel::StackPlanes planes{9, 5, 2, 3, 1};
+    const std::size_t length = 16, rows = 4, columns = 11, groups = 2, kernels = 2, places = rows * columns;
+    unsigned state = 1;
+    const auto next = [&] { return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0F - 0.5F; };
+    std::vector<Complex> kernel(kernels * places * length), specimen(planes.specimen * places), other(specimen);
+    for (std::vector<Complex>* each : {&kernel, &specimen, &other}) {
+        std::generate(each->begin(), each->end(), [&] { return Complex(next(), next()); });
+    }
+    std::vector<float> weights(kernels * planes.specimen);
+    std::generate(weights.begin(), weights.end(), next);
+    std::vector<float> transfers(kernels * rows * groups * length * 16);
+    const std::size_t order[] = {0, 2, 4, 6, 1, 3, 5, 7};
+    for (std::size_t k = 0; k < kernels; ++k) {
+        for (std::size_t at = 0; at < places; ++at) {
+            for (std::size_t f = 0; f < length; ++f) {
+                std::complex<double> sum = 0.0;
+                for (std::size_t d = 0; d < length; ++d) {
+                    sum += std::complex<double>(kernel[(k * places + at) * length + d]) *
+                           std::polar(1.0 / 16.0, -2.0 * pi * static_cast<double>(f * d) / 16.0);
+                }
+                const std::size_t row = at / columns, column = at % columns;
+                float* const to = &transfers[(((k * rows + row) * groups + column / 8) * length + f) * 16 + order[column % 8]];
+                to[0] = static_cast<float>(sum.real());
+                to[8] = static_cast<float>(sum.imag());
+            }
+        }
+    }
+    const std::size_t each = rows * groups * length * 16;
+    const lommel::PlaneFilter filter(planes, length, rows, columns,
+                                     {{transfers.data(), rows, length}, {transfers.data() + each, rows, length}},
+                                     weights.data());
+    std::vector<Complex> seen(specimen), back(other);
+    filter.run(seen.data(), false, 1);
+    filter.run(back.data(), true, 2);
+    std::complex<double> forth_and_other = 0.0, one_and_back = 0.0;
+    for (std::size_t at = 0; at < places; ++at) {
+        for (std::size_t p = 0; p < planes.recording; ++p) {
+            std::complex<double> sum = 0.0;
+            for (int q = -3; q < 10; ++q) {
+                const auto inside = static_cast<std::size_t>(std::clamp(q, 0, 8));
+                const auto apart = static_cast<std::size_t>(static_cast<int>(p) + 2 - q + 16) % 16;
+                for (std::size_t k = 0; k < kernels; ++k) {
+                    sum += std::complex<double>(kernel[(k * places + at) * length + apart] * specimen[inside * places + at]) *
+                           static_cast<double>(weights[k * planes.specimen + inside]);
+                }
+            }
+            const std::complex<double> found(seen[p * places + at]);
+            check(std::abs(found - sum) < 1e-5, "a plane of a stack", std::abs(found - sum));
+            forth_and_other += std::conj(found) * std::complex<double>(other[p * places + at]);
+        }
+        for (std::size_t p = 0; p < planes.specimen; ++p) {
+            one_and_back +=
+                std::conj(std::complex<double>(specimen[p * places + at])) * std::complex<double>(back[p * places + at]);
+        }
+    }
+    check(std::abs(forth_and_other - one_and_back) < 1e-4, "the transpose of a stack",
+          std::abs(forth_and_other - one_and_back));
+}
+
 }  // namespace
 
 int main() {
@@ -159,5 +222,6 @@ int main() {
     overlaps();
     taps();
     convolutions();
+    stacks();
     return finished();
 }

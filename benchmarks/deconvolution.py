@@ -213,7 +213,7 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
         (channel,) = made.channels
         most = max(most, channel.steps)
         found[name] = {
-            "error": error(0.46 * np.asarray(made.values)),
+            "error": error(0.46 * (np.asarray(made.values) + channel.background)),
             "steps": channel.steps,
             "discrepancy": channel.discrepancy,
             "PSFs": len(channel.psf_depths),

@@ -72,12 +72,24 @@ def test_a_stack_is_restored_from_file_to_file(files, monkeypatch):
 def test_json_and_zarr(files):
     there = files / "restored.ome.zarr"
     words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "--direction", "up", "--json", "-o", there)
-    found = run(*words)
+    found = run(*words, "--background", 0)
     assert found.exit_code == 0, found.output
     (channel,) = json.loads(found.output)["channels"]
-    assert channel["steps"] == 3
+    assert (channel["steps"], channel["background"], channel["strength"]) == (3, 0.0, None)
     assert channel["discrepancy"]["after"] < channel["discrepancy"]["before"]
     assert (there / ".zattrs").exists()
+
+
+def test_total_variation_and_an_uneven_background_are_asked_for(files):
+    words = (files / "stack.ome.tif", files / "lens.toml", *CAMERA, "--direction", "up", "--json")
+    way = ("--method", "total-variation", "--strength", 0.02, "--background", "uneven")
+    found = run(*words, *way, "-o", files / "restored.ome.tif")
+    assert found.exit_code == 0, found.output
+    (channel,) = json.loads(found.output)["channels"]
+    assert channel["strength"] == 0.02
+    assert 10.0 < channel["background"] < 40.0
+    for more, said in ((("--strength", 1), "needs --method"), (("--background", "x"), '"uneven", or the light')):
+        assert said in run(*words, *more, "-o", files / "restored.ome.tif").output
 
 
 def test_a_misfit_is_written_and_has_an_exit_code_of_its_own(files):

@@ -179,9 +179,10 @@ class RichardsonLucy:
 
     Each step raises the likelihood; since late steps fit the noise, stopping early keeps the result smooth. It stops
     when the discrepancy (about 1 for the true scene) reaches `target`. A discrepancy that stays above 1 shows a
-    misfit of depth, lens or noise, which further steps would turn into artefacts. For a correct blur the discrepancy
-    D falls faster than ``c + d / k`` with the number k of steps: a misfit is detected from step 20 on where such a
-    curve would end above the target, ``2 D(k) - D(k/2) > target``.
+    misfit of depth, lens or noise, which further steps would turn into artefacts. The discrepancy D falls less at
+    each doubling of the number k of steps: a misfit is detected from step 20 on where it would stay above 1, by more
+    than its own noise s, until the last of n steps if it fell as much at each, and at one more at least,
+    ``D(k) - (D(k/2) - D(k)) max(log2(n/k), 1) > 1 + s``.
 
     Parameters
     ----------
@@ -271,9 +272,11 @@ class Course:
         # A flat scene that explains all has nothing to be found in it.
         if target > 0.0 and (discrepancy <= target or (step == 0 and discrepancy <= most)):
             return NOISE
-        half = self._history[step // 2]
-        if target > 0.0 and step >= EARLIEST and discrepancy > most and 2.0 * discrepancy - half > target:
-            return MISFIT
+        if target > 0.0 and step >= EARLIEST and discrepancy > most:
+            # It falls the less the longer it goes on: at no doubling of the steps by more than at the last one.
+            fall = self._history[step // 2] - discrepancy
+            if discrepancy - fall * max(math.log2(self._method.steps / step), 1.0) > most:
+                return MISFIT
         return STEPS if step == self._method.steps else None
 
     def go_on(self, size: float, overlap: float) -> None:
@@ -344,27 +347,41 @@ class TotalVariation:
             return Solution(walk.light, walk.taken, NOISE if found <= 1.0 + observed.slack else STEPS, self.strength)
         if observed.mean(observed.discrepancies_of(observed.flat)) <= 1.0 + observed.slack:
             return Solution(observed.flat, 0, NOISE)
-        # The strength whose discrepancy is the target is sought on a line of their logarithms.
         electrons = observed.white * float(np.mean(observed.counts, dtype=np.float64))
         first = 0.15 / math.sqrt(max(electrons, 1e-6))
-        least, most = first / _WEAKEST, 64.0 * first
-        tried: list[tuple[float, float]] = []
-        strength, kept = first, walk.light
-        for _ in range(_SEARCHES):
-            tried.append((math.log(strength), math.log(walk.settle(strength) / self.target)))
+        kept = walk.light
+
+        def settle(strength: float) -> float:
+            nonlocal kept
+            found = walk.settle(strength)
             if strength == first:
                 kept = walk.light
-            if _NEAR[0] <= tried[-1][1] <= _NEAR[1]:
-                break
-            following = min(max(_next(tried), least), most)
-            if math.isclose(following, strength, rel_tol=1e-6):
-                break
-            strength = following
-        found = self.target * math.exp(tried[-1][1])
-        if found > 1.0 + observed.slack and strength <= least * 1.001:
+            return found
+
+        found, strength = search(settle, first, self.target, first / _WEAKEST)
+        if found > 1.0 + observed.slack and strength <= first / _WEAKEST * 1.001:
             # Hardly smoothed it fits no better: what is left is no noise, and must not be drawn into the picture.
             return Solution(kept, walk.taken, MISFIT, first)
         return Solution(walk.light, walk.taken, NOISE if found <= 1.0 + observed.slack else STEPS, strength)
+
+
+def search(settle: Callable[[float], float], first: float, target: float, least: float) -> tuple[float, float]:
+    """Return the discrepancy nearest to the target and its strength: `settle` returns that of a strength.
+
+    It is sought on a line of their logarithms, from the `first` one on, between the `least` and 64 times the first.
+    """
+    tried: list[tuple[float, float]] = []
+    strength = first
+    for _ in range(_SEARCHES):
+        found = settle(strength)
+        tried.append((math.log(strength), math.log(found / target)))
+        if _NEAR[0] <= tried[-1][1] <= _NEAR[1]:
+            break
+        following = min(max(_next(tried), least), 64.0 * first)
+        if math.isclose(following, strength, rel_tol=1e-6):
+            break
+        strength = following
+    return found, strength
 
 
 def _next(tried: list[tuple[float, float]]) -> float:

@@ -73,6 +73,9 @@ class Restoration:
         Fraction of the values of the photograph that were NaN or saturated.
     clipped : float
         Fraction of the values that were clipped at white; 0 for floats.
+    background : float or ndarray
+        Light of each voxel of a stack, or of each pixel of its planes, that is no part of the values; 0 for
+        photographs.
     """
 
     values: Pixels
@@ -85,6 +88,7 @@ class Restoration:
     strength: float | None = None
     unknown: float = 0.0
     clipped: float = 0.0
+    background: float | Array = 0.0
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
         """Return the values."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -33,6 +34,8 @@ _LEAST_REACH, _MOST_PLANES, _MOST_REACH = 8, 64, 48  # planes and pixels of a PS
 _PARTS, _MOST_NODES = 3, 48  # of the coarse grid: values a node, and nodes beside the middle
 _DARK = 4.0  # thicknesses of a light sheet
 _TABLE = 33  # depths
+_SPLINES = (3, 2)  # degrees
+_NEGATIVE = 0.01  # of the light of a PSF, that may be so
 
 
 class PSFs(NamedTuple):
@@ -67,6 +70,7 @@ class DepthModel:
     thickness: float | None = None
     emitter: Emitter = _TURNING
     aberrations: Wavefront | None = None
+    degrees: tuple[int, int] | None = None  # of the B-splines along z and across; by default as high as they may be
 
     def changed(self, name: str, value: float) -> DepthModel:
         """Return the model with another value.
@@ -116,6 +120,28 @@ class DepthModel:
         if not self.spreads:
             return np.asarray(values / values.sum())
         return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._lit.sum())
+
+    def kernel(self, depth: float) -> Array:
+        """Return the light of an emitter that is spread over the nearest voxels as a B-spline, as :meth:`near`.
+
+        Wherever a point lies between the voxels, its image is then that of nearby voxels with positive light
+        (Magain et al. 1998, doi:10.1086/305187): that of voxels which are points would be wider.
+        """
+        return _narrowed(self.near(depth), *self.splines)
+
+    @cached_property
+    def splines(self) -> tuple[int, int]:
+        """Degrees of the B-splines along z and across, 0 where planes or pixels are too wide for any."""
+        if self.degrees is not None:
+            return self.degrees
+        values = self.near(self.depth)
+
+        def fits(*degrees: int) -> bool:
+            made = _narrowed(values, *degrees)
+            return -float(np.minimum(made, 0.0).sum()) < _NEGATIVE * float(made.sum())
+
+        along = next((degree for degree in _SPLINES if fits(degree, 0)), 0)
+        return along, next((degree for degree in _SPLINES if fits(0, degree)), 0)
 
     def far(self, depth: float, reach: int) -> Array:
         """Return what is not :meth:`near`, at every `pitch_of` th pixel up to so many of these, share a pixel.
@@ -217,7 +243,7 @@ class DepthModel:
         """Return the blur of a stack, with a margin on each side."""
         used = psfs or self.psfs(margin[0])
         weights = _weights(used.planes, used.nodes) if len(used.nodes) > 1 else None
-        kernels = (self.near(float(each)) for each in used.depths)
+        kernels = (self.kernel(float(each)) for each in used.depths)
         near: TiledBlur
         if used.radial is None:
             near = TiledBlur(kernels, shape, margin, weights=weights, threads=threads)
@@ -233,8 +259,8 @@ class DepthModel:
         """Return the lateral transfer functions over the magnitude of frequencies, if they follow from that."""
         if self.aberrations is not None and any(order for _, order in self.aberrations.to_zernike(unit="waves")):
             return None
-        found = RadialTransfer(self.window[1], pixels=self.spreads)
-        return found if all(found.misfit(self.near(each)) < _RADIAL for each in depths) else None
+        found = RadialTransfer(self.window[1], pixels=self.spreads, spline=self.splines[1])
+        return found if all(found.misfit(self.kernel(each)) < _RADIAL for each in depths) else None
 
     def _slabs(self, low: float, high: float) -> int:
         """Return how many PSFs those between are like the means of."""
@@ -257,6 +283,16 @@ def _nodes(low: float, high: float, count: int) -> Array:
     """Return depths evenly spaced in their square root: near the glass PSFs change fastest."""
     shares = np.arange(count) / (count - 1)
     return np.asarray(((1.0 - shares) * math.sqrt(low) + shares * math.sqrt(high)) ** 2)
+
+
+def _narrowed(kernel: Array, along: int, across: int) -> Array:
+    """Return the kernel whose convolution with B-splines, of these degrees along z and across, is a kernel."""
+    from scipy.ndimage import spline_filter1d
+
+    for axis, degree in enumerate((along, across, across)):
+        if degree:
+            kernel = spline_filter1d(kernel, degree, axis, mode="reflect")  # which keeps the light
+    return kernel
 
 
 def _weights(depths: Array, nodes: Array) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
@@ -16,13 +17,17 @@ _TOGETHER = 16  # magnitudes of frequencies that are a task of a thread
 _ON_AXIS = 0.4  # cycles a pixel: beyond, frequencies on the diagonal are farther from those that alias
 
 
+_BESIDE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # what a B-spline has at the voxels beside its middle
+
+
 class RadialTransfer:
     """The lateral transfer function of PSFs, of each plane, over the spatial frequency alone.
 
-    `pixels` says whether values are averages over square pixels, whose own transfer is left out.
+    `pixels` says whether values are averages over square pixels, whose own transfer is left out, and `spline` is the
+    degree of the B-splines, along rows and columns, by whose transfer functions that of the PSF was divided.
     """
 
-    def __init__(self, side: int, *, pixels: bool) -> None:
+    def __init__(self, side: int, *, pixels: bool, spline: int = 0) -> None:
         half = side // 2
         self.apart = _APART / (2.0 * math.pi * half)
         self.frequencies = self.apart * np.arange(math.ceil(math.sqrt(0.5) / self.apart) + 2)
@@ -31,10 +36,15 @@ class RadialTransfer:
         axis, slanted = self.frequencies[: self._near], self.frequencies[self._near :] * math.sqrt(0.5)
         self._axis = np.cos(2.0 * math.pi * np.outer(at, axis)).astype(np.float32)
         self._slanted = np.cos(2.0 * math.pi * np.outer(at, slanted)).astype(np.float32)
-        self._pixels = np.ones(len(self.frequencies))
-        self.pixels = pixels
-        if pixels:
-            self._pixels = np.concatenate([np.sinc(axis), np.sinc(slanted) ** 2])
+        self._parts = pixels, spline
+        self._pixels = np.concatenate([self._own(axis), self._own(slanted) ** 2])
+
+    def _own(self, frequency: Any) -> Array:
+        """Return the transfer function of pixels along one axis, over that of the B-spline."""
+        pixels, spline = self._parts
+        found = np.sinc(frequency) if pixels else np.ones(frequency.shape)
+        beside = _BESIDE[spline]
+        return np.asarray(found / (1.0 - 2.0 * beside * (1.0 - np.cos(2.0 * math.pi * frequency))))
 
     def __call__(self, kernel: Array) -> Values:
         """Return it of the planes of an even kernel, shape (frequencies, planes)."""
@@ -64,7 +74,7 @@ class RadialTransfer:
         """Return the frequencies of a tile: number of the one below, share of the one above, transfer of a pixel."""
         down, across = np.fft.fftfreq(tile[0])[:, np.newaxis], np.fft.rfftfreq(tile[1])
         place = np.hypot(down, across).ravel() / self.apart
-        pixel = (np.sinc(down) * np.sinc(across)).ravel() if self.pixels else np.ones(place.size)
+        pixel = (self._own(down) * self._own(across)).ravel()
         return place.astype(np.intp), (place % 1.0).astype(np.float32), pixel.astype(np.float32)
 
 

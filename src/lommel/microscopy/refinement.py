@@ -13,8 +13,8 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length
 from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
-from lommel.microscopy.deconvolution import Counted, Walk
 from lommel.microscopy.depth_model import DepthModel
+from lommel.microscopy.stack_steps import Counted, Move, Walk
 
 PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
 """What can be estimated from a stack, and its name."""
@@ -131,7 +131,8 @@ class _Trial:
         self._counted = Counted(self._values, Noise(**maps), looked.saturation)
         self._counted.most_weight /= self._times  # steps as long as if all planes were known
         self._threads, self._widest = looked.threads, widest
-        self._paces: dict[int, list[float]] = {}  # those of the first walk, of each number of steps
+        self._degrees: tuple[int, int] | None = None  # those of the first model
+        self._courses: dict[int, list[Move]] = {}  # those of the first walk, of each number of steps
 
     @property
     def slack(self) -> float:
@@ -150,7 +151,9 @@ class _Trial:
         planes = len(self._values)
         side = min(max(model.window[1], _NARROWEST), self._widest)
         deep = self._times * (model.window[0] - 1) + 1
-        small = replace(model, window=(deep, side), planes=planes, step=model.step / self._times)
+        step = model.step / self._times
+        small = replace(model, window=(deep, side), planes=planes, step=step, degrees=self._degrees)
+        self._degrees = small.splines
         margin = min(deep // 2, max(self._times * _LEAST_PLANES, planes // 4)), side // 2
         counted = self._counted
         if turned:
@@ -161,7 +164,7 @@ class _Trial:
             far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR, len(psfs.nodes))).astype(int)
             psfs = psfs._replace(nodes=psfs.nodes[far])
         blur = small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
-        walk = Walk(blur, counted, self._paces.get(steps))
+        walk = Walk(blur, counted, self._courses.get(steps))
         found: list[float] = []
 
         def each(step: int, discrepancy: float, left: float) -> None:
@@ -169,7 +172,7 @@ class _Trial:
             told(step, discrepancy, left)
 
         walk.solve(RichardsonLucy(steps=steps, target=0.0), each)
-        self._paces.setdefault(steps, walk.paces)
+        self._courses.setdefault(steps, walk.course)
         return found
 
 

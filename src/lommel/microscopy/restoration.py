@@ -21,16 +21,18 @@ from lommel.base.arrays import Array, Values
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
 from lommel.estimation.noise import Noise
-from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy
+from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, TotalVariation
 from lommel.io import recordings
 from lommel.io.recordings import Recording
 from lommel.microscopy import depth_model
 from lommel.microscopy.camera_noise import contradiction, measured_noise
-from lommel.microscopy.deconvolution import STACK_MISFIT, Counted, Walk
+from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, DepthModel, PSFs
 from lommel.microscopy.hot_voxels import MOST, LeftOut, hot_voxels, sharpness
 from lommel.microscopy.projections import Projecting, Projections
 from lommel.microscopy.refinement import PARAMETERS, Looked, better, crop_of, direction_of, refined, work_of
+from lommel.microscopy.stack_steps import STACK_MISFIT, Background, Counted, Move
+from lommel.microscopy.total_variation import walk_of
 from lommel.optics.layers.emitter import emitter_of
 from lommel.optics.layers.objective import Objective
 from lommel.show import restored as pictures
@@ -81,6 +83,10 @@ class RestoredChannel:
     projections : Projections
         What :meth:`RestoredStack.plot` draws: the maxima of recording and result, and the residual, each along z and
         along y. NaN in chunks that were restored by an earlier call.
+    background : float or ndarray of shape (height, width)
+        Light of each voxel that is no part of the values, in the unit of the recording, without the offset.
+    strength : float or None
+        Weight of the total variation.
     """
 
     discrepancy: float
@@ -94,6 +100,8 @@ class RestoredChannel:
     refined: dict[str, float]
     errors: dict[str, float]
     projections: Projections
+    background: float | Array = 0.0
+    strength: float | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -204,7 +212,8 @@ def restore(
     direction: str = "auto",
     slabs: int | None = None,
     refine: Sequence[str] = (),
-    method: RichardsonLucy | None = None,
+    method: RichardsonLucy | TotalVariation | None = None,
+    background: float | str = FLAT,
     psf_shape: tuple[int, int] | None = None,
     margin: tuple[int, int] | None = None,
     tile: int | None = None,
@@ -259,8 +268,11 @@ def restore(
     refine : sequence of {"depth", "sample", "spherical"}
         What is estimated from the stack by its likelihood first: the depth, the refractive index of the sample, or
         spherical aberration (waves rms).
-    method : RichardsonLucy, optional
-        By default ``lm.imaging.RichardsonLucy(target=1.0)``.
+    method : RichardsonLucy or TotalVariation, optional
+        As of :func:`lommel.microscopy.deconvolve`: ``lm.imaging.RichardsonLucy(target=1.0)`` by default.
+    background : "flat", "uneven" or float, default "flat"
+        As of :func:`lommel.microscopy.deconvolve`. A flat one is that of the central chunk; each chunk has its own
+        uneven one, so that it is best used without chunks.
     psf_shape : (int, int), optional
         Planes and pixels of the PSFs, odd. By default those of the cone of light over half of the planes, up to 97.
     margin : (int, int), optional
@@ -304,8 +316,9 @@ def restore(
     validation.choice("modality", modality, MODALITIES)
     validation.choice("direction", direction, _DIRECTIONS)
     validation.optional("noise", noise, Noise)
-    validation.optional("method", method, RichardsonLucy)
+    validation.optional("method", method, RichardsonLucy, TotalVariation)
     validation.function("progress", progress, required=False)
+    level = background_of(background)
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     limit = validation.real("memory", memory, least=2.0**24)
     wanted = [validation.choice("refine", name, PARAMETERS) for name in _listed("refine", refine)]
@@ -349,7 +362,7 @@ def restore(
             def told(share: float, words: str, place: int = place, name: str = job.name) -> None:
                 tell((place + share) / len(chosen), name + words)
 
-            made.append(job.run(noise, saturation, direction, slabs, wanted, method, margin, tile, told))
+            made.append(job.run(noise, saturation, direction, slabs, wanted, method, level, margin, tile, told))
             if made[-1].stopped == INTERRUPTED:
                 break
         values = target.finish(" ".join(notes), len(made))
@@ -627,7 +640,8 @@ class _Job:
         direction: str,
         slabs: int | None,
         refine: list[str],
-        method: RichardsonLucy | None,
+        method: RichardsonLucy | TotalVariation | None,
+        background: Background,
         margin: tuple[int, int] | None,
         tile: int | None,
         tell: Shown,
@@ -688,7 +702,7 @@ class _Job:
         if model.spreads:
             notes.append(
                 f"Restored values are the light of {model.window[0]} planes together: a point of F counts in each "
-                f"plane has {model.window[0]} F, and an even background keeps its counts."
+                f"plane has {model.window[0]} F."
             )
         side = self._side(tile, around, psfs)
         if margin is None and planes < model.window[0] // 2:
@@ -696,7 +710,7 @@ class _Job:
         request = hashlib.sha256(
             repr(
                 (stack.shape, str(stack.dtype), model.psf(nodes[0]).values.sum(), nodes.tolist(), around, side,
-                 turned, camera.to_dict(), method, limit)
+                 turned, camera.to_dict(), method, limit, background)
             ).encode()
         ).hexdigest()  # fmt: skip
         self._target.begin(request)
@@ -707,7 +721,16 @@ class _Job:
             reached = parts[1] + (1.0 - parts[1]) * share
             tell(reached, words)
 
-        after, before, steps, stopped = self._tiles(source, camera, limit, psfs, around, side, method, turned, told)
+        after, before, steps, stopped, strength, beside = self._tiles(
+            source, camera, limit, psfs, around, side, method, background, turned, told
+        )
+        if background.level is None:
+            low, high = float(np.min(beside)), float(np.max(beside))
+            said = f"A flat background of {low:.4g}" if low == high else f"A background of {low:.4g} to {high:.4g}"
+            notes.append(
+                f"{said} counts per voxel was estimated, which is no part of the restored values; background= states "
+                "another, 0 for none."
+            )
         if stopped == STACK_MISFIT:
             # The restoration ended before its time.
             others = better(looked, _within(tell, min(reached, 0.5), 1.0), turned=direction != "auto")
@@ -722,7 +745,7 @@ class _Job:
                 )
         return RestoredChannel(
             after, before, steps, stopped, camera, "down" if turned else "up", depths[::-1] if turned else depths,
-            nodes, estimated, errors, self._projecting.made(turned=turned),
+            nodes, estimated, errors, self._projecting.made(turned=turned), beside, strength,
         )  # fmt: skip
 
     def _without_hot(self, camera: Noise, limit: float) -> tuple[Any, float]:
@@ -809,10 +832,11 @@ class _Job:
         psfs: PSFs,
         margin: tuple[int, int],
         side: int,
-        method: RichardsonLucy | None,
+        method: RichardsonLucy | TotalVariation | None,
+        background: Background,
         turned: bool,
         tell: Shown,
-    ) -> tuple[float, float, int, str]:
+    ) -> tuple[float, float, int, str, float | None, float | Array]:
         """Restore chunk by chunk; the central one first, which the others follow."""
         way = method or RichardsonLucy(target=1.0)
         planes, height, width = source.shape
@@ -820,10 +844,12 @@ class _Job:
         alone = len(tiles) == 1
         overlap = self._model.window[1]
         blurs: dict[tuple[int, ...], Any] = {}
-        paces: list[float] | None = None
+        aspect = self._model.pixel / self._model.objective.magnification / self._model.step
+        course: list[Move] | None = None
         level = 0.0 if alone else _level(source, camera, limit)
         after = before = known = 0.0
-        steps, stopped = 0, STEPS
+        steps, stopped, strength = 0, STEPS, None
+        beside: float | Array = np.zeros((height, width)) if background.points > 1 else 0.0
         for number, (rows, columns) in enumerate(tiles):
             name = f"{self._place}/{rows.start}/{columns.start}"
             if self._target.has(name) and number:
@@ -837,20 +863,25 @@ class _Job:
                 blurs.clear()  # one at a time is in memory
                 blurs[size] = self._model.blur(size, margin, psfs, threads=self._threads)
             blur = blurs[size]
-            told = _Told(tell, number, len(tiles), way.steps if paces is None else len(paces), way.target > 0.0)
+            told = _Told(tell, number, len(tiles), way.steps if course is None else len(course), way.target > 0.0)
             if blur.outside is not None:
                 blur.outside[...] = counted.level
             earlier = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
-            walk = Walk(blur, counted, paces)
+            walk = walk_of(way, blur, counted, course, background=background, aspect=aspect, threads=self._threads)
             try:
                 count, why, each = walk.solve(way, told)
             except KeyboardInterrupt:
-                if not alone or self._target.place is not None or not walk.paces:
+                if not alone or self._target.place is not None or not walk.course:
                     raise
-                count, why, each = len(walk.paces) - 1, INTERRUPTED, walk.discrepancies
-            if paces is None:
-                paces, steps = walk.paces, count
+                count, why, each = len(walk.course) - 1, INTERRUPTED, walk.discrepancies
+            if course is None:
+                course, steps, strength = walk.course, count, walk.strength
                 stopped = counted.verdict(why, count, counted.mean(each))
+            if isinstance(beside, np.ndarray):
+                inner = np.s_[rows.start - y.start : rows.stop - y.start, columns.start - x.start :]
+                beside[rows, columns] = counted.background[inner][:, : columns.stop - columns.start]
+            elif number == 0:
+                beside = counted.background
             voxels = float(counted.known.sum())
             after += counted.mean(each) * voxels
             before += earlier * voxels
@@ -861,7 +892,7 @@ class _Job:
             self._projecting.add(rows, columns, (y.start, x.start), blur, counted, walk._guess, kept)
             kept = kept[::-1] if turned else kept
             self._target.put(name, self._place, rows, columns, kept)
-        return after / known, before / known, steps, stopped
+        return after / known, before / known, steps, stopped, strength, beside
 
 
 class _Told:

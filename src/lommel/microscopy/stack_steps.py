@@ -1,0 +1,446 @@
+"""A recorded stack as counts, and steps of Richardson and Lucy to the specimen and a background."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array, Values
+from lommel.estimation.noise import Noise
+from lommel.imaging.deconvolution import (
+    MISFIT,
+    NOISE,
+    STEPS,
+    TINY,
+    Counts,
+    Course,
+    RichardsonLucy,
+    Tell,
+    TotalVariation,
+)
+from lommel.microscopy.stack_blur import Made, Part, Take, TiledBlur, overlap
+from lommel.microscopy.wide_blur import WideBlur
+
+STACK_MISFIT = (
+    "misfit: the PSF (wavelength, depth, direction of z, steps of z, pixels) or the noise is not that of the stack"
+)
+"""Why a method stopped that a stack does not follow."""
+
+# Why a method stopped at once, at a discrepancy that is too small for the noise that was stated.
+TOO_QUIET = "misfit: the stack is quieter than its noise; is the offset left out, or the read noise too large?"
+
+_MANY = 3.0  # electrons, from which on the mean deviance is 1 and its first correction
+_EVERY = 2  # along each axis, of the voxels that say how far to extrapolate
+_MOST_AHEAD = 4.0  # times the light of a step, to which it is extrapolated
+_MOST_RATIO = 1e3  # of counts to those of a model
+_DIM = 0.01  # of the mean light: a specimen that starts so dim leaves to the background what is flat
+_BLOCK, _DARKEST = 8, 10.0  # pixels of the side of means, and the percentile of these that a background starts from
+
+
+class Counted(Counts):
+    """A stack as counts, in units of light as :class:`lommel.imaging.deconvolution.Observed`, by parts."""
+
+    def __init__(self, recorded: Values, noise: Noise, saturation: float = np.inf) -> None:
+        side = recorded.shape[1:]
+        self._recorded, self._saturation = recorded, saturation
+        offset = np.asarray(noise.offset, dtype=np.float64)
+        gain = np.asarray(1.0 if noise.white is None else noise.white)
+        read = np.asarray(noise.read, dtype=np.float64)
+        added = (read / gain) ** 2 * gain  # the variance of reading over the gain, in units of light
+        self.known = np.zeros(len(recorded), dtype=np.int64)  # how many voxels of each plane are
+        total = weights = counts = over = 0.0
+        for plane in range(len(recorded)):
+            values = np.asarray(recorded[plane])
+            if np.isinf(values).any():
+                raise ValueError("stack must be finite, or NaN where a value is unknown, got infinity")
+            known = np.isfinite(values) & (values < saturation)
+            seen = np.where(known, np.maximum(values - offset + added, 0.0), 0.0)
+            each = np.where(known, gain, 0.0)
+            self.known[plane] = int(known.sum())
+            weights += float(each.sum())
+            counts += float((each * seen).sum())
+            total += float((each * np.maximum(seen - added, 0.0)).sum())
+            over += float((known / (6.0 * (each * seen + 1.0))).sum())
+        if not self.known.any():
+            raise ValueError("stack must have voxels that are known, got NaN or saturated ones everywhere")
+        self._all = bool((self.known == np.prod(side)).all())
+        self.background: Any = 0.0  # light of each voxel, or of each pixel, that is not of the specimen
+        self.of_specimen = 1.0, np.inf  # discrepancy of the voxels that the specimen lights, and its slack
+        self.white = weights / float(self.known.sum())
+        # Maps have the sides of a plane, so that parts of them can be taken.
+        self._added, self._shift, self._weight = (
+            np.asarray(each, dtype=np.float32) for each in (added, added - offset, gain / self.white)
+        )
+        self.most_weight = float(self._weight.max())
+        self.level = total / weights  # mean light
+        # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
+        self.electrons = self.white * counts / weights
+        self.smallest = 1e-6 * max(counts / weights, TINY)
+        # The deviance of the true scene is 1 + 1/(6 m) of m electrons, and 1/m the mean of 1/(1 + those counted).
+        self.expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
+
+    def verdict(self, stopped: str, steps: int, discrepancy: float) -> str:
+        """Return why a method stopped, in the words for stacks."""
+        if stopped == MISFIT:
+            return STACK_MISFIT
+        quiet = steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack
+        return TOO_QUIET if quiet else stopped
+
+    def per_pixel(self, sums: Array) -> Array:
+        """Return the Poisson deviance per known voxel, over that of the true scene."""
+        return super().per_pixel(sums) / self.expected
+
+    def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
+        """Return counts and weights; both are 0 where nothing is known."""
+        given = np.asarray(self._recorded[plane, rows, columns])
+        shift, weight = (_at(each, rows, columns) for each in (self._shift, self._weight))
+        if given.dtype.itemsize > 4:  # what is near an offset must not lose its digits
+            counts = (given + shift.astype(np.float64)).astype(np.float32)
+        else:
+            counts = np.add(given, shift, dtype=np.float32)
+        at_least(counts, 0.0)
+        if self._all:
+            return counts, weight
+        known = np.isfinite(given) & (given < self._saturation)
+        return np.where(known, counts, np.float32(0.0)), np.where(known, weight, np.float32(0.0))
+
+    def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
+        """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
+        counts, weight = self.part(plane, rows, columns)
+        added = _at(self._added, rows, columns)
+        model = np.maximum(light + added + _at(np.asarray(self.background, np.float32), rows, columns), TINY)
+        known = np.broadcast_to(weight > 0.0, counts.shape)
+        off = (counts - model) * np.sqrt(self.white * weight / model)
+        return np.where(known, np.maximum(counts - added, 0.0), 0.0), off, known.astype(np.float32)
+
+    def scene(self, planes: int, pixels: int) -> Part:
+        """Return the stack itself as a specimen, with these margins: as bright as its mean where nothing is known."""
+
+        def part(plane: int, rows: slice, columns: slice) -> Values:
+            out = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
+            if 0 <= plane - planes < len(self._recorded):
+                sides = zip((rows, columns), self._recorded.shape[1:], strict=True)
+                (y, down), (x, across) = (overlap(at.start - pixels, at.stop - pixels, side) for at, side in sides)
+                counts, weight = self.part(plane - planes, y, x)
+                light = np.maximum(counts - _at(self._added, y, x), 0.0)
+                out[down, across] = np.where(weight > 0.0, light, self.level)
+            return out
+
+        return part
+
+    def spread(self, levels: Array) -> None:
+        """Take the background from its levels at points of a grid over the field."""
+        down, across = (_between(side, len(levels)) for side in self._recorded.shape[1:])
+        self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)
+
+    def means(self, misfit: Values, count: int) -> Array:
+        """Return the mean of the weighted ratios less 1 around each of so many by so many points of a grid."""
+        down, across = (_between(side, count) for side in self._recorded.shape[1:])
+        given = down.T @ misfit.sum(axis=0, dtype=np.float64) @ across
+        return np.asarray(given / np.maximum(down.T @ self._weights @ across, TINY))
+
+    @cached_property
+    def _weights(self) -> Array:
+        """The weights of all voxels of each pixel."""
+        sides = self._recorded.shape[1:]
+        made = np.zeros(sides)
+        for plane in range(len(self.known)):
+            made += self.part(plane, slice(0, sides[0]), slice(0, sides[1]))[1]
+        return made
+
+    def darkest(self) -> float:
+        """Return the light of the darkest parts, which hold a background and little else."""
+        found = [self.level]
+        down, across = (max(side // _BLOCK, 1) for side in self._recorded.shape[1:])
+        for plane in range(len(self.known)):
+            counts, weight = self.part(plane, slice(None), slice(None))
+            known = np.broadcast_to(weight > 0.0, counts.shape)
+            light = np.where(known, counts - self._added, 0.0)
+            for rows in zip(np.array_split(light, down), np.array_split(known, down), strict=True):
+                parts = (np.array_split(each, across, axis=1) for each in rows)
+                found += [float(some.sum() / all_.sum()) for some, all_ in zip(*parts, strict=True) if all_.all()]
+        return max(float(np.percentile(found, _DARKEST)), 0.0)
+
+    def flat(self) -> float:
+        """Return the discrepancy of a scene without detail."""
+        sides = self._recorded.shape[1:]
+        found = np.zeros(len(self.known))
+        for plane in range(len(found)):
+            light = np.full(sides, self.level - self.background, np.float32)
+            found[plane] = self._compared(plane, slice(0, sides[0]), slice(0, sides[1]), light, None)[0]
+        return self.mean(self.per_pixel(found))
+
+    def discrepancies(self, blur: TiledBlur | WideBlur, specimen: Part, misfit: Values | None = None) -> Array:
+        """Return the Poisson deviance per voxel of each plane; `misfit` becomes the weighted ratio less 1."""
+
+        def compared(plane: int, rows: slice, columns: slice, light: Values) -> tuple[int, Array]:
+            return plane, self._compared(plane, rows, columns, light, misfit)
+
+        sums, of_specimen = np.zeros(len(self.known)), np.zeros(3)
+        for plane, found in blur.forward(specimen, compared):
+            sums[plane] += found[0]
+            of_specimen += found[1:]
+        if np.any(self.background):
+            lost, lit, spread = of_specimen
+            self.of_specimen = 2.0 * self.white * lost / max(lit, TINY), 3.0 * np.sqrt(2.0 * spread) / max(lit, TINY)
+        return self.per_pixel(sums)
+
+    def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
+        """Return sums over a part, whose light becomes the model: of the deviance, and what `of_specimen` needs.
+
+        Voxels have there the square of the specimen's share of the model as their weight.
+        """
+        counts, weight = self.part(plane, rows, columns)
+        beside = _at(np.asarray(self.background, np.float32), rows, columns)
+        other = _at(self._added, rows, columns) + beside
+        # In place throughout: new memory costs more than what is done in it.
+        at_least(light, TINY)  # beside what is too bright for a moment, narrow kernels make it negative
+        share = light.copy() if np.any(beside) else None
+        model = np.add(light, other, out=light)
+        ratio = np.divide(counts, model, out=counts)
+        np.minimum(ratio, np.full(ratio.shape[-1:], _MOST_RATIO, np.float32), out=ratio)
+        terms = at_least(ratio.copy(), TINY)
+        np.log(terms, out=terms)
+        terms *= ratio
+        ratio -= 1.0
+        # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
+        terms -= ratio
+        if weight.ndim or self.most_weight != 1.0:
+            terms *= weight
+            ratio *= weight
+        if misfit is not None:
+            misfit[plane, rows, columns] = ratio
+        # Sums of rows in float32, and of these in float64.
+        found = [np.einsum("yx,yx->y", terms, model)]
+        if share is not None:
+            share /= model
+            share *= share
+            terms *= model
+            if weight.ndim:
+                share *= weight > 0.0
+            found += [np.einsum("yx,yx->y", one, share) for one in (terms, np.ones_like(share), share)]
+        sums = [float(each.sum(dtype=np.float64)) for each in found]
+        return np.array(sums + [0.0] * (4 - len(sums)))
+
+
+def _between(side: int, count: int) -> Array:
+    """Return the weights of evenly spaced points at each pixel, linear between two."""
+    place = np.linspace(0.0, count - 1.0, side)
+    return np.asarray(np.maximum(1.0 - np.abs(place[:, np.newaxis] - np.arange(count)), 0.0 if count > 1 else 1.0))
+
+
+def at_least(values: Values, least: float) -> Values:
+    """Raise values to the least, in place; a row of it is much faster than a number."""
+    return np.maximum(values, np.full(values.shape[-1:], least, values.dtype), out=values)
+
+
+def _at(each: Values, rows: slice, columns: slice) -> Values:
+    """Return a part of a map, or the number that is the same everywhere."""
+    return each[rows, columns] if each.ndim else each
+
+
+class Background(NamedTuple):
+    """Light beside that of the specimen: a known level, or None for one to estimate, at so many by so many points."""
+
+    level: float | None
+    points: int = 1
+
+
+_NONE = Background(0.0)
+
+
+class Move(NamedTuple):
+    """How far a step is extrapolated, levels of the background, and the weight of the total variation."""
+
+    pace: float
+    background: Array
+    strength: float = 0.0
+
+
+class Walk:
+    """Steps of Richardson and Lucy, with no more memory than twice the specimen and once the recording.
+
+    The `background`, light of each voxel beside that of the specimen, is estimated with it where it is unknown: the
+    specimen starts with next to nothing. A flat specimen and a background have the same
+    image, and as steps multiply, what is flat goes to what is bright from the start.
+
+    A walk with the `course` of another part of the same stack takes as many steps as that, each extrapolated as far
+    and with the same background, if that has one level.
+    """
+
+    def __init__(
+        self,
+        blur: TiledBlur | WideBlur,
+        counted: Counted,
+        course: Sequence[Move] | None = None,
+        *,
+        background: Background = _NONE,
+    ) -> None:
+        self._blur, self._counted = blur, counted
+        self._given = None if course is None else list(course)
+        least = _DIM * counted.level
+        level, self._estimated = background.level, background.level is None
+        start = least if level is None else max(counted.level - level, least)
+        self._like = self._given is not None and background.points == 1
+        if level is None:
+            # What is flat needs no specimen.
+            counted.background = 0.0
+            dark = counted.level if counted.flat() <= 1.0 + counted.slack else counted.darkest()
+            level = max(min(dark, counted.level - least), counted.smallest)
+        self._background = np.full((background.points, background.points), level)
+        if self._given and self._like:
+            self._background = self._given[0].background
+        self._background_before = self._levels = self._background
+        counted.spread(self._levels)
+        self._light = np.full(blur.whole, start, dtype=np.float32)
+        self._before: Values | None = None
+        self._misfit = np.empty(blur.shape, dtype=np.float32)
+        blur.weigh(counted.most_weight)
+        # Of the specimen beyond its margin, if the blur has any.
+        self._outside = None if blur.outside is None else np.full(blur.whole[0], start, dtype=np.float32)
+        self._outside_before = self._outside
+        self._pace = 0.0
+        self._strength = 0.0
+        self.strength: float | None = None  # of the total variation, that was found
+        self._earlier = np.zeros([-(-side // _EVERY) for side in blur.whole], dtype=np.float32)
+        self.course: list[Move] = []
+        self._of_specimen: list[float] = []
+        self.discrepancies = np.full(len(counted.known), np.inf)
+
+    def solve(self, method: RichardsonLucy | TotalVariation, tell: Tell) -> tuple[int, str, Array]:
+        """Iterate until there is a reason to stop; return number of steps, reason and discrepancies of the planes."""
+        assert isinstance(method, RichardsonLucy)
+        if self._given is not None:
+            method = replace(method, steps=max(len(self._given), 1), target=0.0)
+        course = Course(method, self._counted.slack, tell)
+        last = np.inf
+        while True:
+            found = self._look(course.pace)
+            stopped = course.judge(found)
+            if stopped == NOISE and course.steps < method.steps and not self._settled(method.target):
+                stopped = None
+            if stopped or (self._given is not None and course.steps == len(self._given) - 1):
+                return course.steps, stopped or STEPS, self.discrepancies
+            size = float(np.vdot(self._earlier, self._earlier))
+            overlap = self._step()
+            if method.accelerate and course.steps > 0:
+                course.go_on(size, overlap)
+                if found > last:  # too far: it goes on from a plain step
+                    course.pace = 0.0
+            last = found
+
+    def _look(self, pace: float) -> float:
+        """Extrapolate the last step, and return the discrepancy of that."""
+        move = Move(pace, self._levels, self._strength)
+        if self._given:
+            move = self._given[min(len(self.course), len(self._given) - 1)]
+        self._pace, self._strength = move.pace, move.strength
+        self._extrapolate(move.background)
+        self.discrepancies = self._counted.discrepancies(self._blur, self._guess, self._misfit)
+        self.course.append(move._replace(background=self._levels))
+        self._of_specimen.append(self._counted.of_specimen[0])
+        return self._counted.mean(self.discrepancies)
+
+    def _settled(self, target: float) -> bool:
+        """Return whether what the specimen lights is explained, or as good as it gets.
+
+        It is little of a stack that is mostly background: that may agree with its noise when this is far from it.
+        """
+        found, slack = self._of_specimen, self._counted.of_specimen[1]
+        return found[-1] <= target or found[(len(found) - 1) // 2] - found[-1] < slack
+
+    def _guess(self, plane: int, rows: slice, columns: slice) -> Values:
+        """Return the light, extrapolated."""
+        ahead = self._light if self._before is None else self._before
+        return ahead[plane, rows, columns]
+
+    def _extrapolate(self, levels: Array) -> None:
+        """Replace the light of the step before by what is expected of the next one."""
+        pace, least = self._pace, self._counted.smallest
+        if self._outside is not None and self._outside_before is not None:
+            self._blur.outside = np.maximum(_ahead(self._outside, self._outside_before, pace), least)
+        if self._estimated:
+            ahead = np.maximum(_ahead(self._background, self._background_before, pace), least)
+            self._levels = levels if self._like else ahead
+            self._counted.spread(self._levels)
+        if self._before is None:
+            return
+        for light, before in zip(self._light, self._before, strict=True):
+            if pace == 0.0:
+                before[...] = light
+                continue
+            at_least(_ahead(light, before, pace, out=before), least)
+
+    def _step(self) -> float:
+        """Take a step, replace some of the earlier change by its own, and return the product of the two."""
+        following = np.empty_like(self._light) if self._before is None else self._before
+        least = self._counted.smallest
+
+        def stepped(plane: int, rows: slice, columns: slice, back: Values) -> float:
+            guess = self._guess(plane, rows, columns)
+            # What no voxel of the recording sees stays as it is.
+            found = np.multiply(back, self._blur.per_seen(plane, rows, columns), out=back)
+            found += 1.0
+            found *= guess
+            at_least(found, least)
+            overlap = self._moved(plane, rows, columns, found, guess)
+            following[plane, rows, columns] = found
+            return overlap
+
+        overlap = sum(self._returned(stepped))
+        self._before, self._light = self._light, following
+        return overlap
+
+    def _returned(self, take: Take[Made]) -> list[Made]:
+        """Hand what the light should change by to `take`, and change what is beside it."""
+        misfit, least = self._misfit, self._counted.smallest
+        if self._estimated:
+            means = self._counted.means(misfit, len(self._levels))
+            self._background_before = self._background
+            self._background = np.maximum(self._levels * (1.0 + means), least)
+        made = self._blur.adjoint(lambda plane, *part: misfit[(plane, *part)], take)
+        if isinstance(self._blur, WideBlur):
+            guess = self._blur.outside
+            found = guess * np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
+            self._outside_before, self._outside = self._outside, np.maximum(found, least)
+        return made
+
+    def _moved(self, plane: int, rows: slice, columns: slice, found: Values, guess: Values) -> float:
+        """Replace some of the earlier change by that of a part, and return the product of the two."""
+        if plane % _EVERY:
+            return 0.0
+        first = -rows.start % _EVERY, -columns.start % _EVERY
+        here = np.s_[first[0] :: _EVERY, first[1] :: _EVERY]
+        moved = found[here] - guess[here]
+        at = (rows.start + first[0]) // _EVERY, (columns.start + first[1]) // _EVERY
+        kept = self._earlier[plane // _EVERY, at[0] :, at[1] :][: moved.shape[0], : moved.shape[1]]
+        overlap = float(np.vdot(moved, kept))
+        kept[...] = moved
+        return overlap
+
+    def inside(self, planes: int, pixels: int) -> Values:
+        """Return the light within these margins; ends the walk."""
+        self._misfit = np.empty((0, 0, 0), np.float32)
+        self._blur.release()
+        rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
+        out = np.empty(self._blur.shape, np.float32)
+        for plane, values in enumerate(out):
+            values[...] = self._guess(planes + plane, rows, columns)
+        return out
+
+
+def _ahead(light: Any, before: Any, pace: float, out: Any = None) -> Any:
+    """Return positive light as far beyond that of the step before as the pace says, by a ratio: none ends at 0.
+
+    A power of the ratio would do as well, and is slower than the harmonic mean of the ratio and 1.
+    """
+    made = np.multiply(before, pace, out=out)
+    made += (1.0 - pace) * light
+    made = np.divide(light, made, out=out)
+    made = np.minimum(made, np.full(np.shape(made)[-1:], _MOST_AHEAD, np.asarray(made).dtype), out=out)
+    made *= light
+    return made

@@ -117,7 +117,9 @@ class WideBlur:
             tall = np.zeros((down.nodes, shape[2]), np.float32)
             for part, nodes in down.parts(rows):
                 tall[nodes] += product(down.shares[part, nodes].T, given[part])
-            made[plane] = product(tall, across.shares)
+            made[plane] = 0.0
+            for part, nodes in across.parts(columns):
+                made[plane, :, nodes] += product(tall[:, part], across.shares[part, nodes])
 
         side_by_side(share, range(shape[0]), self._threads)
         return made
@@ -153,7 +155,9 @@ class _Hats:
 def _between(light: Values, hats: list[_Hats], rows: slice, columns: slice) -> Values:
     """Return a part of a plane, interpolated between nodes."""
     down, across = hats
-    tall = product(down.shares[rows], light)
+    tall = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
+    for part, nodes in down.parts(rows):
+        tall[part.start - rows.start : part.stop - rows.start] = product(down.shares[part, nodes], light[nodes])
     made = np.empty((len(tall), columns.stop - columns.start), np.float32)
     for part, nodes in across.parts(columns):
         here = slice(part.start - columns.start, part.stop - columns.start)

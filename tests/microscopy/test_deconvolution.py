@@ -88,6 +88,20 @@ def test_beads_on_a_background_keep_their_photons_and_all_light():
         assert found.values[part].sum() == pytest.approx(photons, rel=0.025)
 
 
+def test_an_uneven_background_is_found_beside_beads():
+    rising = np.linspace(15.0, 45.0, 44)  # electrons from one side to the other, of the specimen and around it
+    stack = record(beads(0.0) + rising)
+    found = lm.microscopy.deconvolve(stack, PSF, NOISE, background="uneven")
+    np.testing.assert_allclose(found.background.mean(axis=0), rising[9:35], rtol=0.25)
+    assert found.background.shape == stack.shape[1:]
+    errors = []
+    for each in (found, lm.microscopy.deconvolve(stack, PSF, NOISE)):
+        parts = [each.values[tuple(slice(k - 2, k + 3) for k in place)].sum() for place in BEADS]
+        errors.append(np.abs(np.array(parts) / list(BEADS.values()) - 1.0).max())
+    assert errors[0] < 0.04
+    assert errors[0] < errors[1]
+
+
 def test_a_point_has_its_photons_in_the_window_of_the_psf():
     wide = kernel(side=51).values  # as fractions of the light of a plane
     stack = 20.0 + NOISE.offset + 5e4 * wide[:, 12:38, 12:38]

@@ -226,6 +226,20 @@ def test_chunks_are_like_the_whole_and_go_on_where_they_were_interrupted(tmp_pat
     np.testing.assert_array_equal(np.asarray(found)[0], parts)
 
 
+@pytest.mark.parametrize("method", [lm.imaging.RichardsonLucy, lm.imaging.TotalVariation])
+def test_chunks_that_hold_the_whole_have_its_background_to_the_last_bit(deep, method):
+    way = method(steps=8, **({"target": 0.0} if method is lm.imaging.RichardsonLucy else {"strength": 0.01}))
+    options = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE, "method": way, "background": "flat"}
+    whole, parts = (
+        quick(deep[5:12], tile=tile, **options) for tile in (None, SIDE // 2)
+    )  # with margins of 25 pixels
+    (one,), (other,) = whole.channels, parts.channels
+    assert one.background == other.background == pytest.approx(40.0, rel=0.4)
+    assert f"A flat background of {one.background:.4g} counts per voxel was estimated" in " ".join(whole.notes)
+    assert one.strength == other.strength == (None if method is lm.imaging.RichardsonLucy else 0.01)
+    np.testing.assert_array_equal(parts.values, whole.values)
+
+
 def test_ctrl_c_keeps_the_steps_that_are_done(deep):
     def stop(share, words):
         if words.startswith("step 3"):

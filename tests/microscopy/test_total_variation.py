@@ -9,7 +9,7 @@ from scipy.optimize import minimize
 import lommel as lm
 from lommel.microscopy.stack_blur import TiledBlur
 from lommel.microscopy.stack_steps import Background, Counted
-from lommel.microscopy.total_variation import VariationWalk
+from lommel.microscopy.total_variation import VariationWalk, walk_of
 
 NOISE = lm.Noise(read=1.0)
 SHAPE = (4, 6, 7)
@@ -70,3 +70,36 @@ def test_steps_reach_the_minimum_and_plain_ones_never_go_up(aspect):
         plain._step()
     assert np.diff(plain.objectives).max() < 1e-6 * plain.objectives[0]
     assert best < plain.objectives[-1] < 1.05 * best
+
+
+def test_edges_at_low_light_are_restored_better_than_at_the_best_of_richardson_lucy_steps():
+    shape, width = (10, 24, 24), np.exp(-np.square(np.arange(-4, 5)) / 6.0)
+    kernel = width[2:7, None, None] * width[:, None] * width / (width[2:7].sum() * width.sum() ** 2)
+    z, y, x = np.indices(shape) - np.array([5, 12, 11])[:, None, None, None]
+    away = np.sqrt((2.0 * z) ** 2 + y**2 + x**2)
+    truth = np.where((away < 9.0) & (away > 4.0), 40.0, 0.0).astype(np.float32)
+    blur = TiledBlur([kernel], shape, (0, 0))
+    image = np.zeros(shape)
+    blur.forward(lambda *at: truth[at], lambda p, r, c, v: image.__setitem__((p, r, c), v))
+    counted = Counted(NOISE.record(np.maximum(image, 0.0) + 1.0, seed=1), NOISE)
+
+    def error(method):
+        walk = walk_of(method, blur, counted, background=Background(1.0), aspect=0.5)
+        _, stopped, _ = walk.solve(method, lambda *_: None)
+        return float(np.linalg.norm(walk.inside(0, 0) - truth) / np.linalg.norm(truth)), stopped, walk
+
+    best = min(error(lm.imaging.RichardsonLucy(steps=n, target=0.0))[0] for n in (3, 5, 8, 12, 18, 27))
+    found, stopped, walk = error(lm.imaging.TotalVariation(target=1.0))
+    assert stopped == "noise"
+    assert walk.strength is not None
+    assert found < 0.9 * best
+
+
+def test_another_part_follows_the_course_of_the_first_to_the_last_bit():
+    walk, _ = small()
+    walk.solve(lm.imaging.TotalVariation(strength=0.05, steps=8), lambda *_: None)
+    blur, counted = TiledBlur([KERNEL], SHAPE, (0, 0)), walk._counted
+    again = VariationWalk(blur, counted, walk.course, background=Background(0.0), aspect=0.5)
+    steps, _, _ = again.solve(lm.imaging.TotalVariation(), lambda *_: None)
+    assert (steps, again.strength) == (8, 0.05)
+    np.testing.assert_array_equal(again.inside(0, 0), walk.inside(0, 0))

@@ -321,8 +321,8 @@ class Walk:
         while True:
             found = self._look(course.pace)
             stopped = course.judge(found)
-            if stopped == NOISE and course.steps < method.steps and not self._settled(method.target):
-                stopped = None
+            if self._estimated and stopped in (None, NOISE) and course.steps < method.steps:
+                stopped = NOISE if self._explained(found, method.target) else None
             if stopped or (self._given is not None and course.steps == len(self._given) - 1):
                 return course.steps, stopped or STEPS, self.discrepancies
             size = float(np.vdot(self._earlier, self._earlier))
@@ -345,12 +345,15 @@ class Walk:
         self._of_specimen.append(self._counted.of_specimen[0])
         return self._counted.mean(self.discrepancies)
 
-    def _settled(self, target: float) -> bool:
-        """Return whether what the specimen lights is explained, or as good as it gets.
+    def _explained(self, discrepancy: float, target: float) -> bool:
+        """Return whether all agrees with its noise, and what the specimen lights does or hardly changes any more.
 
-        It is little of a stack that is mostly background: that may agree with its noise when this is far from it.
+        That is little of a stack that is mostly background, which may agree with its noise long before.
         """
+        most = max(target, 1.0 + self._counted.slack) if target >= 1.0 else target
         found, slack = self._of_specimen, self._counted.of_specimen[1]
+        if target == 0.0 or discrepancy > most:
+            return False
         return found[-1] <= target or found[(len(found) - 1) // 2] - found[-1] < slack
 
     def _guess(self, plane: int, rows: slice, columns: slice) -> Values:

@@ -9,7 +9,7 @@ import pytest
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
-from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Observed, Solution
+from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, Course, Observed, Solution
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DEPTH = np.full((48, 56), 2.5)
@@ -119,3 +119,12 @@ def test_a_flat_scene_stays_flat() -> None:
 def test_arguments_out_of_range_are_refused(name: str, value: object) -> None:
     with pytest.raises((TypeError, ValueError), match=name):
         RichardsonLucy(**{name: value})
+
+
+@pytest.mark.parametrize(("power", "stopped"), [(0.7, None), (4.0, MISFIT)])
+def test_a_run_is_no_misfit_while_more_steps_may_reach_the_noise(power: float, stopped: str | None) -> None:
+    course = Course(RichardsonLucy(steps=200, target=1.0), 0.01, lambda *_: None)
+    # One that falls to 1.0 at 200 steps, and one that stays at 1.3.
+    falls = [0.95 + 0.05 * (k / 200.0) ** -power if power < 1.0 else 1.3 + (k / 4.0) ** -power for k in range(1, 100)]
+    reasons = [course.judge(discrepancy) for discrepancy in [5.0, *falls]]
+    assert next((why for why in reasons if why), None) == stopped

@@ -28,6 +28,8 @@ EXCEPTIONS: dict[tuple[str, str], str] = {
     ("normalize", "light_sheet"): "as of beads",
     ("offset", "light_sheet"): "is a distance of sheet and focus, not a value of pixels",
     ("largest", "traced_blur"): "there is no image yet, half of whose side it could be",
+    ("background", "Restoration"): "is what was found, not what to find",
+    ("background", "RestoredChannel"): "as of Restoration",
     ("saturation", "restore_with"): "its light has no white that pixels could be full at",
     ("steps", "TotalVariation"): "counts steps of another kind than those of Richardson and Lucy",
     ("steps", "lommel restore"): "None takes that of the method",

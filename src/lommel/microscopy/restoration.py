@@ -704,7 +704,7 @@ class _Job:
                 f"Restored values are the light of {model.window[0]} planes together: a point of F counts in each "
                 f"plane has {model.window[0]} F."
             )
-        side = self._side(tile, around, psfs)
+        side = self._side(tile, around, psfs, 5.0 if isinstance(method, TotalVariation) else 4.0)
         if margin is None and planes < model.window[0] // 2:
             notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
         request = hashlib.sha256(
@@ -801,19 +801,19 @@ class _Job:
         )
         return float(most)
 
-    def _side(self, tile: int | None, margin: tuple[int, int], psfs: PSFs) -> int:
+    def _side(self, tile: int | None, margin: tuple[int, int], psfs: PSFs, specimens: float) -> int:
         """Return the side of the chunks."""
         _, height, width = self._stack.shape
         if tile is not None:
             return int(validation.integer("tile", tile, least=16, most=validation.MAX_SIDE))
         side, overlap = int(max(height, width)), self._model.window[1]
-        while side > 64 and self._bytes(side, overlap, margin, psfs) > self._memory:
+        while side > 64 and self._bytes(side, overlap, margin, psfs, specimens) > self._memory:
             pieces = math.ceil(max(height, width) / side) + 1
             side = math.ceil(max(height, width) / pieces)
         return side
 
-    def _bytes(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs) -> float:
-        """Return about how much memory a chunk takes."""
+    def _bytes(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs, specimens: float) -> float:
+        """Return about how much memory a chunk takes, with so many arrays as large as the specimen."""
         planes, height, width = self._stack.shape
         given = math.prod(min(side + 2 * overlap, each) for each in (height, width))
         whole = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
@@ -822,7 +822,7 @@ class _Job:
         if psfs.radial is not None:
             transfers = float(len(psfs.radial.frequencies) * planes * deep)
         # With the transforms of all planes, and a tenth for the coarse grid.
-        return 4.4 * float(4.0 * deep * whole + 3.0 * planes * given + transfers)
+        return 4.4 * float(specimens * deep * whole + 3.0 * planes * given + transfers)
 
     def _tiles(
         self,

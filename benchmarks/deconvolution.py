@@ -195,8 +195,10 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
     light, widths = np.maximum(camera.electrons(stack), 0.0), (0.32e-6 / step, 1.0, 1.0)
     smooth = gaussian_filter(truth, widths)
 
-    def error(values: Array) -> float:
+    def error(values: Array, *, scaled: bool = False) -> float:
         found = gaussian_filter(np.asarray(values, np.float64) - BACKGROUND, widths)
+        if scaled:
+            found *= (found * smooth).sum() / (found**2).sum()
         return float(np.sqrt(((found - smooth) ** 2).sum() / (smooth**2).sum()))
 
     given: dict[str, Any] = {"pixel": PIXEL, "step": step, "wavelength": WAVE, "noise": camera, "threads": threads}
@@ -220,8 +222,10 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
         }
     kernel = psf(middle, *window, step).values
     for name, method in _others().items():
-        # The best of several numbers of steps, which only the ground truth tells.
-        tried = {steps: error(method(light, kernel / kernel.sum(dtype=np.float64), steps)) for steps in (30, 100)}
+        # The best of several numbers of steps, and the best scale, which only the ground truth tells: these packages
+        # restore light in the window of the PSF alone.
+        whole = kernel / kernel.sum(dtype=np.float64)
+        tried = {steps: error(method(light, whole, steps), scaled=True) for steps in (30, 100)}
         steps = min(tried, key=lambda count: tried[count])
         found[name] = {"error": tried[steps], "steps": steps}
     return found
@@ -265,7 +269,7 @@ def _others() -> dict[str, Callable[[Array, Array, int], Array]]:
 
         return run
 
-    names = {"clij2-fft": 0.0} | {f"clij2-fft, total variation {weight}": weight for weight in (0.0005, 0.002, 0.01)}
+    names = {"clij2-fft": 0.0} | {f"clij2-fft, total variation {weight}": weight for weight in (0.0005, 0.002)}
     return found | {name: clij2(weight) for name, weight in names.items()}
 
 

@@ -27,7 +27,7 @@ from scipy.sparse import csr_matrix
 from scipy.special import jv
 
 import lommel as lm
-from lommel.microscopy.depth_model import usual_window
+from lommel.microscopy.depth_model import DepthModel, usual_window
 
 Array = NDArray[np.float64]
 
@@ -195,8 +195,12 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
     light, widths = np.maximum(camera.electrons(stack), 0.0), (0.32e-6 / step, 1.0, 1.0)
     smooth = gaussian_filter(truth, widths)
 
-    def error(values: Array, *, scaled: bool = False) -> float:
-        found = gaussian_filter(np.asarray(values, np.float64) - BACKGROUND, widths)
+    def error(values: Array, depth: float | None = None, *, scaled: bool = False) -> float:
+        # Restored light is spread over voxels as B-splines already, of a variance of (degree + 1) / 12.
+        splines = (0, 0) if depth is None else DepthModel(OIL, WAVE, PIXEL, step, depth, planes, window).splines
+        spread = [(degree + 1) / 12.0 if degree else 0.0 for degree in (splines[0], splines[1], splines[1])]
+        left = np.sqrt(np.square(widths) - spread)
+        found = gaussian_filter(np.asarray(values, np.float64) - BACKGROUND, left)
         if scaled:
             found *= (found * smooth).sum() / (found**2).sum()
         return float(np.sqrt(((found - smooth) ** 2).sum() / (smooth**2).sum()))
@@ -215,7 +219,7 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
         (channel,) = made.channels
         most = max(most, channel.steps)
         found[name] = {
-            "error": error(0.46 * (np.asarray(made.values) + channel.background)),
+            "error": error(0.46 * (np.asarray(made.values) + channel.background), more["depth"]),
             "steps": channel.steps,
             "discrepancy": channel.discrepancy,
             "PSFs": len(channel.psf_depths),

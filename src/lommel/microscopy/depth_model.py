@@ -35,7 +35,7 @@ _PARTS, _MOST_NODES = 3, 48  # of the coarse grid: values a node, and nodes besi
 _DARK = 4.0  # thicknesses of a light sheet
 _TABLE = 33  # depths
 _SPLINES = (3, 2)  # degrees
-_NEGATIVE = 0.01  # of the light of a PSF, that may be so
+_NEGATIVE = 0.015  # of the light of a PSF, that may be so
 
 
 class PSFs(NamedTuple):
@@ -259,8 +259,10 @@ class DepthModel:
         """Return the lateral transfer functions over the magnitude of frequencies, if they follow from that."""
         if self.aberrations is not None and any(order for _, order in self.aberrations.to_zernike(unit="waves")):
             return None
-        found = RadialTransfer(self.window[1], pixels=self.spreads, spline=self.splines[1])
-        return found if all(found.misfit(self.kernel(each)) < _RADIAL for each in depths) else None
+        found = RadialTransfer(self.window[1], pixels=self.spreads)
+        if not all(found.misfit(self.near(each)) < _RADIAL for each in depths):
+            return None
+        return RadialTransfer(self.window[1], pixels=self.spreads, spline=self.splines[1])
 
     def _slabs(self, low: float, high: float) -> int:
         """Return how many PSFs those between are like the means of."""

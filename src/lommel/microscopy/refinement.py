@@ -14,7 +14,7 @@ from lommel.base.units import format_length
 from lommel.estimation.noise import Noise
 from lommel.imaging.deconvolution import RichardsonLucy
 from lommel.microscopy.depth_model import DepthModel
-from lommel.microscopy.stack_steps import Counted, Move, Walk
+from lommel.microscopy.stack_steps import Background, Counted, Move, Walk
 
 PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
 """What can be estimated from a stack, and its name."""
@@ -23,7 +23,7 @@ Tell = Callable[[float, str], object]
 """Takes the share that is done, 0 to 1, and what is being done."""
 
 _STEPS = 40  # of each trial of the search: after fewer, sharper PSFs look better than they are
-_MORE = 160  # of those around the value that was found: of dim points, 40 leave too much unexplained
+_MORE = 100  # of those around the value that was found: of dim points, 40 leave too much, and 160 follow the noise
 _SIDES = 48, 64  # pixels of the part that is looked at
 _NARROWEST, _WIDEST = 33, 49  # pixels of PSFs
 _ROUGH = 40  # pixels of the part in which values are searched for, with the narrowest PSFs
@@ -72,7 +72,7 @@ def _placed(middle: int, size: int, side: int) -> slice:
 
 def work_of(direction: bool, names: int) -> tuple[float, float]:
     """Return about how many steps the direction of z, and so many values, take in the part that is looked at."""
-    return 2.0 * _STEPS * direction, 2.0 * (_MORE + 0.5 * _STEPS) * _places(names) if names else 0.0
+    return 2.0 * _STEPS * direction, (_MORE + 0.5 * _STEPS) * _places(names) if names else 0.0
 
 
 def _places(names: int) -> int:
@@ -111,25 +111,16 @@ class _Work:
 class _Trial:
     """A part of a stack that is restored in a few steps, again and again, with other PSFs.
 
-    With `between` light may also come from planes in the middle between two, which were not recorded: points there
-    would else be taken for longer PSFs.
+    Light is spread as B-splines, and a background is estimated: points between planes, and noise, would else be
+    taken for longer PSFs.
     """
 
-    def __init__(
-        self, looked: Looked, crop: tuple[slice, slice], *, between: bool = False, widest: int = _WIDEST
-    ) -> None:
+    def __init__(self, looked: Looked, crop: tuple[slice, slice], *, widest: int = _WIDEST) -> None:
         rows, columns = crop
         stack, camera = looked.stack, looked.camera
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
-        self._times = 2 if between else 1
-        if between:
-            # The middle plane stays the middle one.
-            planes = 2 * len(self._values) - len(self._values) % 2
-            known, self._values = self._values, np.full((planes, *self._values.shape[1:]), np.nan, np.float32)
-            self._values[::2] = known
         maps = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
         self._counted = Counted(self._values, Noise(**maps), looked.saturation)
-        self._counted.most_weight /= self._times  # steps as long as if all planes were known
         self._threads, self._widest = looked.threads, widest
         self._degrees: tuple[int, int] | None = None  # those of the first model
         self._courses: dict[int, list[Move]] = {}  # those of the first walk, of each number of steps
@@ -150,11 +141,10 @@ class _Trial:
         """Return the discrepancy after each step, as far extrapolated as those of the first model."""
         planes = len(self._values)
         side = min(max(model.window[1], _NARROWEST), self._widest)
-        deep = self._times * (model.window[0] - 1) + 1
-        step = model.step / self._times
-        small = replace(model, window=(deep, side), planes=planes, step=step, degrees=self._degrees)
+        deep = model.window[0]
+        small = replace(model, window=(deep, side), planes=planes, degrees=self._degrees)
         self._degrees = small.splines
-        margin = min(deep // 2, max(self._times * _LEAST_PLANES, planes // 4)), side // 2
+        margin = min(deep // 2, max(_LEAST_PLANES, planes // 4)), side // 2
         counted = self._counted
         if turned:
             counted = _Flipped.of(counted, self._values[::-1])
@@ -164,7 +154,7 @@ class _Trial:
             far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR, len(psfs.nodes))).astype(int)
             psfs = psfs._replace(nodes=psfs.nodes[far])
         blur = small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
-        walk = Walk(blur, counted, self._courses.get(steps))
+        walk = Walk(blur, counted, self._courses.get(steps), background=Background(None))
         found: list[float] = []
 
         def each(step: int, discrepancy: float, left: float) -> None:
@@ -218,7 +208,7 @@ def better(looked: Looked, tell: Tell, *, turned: bool) -> list[str]:
     explain half of what the best one does are named, too: errors of an index, a depth or a step are much alike.
     """
     model, steps = looked.model, _STEPS
-    trial = _Trial(looked, _brightest(looked.stack, _ROUGH), between=True, widest=_NARROWEST)
+    trial = _Trial(looked, _brightest(looked.stack, _ROUGH), widest=_NARROWEST)
     work = _Work(tell, steps * (1.0 + turned + _USUAL * len(_OTHERS)))
 
     def cost(changed: DepthModel, words: str, *, turned: bool = False) -> float:
@@ -293,8 +283,8 @@ def refined(
     start = np.array([_start(model, name) for name in names])
     apart = np.array([_REACH[name] * _APART for name in names])
     least, most = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
-    rough = _Trial(looked, _brightest(looked.stack, _ROUGH), between=True, widest=_NARROWEST)
-    fine = _Trial(looked, crop, between=True)
+    rough = _Trial(looked, _brightest(looked.stack, _ROUGH), widest=_NARROWEST)
+    fine = _Trial(looked, crop)
     faster = rough.known / fine.known
     work = _Work(tell, _places(len(names)) * (_STEPS * faster + _MORE))
 

@@ -181,6 +181,7 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
     best = np.array([optics.brightest(float(depth)) for depth in depths])
     middle = float(np.interp(stage[planes // 2], np.maximum.accumulate(best), depths))
     window = usual_window(OIL, WAVE, PIXEL, step, (planes, side, side))
+    widths = 0.32e-6 / step, 1.0, 1.0  # of the resolution, standard deviations
     truth, image = np.zeros((planes, side, side)), np.full((planes, side, side), BACKGROUND)
     for each, depth, focus in zip(emitters, depths, best, strict=True):
         if not each.any():
@@ -188,12 +189,13 @@ def deep(planes: int, side: int, step: float, beads: int, threads: int) -> dict[
         psfs = optics.psf(float(depth), stage) / optics.collected(float(depth))
         image += np.maximum(oaconvolve(each[np.newaxis], psfs, axes=(1, 2))[:, side : 2 * side, side : 2 * side], 0.0)
         place = (focus - begin) / step
-        for plane in (int(place), int(place) + 1):
-            truth[plane] += (1.0 - abs(place - plane)) * window[0] * each  # of all planes of a PSF
+        # Of all planes of a PSF, at this resolution along z: depths are between planes, too.
+        along = np.exp(-0.5 * np.square((np.arange(planes) - place) / widths[0])) / (widths[0] * np.sqrt(2.0 * np.pi))
+        truth += window[0] * along[:, np.newaxis, np.newaxis] * each
     camera = lm.Noise(white=0.46, read=1.6, offset=100.0)
     stack = np.clip(np.rint(camera.record(image, seed=2)), 0, 65535).astype(np.uint16)
-    light, widths = np.maximum(camera.electrons(stack), 0.0), (0.32e-6 / step, 1.0, 1.0)
-    smooth = gaussian_filter(truth, widths)
+    light = np.maximum(camera.electrons(stack), 0.0)
+    smooth = gaussian_filter(truth, (0.0, *widths[1:]))
 
     def error(values: Array, depth: float | None = None, *, scaled: bool = False) -> float:
         # Restored light is spread over voxels as B-splines already, of a variance of (degree + 1) / 12.

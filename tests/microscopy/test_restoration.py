@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +14,7 @@ import tifffile
 from scipy.ndimage import gaussian_filter
 
 import lommel as lm
-from lommel.microscopy import refinement
+from lommel.microscopy import refinement, restoration
 from lommel.microscopy.camera_noise import measured_noise
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.restoration import INTERRUPTED
@@ -102,9 +104,33 @@ def test_planes_that_run_the_other_way_are_noticed_and_keep_their_order(tmp_path
     there = written(tmp_path / "turned.ome.tif", deep[::-1])
     found = quick(there, direction="auto")
     assert found.channels[0].direction == "down"
-    assert "The planes run towards the cover glass" in " ".join(found.notes)
+    told = re.search(
+        r"towards the cover glass \(discrepancy ([\d.]+) against ([\d.]+) the other", " ".join(found.notes)
+    )
+    assert float(told[1]) < float(told[2])
     np.testing.assert_array_equal(found.values[::-1], quick(deep, pixel=PIXEL, step=STEP, wavelength=WAVE).values)
     assert (np.diff(found.channels[0].depths) < 0.0).all()
+
+
+def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep):
+    def estimated(looked, *_):
+        return looked.model.changed("sample", 1.36), {"sample": 1.36}, {"sample": 1e-3}
+
+    monkeypatch.setattr(restoration, "refined", estimated)
+    given = {"pixel": PIXEL, "step": STEP, "wavelength": WAVE}
+    found = quick(deep, refine=["sample"], **given)
+    watery = replace(OIL_60X, sample=1.36)
+    usual = {"depth": 12e-6, "noise": CAMERA, "direction": "up", "psf_shape": WINDOW, "background": 0.0}
+    way = lm.imaging.RichardsonLucy(steps=4, target=0.0)
+    expected = lm.microscopy.restore(deep, watery, method=way, **usual, **given)
+    np.testing.assert_array_equal(found.values, expected.values)
+    assert not np.array_equal(found.values, quick(deep, **given).values)
+
+
+def test_a_restored_stack_does_not_replace_its_recording(file):
+    found = quick(file)
+    with pytest.raises(ValueError, match="must not replace the recording"):
+        found.save(file)
 
 
 def blurred(model, truth):

@@ -187,7 +187,7 @@ def direction_of(looked: Looked, crop: tuple[slice, slice], tell: Tell) -> tuple
         for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
     )
     better, worse = min(up, down), max(up, down)
-    figures = f"discrepancy {up:.3g} against {down:.3g}"
+    figures = "discrepancy {:.3g} against {:.3g}".format(*((down, up) if down < up else (up, down)))
     if worse - better < max(0.5 * trial.slack, 0.005 * better):
         return "up", (
             f"The direction of z cannot be told from the stack ({figures} the other way round): the first plane was "

@@ -179,17 +179,24 @@ class RestoredStack:
         Raises
         ------
         ValueError
-            If a name ends otherwise.
+            If a name ends otherwise, or is that of the recording.
         OSError, ImportError
             If it cannot be written, or tifffile or zarr is not installed.
         """
         places = [validation.path("paths", path) for path in paths]
         for place in places:
             recordings.kind_of(place)
+            _not_the_recording(place, self.recording.path)
         values = np.asarray(self.values[...], np.float32)
         values = values[np.newaxis] if values.ndim == 3 else values
         for place in places:
             recordings.save_stack(place, values, self.recording, " ".join(self.notes))
+
+
+def _not_the_recording(place: Path, recording: Any) -> None:
+    """Refuse to replace the recording by its restoration."""
+    if recording is not None and place.resolve() == Path(recording).resolve():
+        raise ValueError(f"the restored stack must not replace the recording, got {line(place)} for both")
 
 
 def restore(
@@ -546,6 +553,7 @@ class _Target:
         self.stored = ""
         if self.place is None:
             return
+        _not_the_recording(self.place, recording.path)
         if recordings.kind_of(self.place) != "zarr":
             raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(self.place.name)}")
         if not self.place.parent.is_dir():
@@ -676,7 +684,7 @@ class _Job:
         errors: dict[str, float] = {}
         if refine:
             model, estimated, errors = refined(looked, crop, refine, _within(tell, *parts))
-            looked = looked._replace(model=model)
+            self._model, looked = model, looked._replace(model=model)
             for name, value in estimated.items():
                 notes.append(f"Estimated from the stack: {PARAMETERS[name]} {_estimate(name, value, errors[name])}.")
         usual = (

@@ -140,10 +140,8 @@ def deconvolve(
     for path in outputs:
         if path.suffix.lower() in (".png", ".pdf", ".svg"):
             raise ValueError(f"a stack must end in .ome.tif or .ome.zarr, got {line(path)}; --plot writes a picture")
-        recordings.kind_of(path)
+        recordings.kind_of(path, stack)
         require_folder(path)
-        if path.resolve() == stack.resolve():
-            raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
     if figure is not None:
         figure_format(figure)
     if stack.suffix.lower() == ".toml" != lens.suffix.lower():

@@ -57,7 +57,10 @@ class Report:
         console = Console(width=width, markup=False, emoji=False, highlight=False)
         with console.capture() as captured:
             for part in self.parts:
-                console.print(Wrapped(part) if isinstance(part, str) else part)
+                if isinstance(part, str):
+                    console.print(Wrapped(part), crop=False)  # paths stay whole
+                else:
+                    console.print(part)
         # Tables fill their columns with blanks.
         click.echo(re.sub(r" +$", "", captured.get(), flags=re.MULTILINE), nl=False)
 

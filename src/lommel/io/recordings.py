@@ -530,8 +530,13 @@ def save_stack(path: Path, values: Values, recording: Recording, description: st
         atomic.write_by(path, lambda target: _fill_tiff(target, values, recording, description))
 
 
-def kind_of(path: Path) -> str:
-    """Return the format of a stack that can be written: ValueError for another, ImportError without its library."""
+def kind_of(path: Path, recording: str | Path | None = None) -> str:
+    """Return the format of a stack that can be written, unless that would replace the recording it was made from.
+
+    ValueError for these, and for other formats; ImportError without the library.
+    """
+    if recording is not None and path.resolve() == Path(recording).resolve():
+        raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
     name = path.name.lower()
     if name.endswith(".zarr"):
         optional.require("zarr", "writing OME-Zarr needs", "zarr")

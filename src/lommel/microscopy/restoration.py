@@ -185,18 +185,11 @@ class RestoredStack:
         """
         places = [validation.path("paths", path) for path in paths]
         for place in places:
-            recordings.kind_of(place)
-            _not_the_recording(place, self.recording.path)
+            recordings.kind_of(place, self.recording.path)
         values = np.asarray(self.values[...], np.float32)
         values = values[np.newaxis] if values.ndim == 3 else values
         for place in places:
             recordings.save_stack(place, values, self.recording, " ".join(self.notes))
-
-
-def _not_the_recording(place: Path, recording: Any) -> None:
-    """Refuse to replace the recording by its restoration."""
-    if recording is not None and place.resolve() == Path(recording).resolve():
-        raise ValueError(f"the restored stack must not replace the recording, got {line(place)} for both")
 
 
 def restore(
@@ -553,8 +546,7 @@ class _Target:
         self.stored = ""
         if self.place is None:
             return
-        _not_the_recording(self.place, recording.path)
-        if recordings.kind_of(self.place) != "zarr":
+        if recordings.kind_of(self.place, recording.path) != "zarr":
             raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(self.place.name)}")
         if not self.place.parent.is_dir():
             raise FileNotFoundError(2, "No such file or directory", str(self.place.parent))

@@ -52,7 +52,7 @@ def projections(
             rows[0, column].set_title(f"{name}{words}", fontsize=9)
         rows[0, 0].set_ylabel("xy", fontsize=9)
         rows[1, 0].set_ylabel("xz", fontsize=9)
-        figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual / noise", shrink=0.9, extend="both")
+        figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual over noise", shrink=0.9, extend="both")
         _scale_bar(rows[1, 0], wide)
     entitle(figure, title)
     return figure

@@ -127,6 +127,13 @@ def test_the_stack_is_restored_with_what_was_estimated_from_it(monkeypatch, deep
     assert not np.array_equal(found.values, quick(deep, **given).values)
 
 
+def test_voxels_at_a_saturation_that_is_stated_are_counted(deep):
+    limit = int(np.sort(deep, axis=None)[-7])
+    found = quick(deep, saturation=limit, pixel=PIXEL, step=STEP, wavelength=WAVE)
+    count = int((deep >= limit).sum())
+    assert f"{count} voxels have at least the saturation that was stated, {limit}, and were left out." in found.notes
+
+
 def test_a_restored_stack_does_not_replace_its_recording(file):
     found = quick(file)
     with pytest.raises(ValueError, match="must not replace the recording"):

@@ -785,7 +785,12 @@ class _Job:
         if not whole and (lost := sum(int(np.isnan(self._stack[plane]).sum()) for plane in range(len(self._stack)))):
             self._notes.append(f"{lost} voxels are NaN: unknown, and left out.")
         if saturation is not None:
-            return validation.real("saturation", saturation, infinite=True)
+            limit = float(validation.real("saturation", saturation, infinite=True))
+            count = sum(int((np.asarray(self._stack[plane]) >= limit).sum()) for plane in range(len(self._stack)))
+            self._notes.append(
+                f"{count} voxels have at least the saturation that was stated, {limit:g}, and were left out."
+            )
+            return limit
         if not whole:
             return math.inf
         most = max(int(np.asarray(self._stack[plane]).max()) for plane in range(len(self._stack)))

@@ -19,6 +19,8 @@ _KERNEL = np.array([1.0, -2.0, 1.0])
 _WINDOW = 5  # pixels of a side of the local mean, in which planes count as they do in the variance
 _STRUCTURE = 16.0  # times the variance: the square of a detail that is no noise
 _SATURATED = 8  # voxels at the largest value of a plane or more
+_MEDIAN = 0.4549  # of the square of a normal deviate
+_DIFFERENT = 0.3  # logarithm of variances, below which details and rounding may be the reason
 _UNSURE = 0.3  # standard error of the gain over itself, from which on it is of no use
 
 
@@ -55,7 +57,11 @@ def estimate_noise(stack: Any, *, read: float = _READ) -> Noise:
 def measured_noise(stack: Any, read: float = _READ) -> tuple[Noise, float]:
     """Return the same, and the standard error of the gain over the gain."""
     sigma = validation.real("read", read, least=0.0)
-    mean, squares, independent = _points(stack)
+    return _fitted(*_points(stack), sigma)
+
+
+def _fitted(mean: Array, squares: Array, independent: float, sigma: float) -> tuple[Noise, float]:
+    """Return the noise of these points, and the standard error of the gain over the gain."""
     lowest = float(np.quantile(mean, 1e-3))
     constant, slope, error = _line(mean - lowest, squares)
     error /= math.sqrt(independent)
@@ -89,16 +95,12 @@ def contradiction(stack: Any, noise: Noise) -> str | None:
         "these right?"
     )
     try:
-        found, relative = measured_noise(stack, read)
+        found, relative = _fitted(mean, squares, independent, read)
     except ValueError:
         return said
     gain = float(1.0 if found.white is None else found.white)
     alone = " +- ".join(with_error(gain, gain * relative))
     return f"{said} The stack alone gives {alone} electrons per count and an offset of {float(found.offset):.4g}."
-
-
-_MEDIAN = 0.4549  # of the square of a normal deviate
-_DIFFERENT = 0.3  # logarithm of variances, below which details and rounding may be the reason
 
 
 def _points(stack: Any) -> tuple[Array, Array, float]:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "lommel/base/fork.hpp"
@@ -200,25 +201,45 @@ using Work = Reference<void(std::size_t worker, std::size_t task)>;
 void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
-    std::atomic<std::size_t> next{0};
+    // Tasks are in so many stretches, one after the other. In each a worker begins with a range of its own and then helps the
+    // others: what neighbours touch, and the next call touches again, stays in the caches of one processor. The caller goes
+    // through all in order, so that tasks may wait for those before them.
+    struct alignas(64) Range {
+        std::atomic<std::size_t> next{0};
+        std::size_t end = 0;
+    };
+    constexpr std::size_t stretches = 4, most = 16;
+    std::array<Range, stretches * most> ranges;
+    const std::size_t wanted = std::min(tasks, workers(threads));
+    const std::size_t count = std::min(wanted, most);
+    for (std::size_t r = 0; r < stretches * count; ++r) {
+        ranges[r].next = tasks * r / (stretches * count);
+        ranges[r].end = tasks * (r + 1) / (stretches * count);
+    }
+    std::atomic<bool> failed{false};
     std::exception_ptr failure;
     Mutex mutex;  // of the failure
     const auto fail = [&] {
-        next = tasks;
+        failed = true;
         const Lock lock(mutex);
         failure = failure ? failure : std::current_exception();
     };
     const auto run = [&](std::size_t worker) {
         try {
-            for (std::size_t task = next++; task < tasks; task = next++) {
-                look();
-                work(worker, task);
+            for (std::size_t r = 0; r < stretches * count; ++r) {
+                Range& range = ranges[r / count * count + (worker + r) % count];
+                while (range.next < range.end && !failed) {
+                    const std::size_t task = range.next++;
+                    if (task < range.end) {
+                        look();
+                        work(worker, task);
+                    }
+                }
             }
         } catch (...) {
             fail();
         }
     };
-    const std::size_t wanted = std::min(tasks, workers(threads));
     Helpers::Offer offer{run, Watch::mine()};
     helpers.offer(offer, static_cast<int>(wanted) - 1);
     run(0);
@@ -244,19 +265,6 @@ void parallel_for(std::size_t tasks, [[maybe_unused]] int threads, const Work& w
         look();
         work(std::size_t{0}, task);
     }
-}
-
-// Runs work(i) for every i below `count`, neighbours on the same thread: what they write shares cache lines, which are slow to
-// go from one processor to another.
-template <class Work>
-void parallel_runs(std::size_t count, int threads, const Work& work) {
-    const std::size_t run = threads == 1 ? count : std::max<std::size_t>(1, count / (8 * workers(threads)));
-    parallel_for(count == 0 ? 0 : (count + run - 1) / run, threads, [&](std::size_t, std::size_t task) {
-        for (std::size_t i = task * run; i < std::min(count, (task + 1) * run); ++i) {
-            look();
-            work(i);
-        }
-    });
 }
 
 }  // namespace lommel

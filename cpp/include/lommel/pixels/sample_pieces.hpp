@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -236,12 +235,9 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         const Zones zones = all_zones(static_cast<double>(parts));
         Glance glance;
         const auto split = [&](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
-            // The nearest whole number, in the last bits.
-            const double whole = where + 0x1.8p52;
-            std::int64_t bits;
-            std::memcpy(&bits, &whole, sizeof bits);
-            at[i] = static_cast<std::int32_t>(Apart) * static_cast<std::int32_t>(bits);
-            x[i] = static_cast<Real>(where - (whole - 0x1.8p52));
+            const double whole = (where + 0x1.8p52) - 0x1.8p52;  // the nearest
+            at[i] = static_cast<std::int32_t>(Apart) * static_cast<std::int32_t>(whole);
+            x[i] = static_cast<Real>(where - whole);
         };
         // All rows of some columns in turn, so that most of the pieces of a row are those of the one before.
         for (std::size_t start = 0; start < window.width; start += tile) {

@@ -149,8 +149,9 @@ class ZernikeAnalysis {
         parallel_for(rule.rings / fft_rows, worth, [&](std::size_t, std::size_t group) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { transform(isa, rule, phase.amplitude, orders, group * fft_rows); });
         });
-        parallel_runs(orders, worth,
-                      [&](std::size_t m) { dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { project(isa, rule, m, series); }); });
+        parallel_for(orders, worth, [&](std::size_t, std::size_t m) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { project(isa, rule, m, series); });
+        });
     }
 
    private:

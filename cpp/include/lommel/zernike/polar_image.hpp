@@ -276,7 +276,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
 template <class T>
 void PolarImage::paint(double scale, T* image) {
     parts_.assign(list_.size() * zones_.size(), PaintedPart());
-    parallel_runs(list_.size(), threads_, [&](std::size_t i) {
+    parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
         thread_local Tiles::Buffer<T> buffer;
         thread_local std::vector<Tiles::Line> lines;
         tiles_->prefetch(list_[i], image);

@@ -48,6 +48,10 @@ limit in two runs. Load from other programs widens the ranges in brackets.
 _DEMANDS = ("must", "aim", "verdict")
 
 
+# Tables that show what a second machine measured, and the heading of it.
+WITH_SECOND = ["targets", "changes", "threads"]
+_SECOND = "on an older machine"
+
 _FIGURES = {
     "sizes": "![Cost of one PSF against the side of the window, for each way to compute it](benchmarks.png)",
     "costs": "![Cost of a pixel against window, aberration, terms, tolerance and pupils](benchmarks-costs.png)",
@@ -56,8 +60,32 @@ _FIGURES = {
 _LEFT_OUT = ("costs",)
 
 
-def write(results: dict[str, Any]) -> str:
-    """Return the page as Markdown."""
+def _by_words(table: dict[str, Any]) -> dict[tuple[str, ...], dict[str, Any]]:
+    """Return the rows by what they say that they measure, "the same" included."""
+    known: dict[tuple[str, ...], dict[str, Any]] = {}
+    before: list[str] = []
+    for row in table["rows"]:
+        work, against = (row.get(name, "") for name in list(table["columns"])[:2])
+        before = [*before, work] if work.startswith("the same") else [work]
+        known[*before, against if isinstance(against, str) else ""] = row
+    return known
+
+
+def _with_second(table: dict[str, Any], second: dict[str, Any] | None) -> dict[str, Any]:
+    """Return a table with what another machine measured as its last column, where that has such a table."""
+    if second is None:
+        return table
+    measured = next(name for name, kind in table["columns"].items() if kind == "spread")
+    theirs = _by_words(second)
+    rows = [
+        row | ({_SECOND: theirs[words][measured]} if measured in theirs.get(words, {}) else {})
+        for words, row in _by_words(table).items()
+    ]
+    return table | {"columns": table["columns"] | {_SECOND: "number"}, "rows": rows}
+
+
+def write(results: dict[str, Any], second: dict[str, Any]) -> str:
+    """Return the page as Markdown; what a second machine measured stands beside."""
     machine = results["machine"]
     versions = ", ".join(f"{name} {number}" for name, number in machine["versions"].items())
     yards = ", ".join(f"{name} {value:,.0f} µs".replace(",", " ") for name, value in machine["yardsticks"].items())
@@ -65,8 +93,11 @@ def write(results: dict[str, Any]) -> str:
         _HEAD,
         f"Machine: {machine['processor']}, {machine['processors in use']} processors, {machine['memory']}, "
         f"{machine['system']}. Versions: {versions}. Date: {results['date']}. For scale, in this run: {yards}.\n",
+        f"The column *{_SECOND}* of some tables: {second['description']}; the medians of {second['date']}.\n",
     ]
+    theirs = {table["key"]: table for table in second["tables"]}
     for plain in results["tables"]:
+        plain = _with_second(plain, theirs.get(plain["key"]))
         columns = {name: kind for name, kind in plain["columns"].items() if name not in _DEMANDS}
         rows = [] if plain["key"] in _LEFT_OUT else plain["rows"]
         parts.append(markdown(Table(**plain | {"columns": columns, "rows": rows})))

@@ -68,11 +68,13 @@ def _by_words(table: dict[str, Any]) -> dict[tuple[str, ...], dict[str, Any]]:
         work, against = (row.get(name, "") for name in list(table["columns"])[:2])
         before = [*before, work] if work.startswith("the same") else [work]
         known[*before, against if isinstance(against, str) else ""] = row
+    if len(known) < len(table["rows"]):
+        raise ValueError(f"rows of {table['title']!r} say the same")
     return known
 
 
 def _with_second(table: dict[str, Any], second: dict[str, Any] | None) -> dict[str, Any]:
-    """Return a table with what another machine measured as its last column, where that has such a table."""
+    """Return a table with what another machine measured beside it, where that has such a table."""
     if second is None:
         return table
     measured = next(name for name, kind in table["columns"].items() if kind == "spread")
@@ -81,7 +83,10 @@ def _with_second(table: dict[str, Any], second: dict[str, Any] | None) -> dict[s
         row | ({_SECOND: theirs[words][measured]} if measured in theirs.get(words, {}) else {})
         for words, row in _by_words(table).items()
     ]
-    return table | {"columns": table["columns"] | {_SECOND: "number"}, "rows": rows}
+    columns: dict[str, str] = {}
+    for name, kind in table["columns"].items():
+        columns |= {name: kind} | ({_SECOND: "number"} if name == measured else {})
+    return table | {"columns": columns, "rows": rows}
 
 
 def write(results: dict[str, Any], second: dict[str, Any]) -> str:

@@ -54,6 +54,8 @@ def _pairs(*, quick: bool) -> Iterator[tuple[str, str, tuple[Contender, float], 
                 (_asked(radial, n, center=center), 1),
                 (_asked(radial, n), 1),
             )
+    averaged = (_asked(radial, 33, integrate=True, center=(16.3, 15.8)), 1)
+    yield "33², radial, averaged, the axis anywhere", _MIDDLE, averaged, (_asked(radial, 33, integrate=True), 1)
     for count, name in ((1, "one"), (4, "one of four")):
         yield f"33², general, {name}", _ONE_OF_MANY, (_small(many, count), count), (_small(many, 16), 16)
     for terms in (120, 400):

@@ -22,6 +22,7 @@ CALLS = {
         "lm.psf(lm.Pupil(lm.Wavefront(np.linspace(1.0, 900.0, 90_000))), 65, 0.5, threads=1)",
     ),
     "far window": ("", "lm.psf(lm.Pupil(lm.Wavefront(np.linspace(2000.0, 2001.0, 99))), (1, 16384), 9.0, threads=1)"),
+    "averages": ("", "lm.psf(lm.Pupil(lm.Wavefront(50.0, 20.0)), 12_000, 0.5, tol=1e-9, integrate=True)"),
     "Zernike": ("", "lm.psf(lm.Pupil(lm.Wavefront(40.0, nonradial={(3, 1): 60.0})), 8192, 0.2, threads=1)"),
     "chordal": (
         "way = lm.ChordalGauss(1e-10); coma = {(3, 1): np.linspace(1, 150, 20_000)}",

@@ -40,6 +40,24 @@ def test_an_error_of_a_task_ends_the_others_soon(error: type[BaseException], thr
     assert len(done) < 1000
 
 
+def test_an_error_does_not_wait_for_the_end_of_another_task() -> None:
+    both = threading.Barrier(2, timeout=20.0)
+    caller, ended = threading.get_ident(), []
+
+    def task(_: int) -> None:
+        both.wait()
+        if threading.get_ident() == caller:
+            raise KeyboardInterrupt("here")
+        for _ in range(2000):
+            time.sleep(0.01)
+        ended.append("at the end")
+
+    with pytest.raises(KeyboardInterrupt, match="here"):
+        side_by_side(task, range(2), 2)
+    assert not ended
+    assert side_by_side(str, range(5), 2) == list("01234")
+
+
 @pytest.mark.parametrize(("rows", "inner", "columns"), [(3, 5, 7), (700, 300, 41), (2, 300_000, 3), (1, 1, 1)])
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_a_product_of_matrices_is_that_of_numpy(rows: int, inner: int, columns: int, dtype: type) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
 import os
+import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -16,6 +18,11 @@ from lommel.base.arrays import Values
 Given = TypeVar("Given")
 Made = TypeVar("Made")
 
+
+class _Left(BaseException):
+    """Ends the tasks of other threads after an error."""
+
+
 _ALONE = 1 << 18  # multiplications for which OpenBLAS takes one thread
 
 
@@ -26,9 +33,12 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
         return [task(one) for one in each]
     left = deque(range(len(each)))
     made: dict[int, Made] = {}
+    at_work: set[int] = set()
+    lock = threading.Lock()
 
     def some() -> None:
         # A future for each would cost more than a short task.
+        at_work.add(threading.get_ident())
         try:
             while True:
                 try:
@@ -38,12 +48,21 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
                 made[number] = task(each[number])
         finally:
             left.clear()  # after an error
+            with lock:
+                at_work.discard(threading.get_ident())
 
     with ThreadPoolExecutor(most - 1) as pool:
         others = [pool.submit(some) for _ in range(most - 1)]
-        some()
-        for other in others:
-            other.result()
+        try:
+            some()
+            for other in others:
+                other.result()
+        except BaseException:
+            # Ctrl-C reaches this thread alone; the others may be in the middle of a long task.
+            with lock:
+                for thread in at_work:
+                    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(_Left))
+            raise
     return [made[number] for number in range(len(each))]
 
 

@@ -134,14 +134,20 @@ def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Ima
 
 
 # Weights for pixels around an axis anywhere take as long as about so many images by filtered samples, of pixels up to
-# so wide in v.
-_WORTH, _WIDEST = 8, 12.6
+# so wide in v. Polynomials of the distance from an axis, which serve all axes, take no longer than filtered samples
+# of so many pixels; the core takes them where the axis is in the window, up to so far from it in v.
+_WORTH, _WIDEST, _FEW, _FARTHEST = 8, 12.6, 64 * 64, 110.0
 
 
 def _filters(pupil: Pupil, grid: Grid) -> bool:
     """Return whether averages of a radial pupil had best be those of finer samples."""
     few = grid.integrate and not (grid.stack or math.prod(pupil.shape) > _WORTH)
-    return few and not grid.mirrored and grid.step(pupil) <= _WIDEST
+    if not few or grid.mirrored or grid.step(pupil) > _WIDEST:
+        return False
+    (y, x), (height, width) = grid.axis, grid.shape
+    within = 0.0 <= y <= height - 1 and 0.0 <= x <= width - 1
+    far = math.hypot(max(y, height - 1 - y), max(x, width - 1 - x))
+    return not within or height * width > _FEW or math.ceil(far) * grid.step(pupil) > _FARTHEST
 
 
 def radial_stack(pupil: Pupil) -> RadialStack:

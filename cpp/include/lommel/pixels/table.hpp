@@ -16,6 +16,7 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/watch.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/refine.hpp"
 #include "lommel/pixels/kernels.hpp"
@@ -140,7 +141,9 @@ struct PixelTable : Radii {  // where I is wanted, in v
     // Rings of 2 half from `least` on, each with its values next to each other, and their nodes.
     void make_rings(double least, double half, double slack, bool one, double allowed) {
         std::vector<std::size_t> ring_of(groups.v.size()), sizes(1, 0);
+        Glance glance;
         for (std::size_t i = 0; i < ring_of.size(); ++i) {
+            glance(4);
             ring_of[i] = one ? 0 : static_cast<std::size_t>((groups.v[i] - least) / (2.0 * half));
             sizes.resize(std::max(sizes.size(), ring_of[i] + 1), 0);
             ++sizes[ring_of[i]];
@@ -152,6 +155,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
             next[s] = value_count;
             middle[s] = least + half * (2.0 * static_cast<double>(s) + 1.0);
             if (sizes[s] > 0) {
+                glance(1000);
                 const RingNodes nodes(middle[s] - half, middle[s] + half, slack, allowed);
                 const std::size_t padded = (sizes[s] + block_outputs - 1) / block_outputs * block_outputs;
                 const bool direct = one || sizes[s] <= radial_degree * harmonics;
@@ -169,6 +173,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
         cosine.resize(value_count);
         std::vector<std::int32_t> place(groups.v.size());
         for (std::size_t i = 0; i < place.size(); ++i) {
+            glance(4);
             const std::size_t at = next[ring_of[i]]++;
             place[i] = static_cast<std::int32_t>(at);
             x[at] = half > 0.0 ? (groups.v[i] - middle[ring_of[i]]) / half : 0.0;

@@ -10,6 +10,7 @@
 
 #include "lommel/pixels/render.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/watch.hpp"
 
 namespace lommel {
 
@@ -47,7 +48,7 @@ struct PixelWindows {
     const double* centers = nullptr;  // [pupil](row, column)
     double farthest = 0.0;            // a pixel from its axis, in pixels, or more: a whole number
 
-    PixelWindows(const PixelWindow& shared) : first(shared) {}
+    PixelWindows(const PixelWindow& shared) : PixelWindows(shared, nullptr, 1) {}
     PixelWindows(const PixelWindow& like, const double* each, std::size_t pupils) : first(like), centers(each), farthest(1.0) {
         for (std::size_t p = 0; p < pupils; ++p) {
             const PixelWindow w = (*this)[p];
@@ -98,6 +99,7 @@ struct PixelGroups {
         const bool alike = std::equal(down.begin(), down.begin() + static_cast<std::ptrdiff_t>(common), across.begin());
         index.reserve(down.size() * across.size());
         for (std::size_t i = 0; i < down.size(); ++i) {
+            look();
             for (std::size_t k = 0; k < across.size(); ++k) {
                 if (alike && k < i && i < across.size()) {
                     index.push_back(index[k * across.size() + i]);
@@ -114,7 +116,9 @@ struct PixelGroups {
 
     // Numbers the groups anew.
     void renumber(const std::vector<std::int32_t>& place) {
+        Glance glance;
         for (std::int32_t& group : index) {
+            glance();
             group = place[static_cast<std::size_t>(group)];
         }
     }

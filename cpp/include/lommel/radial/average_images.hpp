@@ -110,9 +110,14 @@ class PixelRenderer {
     std::size_t pixels() const { return window_.height * window_.width; }
     static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
 
-    // Whether one table serves all the axes of the stack.
+    // Whether one table serves all the axes of the stack, or the one within the window of so few pupils that a table for this axis
+    // would cost more than it saves.
     bool anywhere() const {
-        return windows_.centers != nullptr && windows_.farthest * window_.step <= AnywhereTable::most_reach;
+        double ends[2];
+        window_.reach(ends);
+        const bool few =
+            window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 4096;
+        return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= AnywhereTable::most_reach;
     }
     template <class Table>
     std::shared_ptr<const Table> table_of(const PixelWindow& window, int level) const {

@@ -115,8 +115,7 @@ class PixelRenderer {
     bool anywhere() const {
         double ends[2];
         window_.reach(ends);
-        const bool few =
-            window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 4096;
+        const bool few = window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 4096;
         return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= AnywhereTable::most_reach;
     }
     template <class Table>

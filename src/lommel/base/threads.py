@@ -38,7 +38,8 @@ def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: 
 
     def some() -> None:
         # A future for each would cost more than a short task.
-        at_work.add(threading.get_ident())
+        with lock:
+            at_work.add(threading.get_ident())
         try:
             while True:
                 try:

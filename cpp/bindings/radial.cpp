@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lommel/radial/average_images.hpp"
-#include "lommel/radial/images.hpp"
 #include "lommel/radial/profiles.hpp"
 
 #include "pupils.hpp"
@@ -31,14 +30,7 @@ lommel::PixelWindows windows_of(std::size_t height, std::size_t width, std::size
 template <class T>
 double images_of(const lommel::Stack& stack, const lommel::PixelWindows& windows, double tol, int threads,
                  const lommel::Answer<T>& answer) {
-    return judged([&] {
-        const lommel::PixelWindow& window = windows.first;
-        if (windows.centers == nullptr && window.folds() && !window.integrate) {
-            lommel::Renderer<T>(stack, window, tol, threads, answer).run();
-        } else {
-            lommel::PixelRenderer<T>(stack, windows, tol, threads, answer).run();
-        }
-    });
+    return judged([&] { lommel::render_radial<T>(stack, windows, tol, threads, answer); });
 }
 
 // Around one axis, (row, column), or each around its own.

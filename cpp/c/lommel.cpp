@@ -14,7 +14,6 @@
 #include "lommel/chordal/images.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/radial/average_images.hpp"
-#include "lommel/radial/images.hpp"
 #include "lommel/special/legendre.hpp"
 #include "lommel/zernike/images.hpp"
 
@@ -134,11 +133,7 @@ struct Asked {
         const lommel::Stack stack{coefficients, pupils, terms, plan.obscuration};
         const lommel::Answer<T> answer{
             images, numbers.scales.data(), numbers.bounds.data(), numbers.peaks.data(), nullptr, 0, nullptr, nullptr};
-        if (plan.window.folds() && !plan.window.integrate) {
-            lommel::Renderer<T>(stack, plan.window, plan.tol, plan.threads, answer).run();
-        } else {
-            lommel::PixelRenderer<T>(stack, plan.window, plan.tol, plan.threads, answer).run();
-        }
+        lommel::render_radial<T>(stack, plan.window, plan.tol, plan.threads, answer);
         deliver(numbers.bounds.data());
     }
 

@@ -302,8 +302,42 @@ void pixels_around_any_axis(std::mt19937& random) {
     }
 }
 
+// Samples by polynomials of the distance, the window as it is or folded: each within its bound of |U|^2 there.
+template <class T>
+void samples_around_any_axis(std::mt19937& random) {
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    struct Case {
+        std::size_t height, width;
+        double row, column, step;
+    };
+    for (const Case& c : {Case{150, 90, 75, 44.5, 0.5}, Case{260, 301, 20, 290.5, 0.8}, Case{90, 140, 0.5, 0, 2.1},
+                          Case{190, 340, 95.3, 170.2, 1.3}, Case{64, 200, -40.5, 99, 0.9}, Case{65, 300, 700.3, -200.9, 1.7}}) {
+        const double coefficients[] = {20.0 * share(random) - 10.0, 6.0 * share(random) - 3.0};
+        const lommel::Stack stack{coefficients, 1, 2, 0.3};
+        std::vector<T> image(c.height * c.width);
+        double scale = 1.0, bound = 0.0, peak = 0.0;
+        lommel::PixelRenderer<T>(stack, lommel::PixelWindow{c.height, c.width, c.row, c.column, c.step, false}, 1e-6, 2,
+                                 {image.data(), &scale, &bound, &peak, nullptr, 0, nullptr, nullptr})
+            .run();
+        check(bound > 0.0 && bound <= 1e-6, "bound of samples", bound);
+        for (std::size_t i = 0; i < 60; ++i) {
+            const double rows = static_cast<double>(c.height), columns = static_cast<double>(c.width);
+            const std::size_t y = i < 4 ? (i % 2) * (c.height - 1) : static_cast<std::size_t>(rows * share(random)),
+                              x = i < 4 ? (i / 2) * (c.width - 1) : static_cast<std::size_t>(columns * share(random));
+            const double v = c.step * std::hypot(static_cast<double>(y) - c.row, static_cast<double>(x) - c.column);
+            std::complex<double> u;
+            double exact;
+            lommel::fields(stack, &v, 1, 1e-12, &u, &exact);
+            const double off = std::abs(static_cast<double>(image[y * c.width + x]) - std::norm(u)) / peak;
+            check(off <= bound, "sample around any axis", off / bound);
+        }
+    }
+}
+
 void every_kind_of_pixel(unsigned seed) {
     std::mt19937 random(seed);
+    samples_around_any_axis<float>(random);
+    samples_around_any_axis<double>(random);
     pixels_around_any_axis<float>(random);
     pixels_around_any_axis<double>(random);
 }

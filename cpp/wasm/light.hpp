@@ -14,7 +14,6 @@
 #include "lommel/pixels/filter.hpp"
 #include "lommel/pixels/taps.hpp"
 #include "lommel/radial/average_images.hpp"
-#include "lommel/radial/images.hpp"
 #include "lommel/zernike/far_averages.hpp"
 #include "lommel/zernike/images.hpp"
 
@@ -270,11 +269,7 @@ inline Proof image_of_line(const Light& light, const Line& line, const View& vie
         const Stack stack{powers.data(), 1, powers.size(), light.obscuration};
         const Answer<float> answer{out, numbers, numbers + 1, numbers + 2, nullptr, 0, nullptr, nullptr};
         const PixelWindow window{view.side, view.side, middle, middle, step, view.integrate};
-        if (view.integrate) {
-            PixelRenderer<float>(stack, window, tol, 1, answer).run();
-        } else {
-            Renderer<float>(stack, window, tol, 1, answer).run();
-        }
+        render_radial<float>(stack, window, tol, 1, answer);
         proof = {numbers[1], numbers[2]};
     } else if (view.integrate) {
         Averages averages{light, edge, view.side, step, {}};

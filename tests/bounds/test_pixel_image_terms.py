@@ -90,7 +90,34 @@ class Pieces(NamedTuple):
         series = self.series(profile)[:, each]
         return np.polynomial.chebyshev.chebval(2 * (place - each) - 1, series, tensor=False), mp.mpf(0)
 
-    def singly(self, profile: np.ndarray, top: float, room: mp.mpf) -> mp.mpf:
+    def astray(self, parts: int, room: mp.mpf) -> float:
+        """Return what places as whole multiples of 2^-f of a part are off by, in parts: below `room` in v, or 0."""
+        scale = self.window.step / float(self.width)
+        sides = (self.window.row, self.window.height), (self.window.column, self.window.width)
+
+        def squares(center: float, count: int) -> tuple[float, float]:
+            ends = center, count - 1 - center
+            return (scale * max(0, -ends[0], -ends[1])) ** 2, (scale * max(map(abs, ends))) ** 2
+
+        near, far = squares(*sides[0])
+        zones = [float(self.equal)]
+        while 2 * zones[-1] * float(self.width) <= self.radii()[-1]:
+            zones.append(2 * zones[-1])
+        zones = zones if zones[0] * float(self.width) <= self.radii()[-1] else []
+        for together in (128, 64, 32):
+            worst = 0.0
+            for start in range(0, self.window.width, together):
+                least, most = squares(self.window.column - start, min(together, self.window.width - start))
+                for zone in zones:
+                    end = 16 * zone**2 if 2 * zone in zones[:-1] else math.inf
+                    if zone**2 <= far + most and most + near < end and most - least <= end - zone**2:
+                        span = (most - least) * parts / (2 * zone)
+                        worst = max(worst, 2.0 ** (max(7, math.floor(math.log2(1.5 * span + 4))) - 31))
+            if worst * float(self.width) / parts < room:
+                return worst
+        return 0.0
+
+    def singly(self, profile: np.ndarray, top: float, room: mp.mpf, places: mp.mpf) -> mp.mpf:
         """Return what cubics in single precision add, off by about `room`, and the largest value by them."""
         powers = np.abs([np.polynomial.chebyshev.cheb2poly(piece) for piece in self.series(profile).T])
         bent = max(sum(math.comb(i, 4) * size for i, size in enumerate(piece)) for piece in powers)
@@ -100,9 +127,10 @@ class Pieces(NamedTuple):
             for piece in powers
         ]
         counts = [1, 6, 9, 12, 1 + 9, 1 + 12, 1 + 9, 1 + 12]
-        largest = max(sum(n * size for n, size in zip(counts, piece, strict=True)) for piece in taylor)
-        rounded = SINGLE * (mp.mpf("1.01") * mp.mpf(float(largest)) + mp.mpf(top))
-        return rounded + mp.mpf(float(bent)) / (8 * parts**4)
+        moved = 2 * self.astray(parts, places)
+        each = [float(SINGLE) * n + moved * k for k, n in enumerate(counts)]
+        largest = max(sum(n * size for n, size in zip(each, piece, strict=True)) for piece in taylor)
+        return mp.mpf(1.01 * largest) + SINGLE * mp.mpf(top) + mp.mpf(float(bent)) / (8 * parts**4)
 
     def table(self) -> Table:
         points = np.cos(np.pi * (np.arange(8) + 0.5) / 8)
@@ -186,7 +214,7 @@ def judged(lens: Lens, way: Pieces | Tabulated, error: float, singly: mp.mpf | N
     given = 2 * mp.sqrt(size) * e + e * e
     off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)
     by_cubics = singly is not None and isinstance(way, Pieces)
-    rough = way.singly(intensity, top, singly * size / 20) if by_cubics else mp.mpf(0)
+    rough = way.singly(intensity, top, singly * size / 20, singly / 4) if by_cubics else mp.mpf(0)
     return Judged(way, table, v, e, size, top, off + rough, table.magnification * given, rough)
 
 
@@ -238,10 +266,13 @@ def attempted(lens: Lens, window: Window, tol: float, divided: bool, single: boo
     singly = single and way is Pieces and allowed >= mp.mpf("5e-7")
     while True:
         found = judged(lens, way(window, level), error, allowed if singly else None)
-        if singly and related(found.off, found.top - found.off, divided, single, True) > tol:
-            singly, found = False, judged(lens, way(window, level), error)
-        if related(found.off, found.top - found.off, divided, single, way is Pieces) > tol and not looked:
+        if (
+            related(found.off, max(found.top - found.off, elsewhere), divided, single, way is Pieces) > tol
+            and not looked
+        ):
             looked, elsewhere = True, peak_on_a_line(lens, window, level, error)
+        if singly and related(found.off, max(found.top - found.off, elsewhere), divided, single, True) > tol:
+            singly, found = False, judged(lens, way(window, level), error)
         peak = max(found.top - found.off, elsewhere)
         bound = related(found.off, peak, divided, single, way is Pieces)
         if bound <= tol:
@@ -283,6 +314,8 @@ WINDOWS = [
     Window(6, 9, 3.0, 4.0, 0.8, True),
     Window(5, 5, 2.2, -31.7, 1.9, True),
     Window(7, 4, 9.3, 1.6, 0.5, False),
+    Window(9, 150, 20.3, -61.6, 0.9, False),
+    Window(3, 310, -2.3, 140.2, 1.7, False),
     Window(3, 2, 1.0, 1.0, 7.9, True),
 ]
 

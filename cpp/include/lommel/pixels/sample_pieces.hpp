@@ -13,10 +13,12 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
+#include "lommel/base/parallel.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/pixels/layout.hpp"
+#include "lommel/pixels/sample_rows.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/pixels/window.hpp"
 #include "lommel/special/chebyshev.hpp"
@@ -28,7 +30,7 @@ struct Cubics {
     static constexpr std::size_t terms = 4, from = 8, least = 2, most = 64;  // parts: an even number
     std::size_t parts;
     Doubles matrix;  // [power][part, power]
-    std::array<double, from> size{};  // see narrow()
+    std::array<double, from> rounded{}, slope{};  // of the coefficients of a piece: roundings, and the steepest that a cubic is
 
     explicit Cubics(std::size_t count);
 
@@ -51,6 +53,7 @@ struct Cubics {
 struct SamplePieces : Radii {  // where I is wanted, in v
     static constexpr std::size_t points = 8;  // of a piece, and coefficients
     static constexpr std::size_t together = 8;  // as many pieces more or less are one table
+    static constexpr double slack = 1e-4;  // of places, in pieces
     static constexpr double evenly = 32.0;  // up to here in v at least pieces are equal
     static_assert(Cubics::from == points);
 
@@ -79,10 +82,11 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         double ends[2];
         window.reach(ends);
         const double w = width_for(digits), equal = equal_pieces(w);
-        const auto whole = [&](double pixels) {
-            return static_cast<std::size_t>(piece_of(pixels * window.step / w, equal) / double(together));
+        const auto table = [&](double pixels, double further) {
+            const double piece = piece_of(pixels * window.step / w, equal) + further;
+            return static_cast<std::size_t>(std::max(0.0, piece) / double(together));
         };
-        return {whole(ends[0] * (1.0 - 1e-12)) * together, (whole(ends[1] * (1.0 + 1e-12)) + 1) * together};
+        return {table(ends[0], -slack) * together, (table(ends[1], slack) + 1) * together};
     }
     // Whether fewer radii do than there are pixels.
     static bool pays(const PixelWindow& window, int digits) {
@@ -97,68 +101,91 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     // The pixels of a window times a number, none below `least`, from I at the radii; returns the largest, not multiplied. Bound by
     // loads, of doubles.
     template <class T>
-    double paint(const PixelWindow& window, const double* intensity, double by, T least, T* image) const {
+    double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const {
         thread_local Doubles scratch;
         scratch.resize((last - first) * points);
-        double* const all = scratch.data();
-        double top = 0.0;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            fit(isa, intensity, all);
-            double tops[tile] = {};
-            each_tile<double, points>(window, 1,
-                                      [&](std::size_t begin, std::size_t count, const std::int32_t* at, const double* x)
-                                          LOMMEL_INLINE_LAMBDA {
-                                              for (std::size_t i = 0; i < count; ++i) {
-                                                  const double *const c = all + at[i], t = 2.0 * x[i], s = t * t;
-                                                  const double made = ((c[7] * t + c[6]) * s + (c[5] * t + c[4])) * (s * s) +
-                                                                      ((c[3] * t + c[2]) * s + (c[1] * t + c[0]));
-                                                  tops[i] = made > tops[i] ? made : tops[i];
-                                                  image[begin + i] = std::max(static_cast<T>(by * made), least);
-                                              }
-                                          });
-            top = *std::max_element(tops, tops + tile);
+        double* const all = scratch.data();  // of this thread, whoever paints
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { fit(isa, intensity, all); });
+        const FoldedWindow folded(window);
+        const SampleRows rows(folded.part, width, zones(1.0));
+        return largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, T* to) {
+            double tops[SampleRows::longest] = {};
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+                rows.each<double, points>(begin, end, [&](const SampleRows::Run<double>& run) LOMMEL_INLINE_LAMBDA {
+                    T* const made = to + (run.row - begin) * folded.part.width + run.start;
+                    for (std::size_t i = 0; i < run.count; ++i) {
+                        const double *const c = all + run.at[i], t = 2.0 * run.x[i], s = t * t;
+                        const double value =
+                            ((c[7] * t + c[6]) * s + (c[5] * t + c[4])) * (s * s) + ((c[3] * t + c[2]) * s + (c[1] * t + c[0]));
+                        tops[i] = value > tops[i] ? value : tops[i];
+                        made[i] = std::max(static_cast<T>(by * value), least);
+                    }
+                });
+            });
+            return *std::max_element(tops, tops + SampleRows::longest);
         });
-        return top;
     }
 
-    // The same, none below 0, by cubics in single precision on parts of the pieces, off by about `room`; what they add to the error of
-    // I, with all roundings, is `off`. Bound by loads.
-    double paint_singly(const PixelWindow& window, const double* intensity, double by, double room, float* image,
-                        double& off) const {
+    // The same, none below 0, by cubics in single precision on parts of the pieces, off by about `room`, at places that are by
+    // about `places` in v; what they add to the error of I, with all roundings, is `off`. Bound by loads.
+    double paint_singly(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
+                        float* image, double& off) const {
         thread_local Doubles scratch;
         thread_local Floats singles;
         scratch.resize((last - first) * points);
-        double* const all = scratch.data();
-        double top = 0.0;
+        const FoldedWindow folded(window);
+        double bent = 0.0;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { bent = fit(isa, intensity, scratch.data()); });
+        const auto cubics = Cubics::get(Cubics::for_error(bent, room));
+        SampleRows rows(folded.part, width, zones(static_cast<double>(cubics->parts)));
+        const double astray = rows.by_integers(places);
+        singles.resize((last - first) * cubics->parts * Cubics::terms);
+        float* const scaled = singles.data();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            const double bent = fit(isa, intensity, all);
-            const auto cubics = Cubics::get(Cubics::for_error(bent, room));
-            singles.resize((last - first) * cubics->parts * Cubics::terms);
-            float* const scaled = singles.data();
-            off = cubics->error(bent) + narrow(isa, *cubics, all, by, scaled);
-            alignas(64) float tops[most_lanes] = {}, made[tile];
-            each_tile<float, Cubics::terms>(
-                window, cubics->parts,
-                [&](std::size_t begin, std::size_t count, const std::int32_t* at, const float* x) LOMMEL_INLINE_LAMBDA {
-                    cubics_at(isa, scaled, at, x, count, count % most_lanes == 0 ? image + begin : made, tops);
-                    if (count % most_lanes != 0) {
-                        std::copy_n(made, count, image + begin);
+            off = cubics->error(bent) + narrow(isa, *cubics, astray, scratch.data(), by, scaled);
+        });
+        const double top = largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, float* to) {
+            alignas(64) float tops[SampleRows::most_lanes] = {};
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                rows.each<float, Cubics::terms>(begin, end, [&](const SampleRows::Run<float>& run) LOMMEL_INLINE_LAMBDA {
+                    alignas(64) float made[SampleRows::longest];
+                    float* const there = to + (run.row - begin) * folded.part.width + run.start;
+                    const bool whole = run.count % SampleRows::most_lanes == 0;
+                    cubics_at(isa, scaled + run.base, run.at, run.x, run.count, whole ? there : made, tops);
+                    if (!whole) {
+                        std::copy_n(made, run.count, there);
                     }
                 });
-            top = static_cast<double>(*std::max_element(tops, tops + most_lanes));
+            });
+            return static_cast<double>(*std::max_element(tops, tops + SampleRows::most_lanes)) / by;
         });
-        top /= by;
         off += single_roundoff * top;  // of the largest value itself
         return top;
     }
 
    private:
-    static constexpr std::size_t tile = 128, most_lanes = 16;  // pixels of a row, and of a vector
-
-    struct Zone {  // of squares of distances, in squares of pieces: from where on, and which part they are in
-        double begin, slope, shift;
-    };
-    using Zones = std::array<Zone, 40>;  // twice as far each, up to max_reach at most; the last one begins at infinity
+    // Has rows [begin, end) painted by paint(begin, end, to), in blocks that are worth a task, and so many that most of the pieces of a
+    // row are those of the one before; returns the largest that it does.
+    template <class T, class Paint>
+    static double largest_of(const FoldedWindow& window, int threads, T* image, const Paint& paint) {
+        const std::size_t height = window.part.height, width = window.part.width;
+        const std::size_t block = std::max<std::size_t>(32, (std::size_t{1} << 15) / width);
+        std::vector<double> tops((height + block - 1) / block);
+        parallel_for(tops.size(), threads, [&](std::size_t, std::size_t task) {
+            const std::size_t begin = task * block, end = std::min(height, begin + block);
+            if (!window.folds()) {
+                tops[task] = paint(begin, end, image + begin * width);
+                return;
+            }
+            thread_local std::vector<T> quarter;
+            quarter.resize((end - begin) * width);
+            tops[task] = paint(begin, end, quarter.data());
+            for (std::size_t row = begin; row < end; ++row) {
+                window.unfold(row, quarter.data() + (row - begin) * width, image);
+            }
+        });
+        return *std::max_element(tops.begin(), tops.end());
+    }
 
     // In which piece a distance is, in pieces: r up to R = `equal`, and (r^2 / R + 2 R - equal) / 2 for R <= r < 2 R = 2 equal, ...
     static double piece_of(double distance, double equal) {
@@ -205,95 +232,31 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         return largest;
     }
 
-    // Coefficients of the cubics times a number; returns what evaluate() makes of their roundings and its own at most.
+    // Coefficients of the cubics times a number; returns what their values are off by at most, through roundings and where places are
+    // `astray`, in parts.
     template <class I>
-    LOMMEL_INLINE double narrow(I isa, const Cubics& cubics, const double* coefficients, double by, float* scaled) const {
+    LOMMEL_INLINE double narrow(I isa, const Cubics& cubics, double astray, const double* coefficients, double by,
+                                float* scaled) const {
         const std::size_t outputs = cubics.parts * Cubics::terms;
+        double size[points];
+        for (std::size_t i = 0; i < points; ++i) {
+            size[i] = 1.01 * (single_roundoff * cubics.rounded[i] + 2.0 * astray * cubics.slope[i]);
+        }
         double largest = 0.0;
         for (std::size_t piece = first; piece < last; ++piece, coefficients += points) {
             for (std::size_t start = 0; start < outputs; start += points, scaled += points) {
                 eight_sums(isa, coefficients, by, cubics.matrix.data() + start, outputs, scaled);
             }
-            double size = 0.0;
+            double sum = 0.0;
             for (std::size_t i = 0; i < points; ++i) {
-                size += cubics.size[i] * std::abs(coefficients[i]);
+                sum += size[i] * std::abs(coefficients[i]);
             }
-            largest = size > largest ? size : largest;
+            largest = sum > largest ? sum : largest;
         }
-        return 1.01 * single_roundoff * largest;
+        return largest;
     }
 
-    // Hands over the pixels of a row of a tile: the first, how many, in which part of which piece each is, and where in it. There is
-    // room behind them for whole vectors, in parts that are there.
-    template <class Real, std::size_t Apart, class Take>
-    LOMMEL_INLINE void each_tile(const PixelWindow& window, std::size_t parts, const Take& take) const {
-        constexpr std::size_t block = most_lanes;
-        alignas(64) std::int32_t at[tile];
-        alignas(64) double squares[tile], place[tile];
-        alignas(64) Real x[tile];
-        const double pieces = window.step / width;
-        const Zones zones = all_zones(static_cast<double>(parts));
-        Glance glance;
-        const auto split = [&](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
-            const double whole = (where + 0x1.8p52) - 0x1.8p52;  // the nearest
-            at[i] = static_cast<std::int32_t>(Apart) * static_cast<std::int32_t>(whole);
-            x[i] = static_cast<Real>(where - whole);
-        };
-        // All rows of some columns in turn, so that most of the pieces of a row are those of the one before.
-        for (std::size_t start = 0; start < window.width; start += tile) {
-            const std::size_t here = std::min(tile, window.width - start), padded = (here + block - 1) / block * block;
-            for (std::size_t i = 0; i < padded; ++i) {
-                const double across = pieces * (static_cast<double>(start + std::min(i, here - 1)) - window.center_x);
-                squares[i] = across * across;
-            }
-            const double least = *std::min_element(squares, squares + here), most = *std::max_element(squares, squares + here);
-            std::size_t low = 0, high = 0;
-            for (std::size_t row = 0; row < window.height; ++row) {
-                glance(4 * padded);
-                const double down = pieces * (static_cast<double>(row) - window.center_y), square = down * down;
-                zone_of(zones, least + square, low);
-                zone_of(zones, most + square, high);
-                const Zone zone = zones[low];
-                // The root and the lines of the zones touch each other, and the curve that they make bends one way: it is the least.
-                const Zone next = zones[low + 1];
-                const double shift = square * zone.slope + zone.shift, other_shift = square * next.slope + next.shift;
-                if (low > 0 && high <= low + 1) {
-                    for (std::size_t i = 0; i < padded; ++i) {
-                        const double here = squares[i] * zone.slope + shift, there = squares[i] * next.slope + other_shift;
-                        split(i, there < here ? there : here);
-                    }
-                } else {
-                    for (std::size_t i = 0; low > 0 && i < padded; ++i) {
-                        place[i] = squares[i] * zone.slope + shift;
-                    }
-                    for (std::size_t i = 0; low == 0 && i < padded; ++i) {
-                        const double s = squares[i] + square, inner = s < next.begin ? s : next.begin;
-                        place[i] = std::sqrt(inner) * zone.slope + (s - inner) * next.slope + zone.shift;
-                    }
-                    for (std::size_t further = std::max<std::size_t>(low + 1, 2); further <= high; ++further) {
-                        const Zone one = zones[further];
-                        for (std::size_t i = 0; i < padded; ++i) {
-                            const double other = (squares[i] + square) * one.slope + one.shift;
-                            place[i] = other < place[i] ? other : place[i];
-                        }
-                    }
-                    for (std::size_t i = 0; i < padded; ++i) {
-                        split(i, place[i]);
-                    }
-                }
-                take(row * window.width + start, here, at, x);
-            }
-        }
-    }
-    Zones all_zones(double parts) const;
-    static LOMMEL_INLINE void zone_of(const Zones& zones, double square, std::size_t& zone) {
-        while (square < zones[zone].begin) {
-            --zone;
-        }
-        while (square >= zones[zone + 1].begin) {
-            ++zone;
-        }
-    }
+    SampleRows::Zones zones(double parts) const;
     // Of a vector of pixels at once, whose coefficients are loaded side by side and turned; those behind the last of them are as the
     // last. Raises what is the largest so far in each lane.
     template <class I>
@@ -309,7 +272,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
             V from[4];
             turned_fours(a, b, d, e, from);
             const V t = load<V>(x + i), made = ((from[3] * t + from[2]) * t + from[1]) * t + from[0];
-            const V positive = larger(made, V{});
+            const V positive = larger(V{}, made);
             top = larger(top, positive);
             store(to + i, positive);
         }
@@ -318,7 +281,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         for (std::size_t i = 0; i < count; ++i) {
             const float *const from = c + at[i], t = x[i];
             to[i] = std::max(0.0f, ((from[3] * t + from[2]) * t + from[1]) * t + from[0]);
-            tops[i % most_lanes] = std::max(tops[i % most_lanes], to[i]);
+            tops[i % SampleRows::most_lanes] = std::max(tops[i % SampleRows::most_lanes], to[i]);
         }
 #endif
     }
@@ -368,7 +331,8 @@ LOMMEL_ONCE Cubics::Cubics(std::size_t count) : parts(count), matrix(from * part
         double choose = 1.0, shrink = 1.0;
         for (std::size_t j = 0; j <= k; ++j) {
             constexpr double roundings[from] = {1.0, 6.0, 9.0, 12.0, 10.0, 13.0, 10.0, 13.0};
-            size[k] += roundings[j] * choose * shrink;
+            rounded[k] += roundings[j] * choose * shrink;
+            slope[k] += static_cast<double>(j) * choose * shrink;
             choose *= static_cast<double>(k - j) / static_cast<double>(j + 1);
             shrink /= static_cast<double>(parts);
         }
@@ -395,16 +359,16 @@ LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t
     radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
 }
 
-LOMMEL_ONCE SamplePieces::Zones SamplePieces::all_zones(double parts) const {
+LOMMEL_ONCE SampleRows::Zones SamplePieces::zones(double parts) const {
     const double equal = equal_pieces(width), begin = static_cast<double>(first);
-    Zones zones;
-    zones[0] = {0.0, parts, -parts * begin - 0.5};
+    SampleRows::Zones all;
+    all.fill({HUGE_VAL, 0.0, HUGE_VAL});
+    all[0] = {0.0, parts, -parts * begin - 0.5};
     std::size_t made = 1;
-    for (double from = equal; from * width <= reach() && made + 1 < zones.size(); from *= 2.0) {
-        zones[made++] = {from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5};
+    for (double from = equal; from * width <= reach() && made + 1 < all.size(); from *= 2.0) {
+        all[made++] = {from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5};
     }
-    zones[made] = {HUGE_VAL, 0.0, HUGE_VAL};
-    return zones;
+    return all;
 }
 #endif
 

@@ -16,6 +16,7 @@
 #include "lommel/radial/average_values.hpp"
 #include "lommel/radial/batch.hpp"
 #include "lommel/radial/coarse_averages.hpp"
+#include "lommel/radial/images.hpp"
 #include "lommel/radial/intensity.hpp"
 #include "lommel/radial/stack.hpp"
 
@@ -67,7 +68,7 @@ class PixelRenderer {
         // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2.
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + 2e-3 * static_cast<double>(pixels())));
-        const bool batch = answer_.derivatives == 0 && Batch::fits(stack_) && table_pays();
+        const bool batch = answer_.derivatives == 0 && Batch::fits(stack_) && table_pays() && pixels() <= most_of_batch;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : render_batch<PixelTable>()))) {
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
         }
@@ -75,16 +76,18 @@ class PixelRenderer {
 
    private:
     static constexpr int last_level = 15;
+    static constexpr std::size_t most_of_batch =
+        4096;  // pixels: beyond, their table would cost more than to find out that it does
 
     // What the tolerance is spent on, times what the largest value may be.
     struct Budget {
         // At first, on the table, and on U, which counts twice in I, times what the table makes of errors.
-        static constexpr double table = 0.25, field = 0.02, cubics = 0.05;
+        static constexpr double table = 0.25, field = 0.02, cubics = 0.05, places = 0.25;
         // Where that did not do, on each of both; half of it where values are divided by their largest.
         static constexpr double each = 0.2;
         // Of coarse pixels, on rings that are left out, and on quadrature.
         static constexpr double rings = 0.4, sums = 0.05;
-        static_assert(table + 2.0 * field + cubics <= 1.0 && 2.0 * each <= 1.0);
+        static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };
 
     struct Attempt {
@@ -164,12 +167,13 @@ class PixelRenderer {
         });
         double of_singles = 0.0;
         if constexpr (std::is_same_v<Table, SamplePieces> && sizeof(T) == sizeof(float)) {
-            f.top = painted.singly ? table.paint_singly(window, at_radii.data(), painted.scale,
-                                                        Budget::cubics * allowed_ * f.size, painted.image, of_singles)
-                                   : table.paint(window, at_radii.data(), painted.scale, T{0}, painted.image);
+            f.top = painted.singly
+                        ? table.paint_singly(window, at_radii.data(), painted.scale, Budget::cubics * allowed_ * f.size,
+                                             Budget::places * allowed_, threads, painted.image, of_singles)
+                        : table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
             made.penalty = 0.0;
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {
-            f.top = table.paint(window, at_radii.data(), painted.scale, T{0}, painted.image);
+            f.top = table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
             made.penalty = 0.0;
         } else {
             made.make(table, window, at_radii.data(), threads);
@@ -293,7 +297,10 @@ class PixelRenderer {
             try {
                 return render_by<SamplePieces>(pupil, threads);
             } catch (const ToleranceNotMet&) {
-                // Nor do powers of the distance round as little as weights do.
+                // Nor do powers of the distance round as little as weights do, or as I itself.
+            }
+            if (windows_[pupil].folds()) {
+                return Renderer<T>(stack_, windows_[pupil], tol_, threads, answer_).render(pupil, threads);
             }
         }
         if (anywhere()) {
@@ -327,16 +334,16 @@ class PixelRenderer {
                 return relative(f.top, f.off, elsewhere, normalize, at_once);
             };
             double bound = measured();
+            if (bound > tol_ && !normalize && !looked) {
+                elsewhere = peak_at_least(phase, asked);
+                looked = true;
+                bound = relative(f.top, f.off, elsewhere, normalize, at_once);
+            }
             if (bound > tol_ && painted.singly) {
                 painted.singly = false;
                 bound = measured();
             }
-            if (bound <= tol_ || normalize || looked) {
-                return bound;
-            }
-            elsewhere = peak_at_least(phase, asked);
-            looked = true;
-            return relative(f.top, f.off, elsewhere, normalize, at_once);
+            return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
             // What the parts of the error may be, at a guess where nothing is seen yet.
@@ -410,7 +417,7 @@ class PixelRenderer {
         const T least = std::numeric_limits<T>::lowest();
         double penalty = 0.0;
         if constexpr (std::is_same_v<Table, SamplePieces>) {
-            table.paint(window, slopes.values.data(), answer_.scales[pupil], least, image);
+            table.paint(window, slopes.values.data(), answer_.scales[pupil], least, threads, image);
         } else {
             WindowValues made;
             made.make(table, window, slopes.values.data(), threads);
@@ -480,5 +487,19 @@ class PixelRenderer {
     int threads_;
     Answer<T> answer_;
 };
+
+// Images of a stack. Around an axis that folds a window I is computed at the distances that differ, unless they are so many that
+// looking them up takes longer than interpolation.
+template <class T>
+void render_radial(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer) {
+    constexpr std::size_t most_looked_up = std::size_t{1} << 21;
+    const PixelWindow& window = windows.first;
+    if (windows.centers == nullptr && window.folds() && !window.integrate &&
+        window.rows().distances() * window.columns().distances() <= most_looked_up) {
+        Renderer<T>(stack, window, tol, threads, answer).run();
+    } else {
+        PixelRenderer<T>(stack, windows, tol, threads, answer).run();
+    }
+}
 
 }  // namespace lommel

@@ -45,6 +45,39 @@ class Renderer {
         for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
     }
 
+    // One pupil, by pieces.
+    void render(std::size_t pupil, int threads) {
+        thread_local std::vector<T> profile;
+        thread_local Field field;
+        const Phase phase = stack_[pupil];
+        const Places places(layout_->radii.data(), layout_->count, step_);
+        const bool divide = answer_.scales[pupil] == 0.0;
+        const double scale = divide ? 1.0 : answer_.scales[pupil];
+        profile.resize(layout_->count);
+        T* const values = profile.data();  // of this thread, whoever computes them
+        const auto take = [&](std::size_t first, std::size_t count, const double* intensity) {
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(intensity, scale, count, values + first); });
+        };
+        const Settled settled = settle_field<T>(field, phase, stack_.obscuration, places, tol_, divide,
+                                                [&] { return intensities(field, places, threads, take); });
+        answer_.finish(pupil, settled.top, settled.peak, settled.relative);
+        if (divide) {
+            store_scaled(values, answer_.scales[pupil], layout_->count, values);
+        }
+        paint(values, answer_.images + pupil * pixels(), threads);
+        for (std::size_t d = 0; d < answer_.derivatives; ++d) {
+            const Slopes slopes(field, phase, answer_.powers[d], stack_.obscuration, places, settled.error);
+            store_scaled(slopes.values.data(), answer_.scales[pupil], layout_->count, values);
+            const std::size_t at = d * stack_.count + pupil;
+            paint(values, answer_.derivative_images + at * pixels(), 1);
+            // |dI/dc_k| <= 2 |U| |T|, over the exact peak.
+            const double u = std::sqrt(settled.peak), t = std::sqrt(slopes.size);
+            const double wrong =
+                u * slopes.error + t * settled.bound + slopes.error * settled.bound + u * t * storing<T>(false);
+            answer_.derivative_bounds[at] = 2.0 * over_peak(wrong, settled.peak, settled.bound);
+        }
+    }
+
    private:
     std::size_t pixels() const { return layout_->height() * layout_->width(); }
 
@@ -77,39 +110,6 @@ class Renderer {
         assembled.resize(pixels());
         paint(profile.data(), assembled.data(), 1);
         std::memcpy(image, assembled.data(), pixels() * sizeof(T));
-    }
-
-    // One pupil, by pieces.
-    void render(std::size_t pupil, int threads) {
-        thread_local std::vector<T> profile;
-        thread_local Field field;
-        const Phase phase = stack_[pupil];
-        const Places places(layout_->radii.data(), layout_->count, step_);
-        const bool divide = answer_.scales[pupil] == 0.0;
-        const double scale = divide ? 1.0 : answer_.scales[pupil];
-        profile.resize(layout_->count);
-        T* const values = profile.data();  // of this thread, whoever computes them
-        const auto take = [&](std::size_t first, std::size_t count, const double* intensity) {
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(intensity, scale, count, values + first); });
-        };
-        const Settled settled = settle_field<T>(field, phase, stack_.obscuration, places, tol_, divide,
-                                                [&] { return intensities(field, places, threads, take); });
-        answer_.finish(pupil, settled.top, settled.peak, settled.relative);
-        if (divide) {
-            store_scaled(values, answer_.scales[pupil], layout_->count, values);
-        }
-        paint(values, answer_.images + pupil * pixels(), threads);
-        for (std::size_t d = 0; d < answer_.derivatives; ++d) {
-            const Slopes slopes(field, phase, answer_.powers[d], stack_.obscuration, places, settled.error);
-            store_scaled(slopes.values.data(), answer_.scales[pupil], layout_->count, values);
-            const std::size_t at = d * stack_.count + pupil;
-            paint(values, answer_.derivative_images + at * pixels(), 1);
-            // |dI/dc_k| <= 2 |U| |T|, over the exact peak.
-            const double u = std::sqrt(settled.peak), t = std::sqrt(slopes.size);
-            const double wrong =
-                u * slopes.error + t * settled.bound + slopes.error * settled.bound + u * t * storing<T>(false);
-            answer_.derivative_bounds[at] = 2.0 * over_peak(wrong, settled.peak, settled.bound);
-        }
     }
 
     void paint(const T* profile, T* image, int threads) {

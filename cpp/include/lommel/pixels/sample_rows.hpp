@@ -1,0 +1,261 @@
+// Rows of pixels around an axis anywhere: which part of which piece of the distance each pixel is in, and where in it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+#include "lommel/base/once.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/base/watch.hpp"
+#include "lommel/pixels/window.hpp"
+
+namespace lommel {
+
+// A window, or the quarter of one that has its axis in the middle of a pixel or between two: of each distance from the axis along
+// its sides one row and one column.
+class FoldedWindow {
+   public:
+    explicit FoldedWindow(const PixelWindow& w) : part(w), folds_(w.folds()) {
+        if (folds_) {
+            rows_ = w.rows();
+            columns_ = w.columns();
+            part.height = rows_.distances();
+            part.width = columns_.distances();
+            part.center_y = -0.5 * static_cast<double>(rows_.between());
+            part.center_x = -0.5 * static_cast<double>(columns_.between());
+        }
+    }
+
+    PixelWindow part;
+
+    bool folds() const { return folds_; }
+
+    // A row of the part to wherever it stands in the image.
+    template <class T>
+    LOMMEL_NOINLINE void unfold(std::size_t row, const T* values, T* image) const {
+        const bool above = row <= rows_.low, below = rows_.high + row < rows_.count;
+        T* const line = image + (above ? rows_.low - row : rows_.high + row) * columns_.count;
+        std::memcpy(line + columns_.high, values, (columns_.count - columns_.high) * sizeof(T));
+        for (std::size_t i = columns_.high - columns_.low == 0 ? 1 : 0; i <= columns_.low; ++i) {
+            *(line + columns_.low - i) = values[i];
+        }
+        if (above && below && rows_.low - row < rows_.high + row) {
+            std::memcpy(image + (rows_.high + row) * columns_.count, line, columns_.count * sizeof(T));
+        }
+    }
+
+   private:
+    bool folds_;
+    FoldedSide rows_{1}, columns_{1};
+};
+
+// The place of a pixel counts parts of pieces: the middle of the first is 0. It goes by a root of the square of the distance near the
+// axis, and is linear in that from one zone to the next, each twice as far out.
+class SampleRows {
+   public:
+    struct Zone {  // of squares of distances, in squares of pieces: from where on, and the place
+        double begin, slope, shift;
+    };
+    using Zones = std::array<Zone, 40>;  // up to max_reach at most; the last one begins at infinity
+
+    static constexpr std::size_t longest = 128;  // pixels of a row that are handed over together
+    static constexpr std::size_t most_lanes = 16;
+
+    // Of pixels one beside the other in a row the part in which each is, less `base`, both times what parts are apart, and where in it,
+    // from -1/2 to 1/2. There is room behind them for whole vectors, in parts that are there.
+    template <class Real>
+    struct Run {
+        std::size_t row, start, count;
+        std::ptrdiff_t base;
+        const std::int32_t* at;
+        const Real* x;
+    };
+
+    SampleRows(const PixelWindow& window, double width, const Zones& zones)
+        : window_(window), pieces_(window.step / width), zones_(zones) {}
+
+    // Has places in whole multiples of a part over a power of two, for pixels in single precision, where they are off by about `room` in
+    // v at most then; returns what they are off by at most, in parts.
+    double by_integers(double room);
+
+    // Hands over the pixels of rows [begin, end).
+    template <class Real, std::uint32_t Apart, class Take>
+    LOMMEL_INLINE void each(std::size_t begin, std::size_t end, const Take& take) const {
+        constexpr std::size_t block = most_lanes;
+        alignas(64) std::int32_t at[longest];
+        alignas(64) double squares[longest], place[longest];
+        alignas(64) Real x[longest];
+        Lines lines;
+        Glance glance;
+        const auto split = [&](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
+            const double whole = (where + 0x1.8p52) - 0x1.8p52;  // the nearest
+            at[i] = static_cast<std::int32_t>(Apart) * static_cast<std::int32_t>(whole);
+            x[i] = static_cast<Real>(where - whole);
+        };
+        // All rows of some columns in turn, so that most of the pieces of a row are those of the one before.
+        for (std::size_t start = 0; start < window_.width; start += tile_) {
+            const std::size_t here = std::min(tile_, window_.width - start), padded = (here + block - 1) / block * block;
+            for (std::size_t i = 0; i < padded; ++i) {
+                squares[i] = squared(static_cast<double>(start + std::min(i, here - 1)) - window_.center_x);
+            }
+            const double least = *std::min_element(squares, squares + here), most = *std::max_element(squares, squares + here);
+            std::size_t low = 0, high = 0, prepared = 0;
+            for (std::size_t row = begin; row < end; ++row) {
+                glance(4 * padded);
+                const double square = squared(static_cast<double>(row) - window_.center_y);
+                zone_of(least + square, low);
+                zone_of(most + square, high);
+                Run<Real> run{row, start, here, 0, at, x};
+                const Zone zone = zones_[low];
+                // The root and the lines of the zones touch each other, and the curve that they make bends one way: it is the least.
+                const Zone next = zones_[low + 1];
+                if constexpr (std::is_same_v<Real, float>) {
+                    if (integers_ && low > 0 && high <= low + 1) {
+                        if (prepared != low) {
+                            lines.prepare(squares, padded, least, most, zone.slope, next.slope);
+                            prepared = low;
+                        }
+                        run.base = static_cast<std::ptrdiff_t>(Apart) *
+                                   lines.template split<Apart>(padded, zone.slope * (least + square) + zone.shift,
+                                                               next.slope * (least + square) + next.shift, at, x);
+                        take(run);
+                        continue;
+                    }
+                }
+                const double shift = square * zone.slope + zone.shift, other_shift = square * next.slope + next.shift;
+                if (std::is_same_v<Real, double> && low > 0 && high <= low + 1) {
+                    for (std::size_t i = 0; i < padded; ++i) {
+                        const double here = squares[i] * zone.slope + shift, there = squares[i] * next.slope + other_shift;
+                        split(i, there < here ? there : here);
+                    }
+                } else {
+                    for (std::size_t i = 0; low > 0 && i < padded; ++i) {
+                        place[i] = squares[i] * zone.slope + shift;
+                    }
+                    for (std::size_t i = 0; low == 0 && i < padded; ++i) {
+                        const double s = squares[i] + square, inner = s < next.begin ? s : next.begin;
+                        place[i] = std::sqrt(inner) * zone.slope + (s - inner) * next.slope + zone.shift;
+                    }
+                    for (std::size_t further = std::max<std::size_t>(low + 1, 2); further <= high; ++further) {
+                        const Zone one = zones_[further];
+                        for (std::size_t i = 0; i < padded; ++i) {
+                            const double other = (squares[i] + square) * one.slope + one.shift;
+                            place[i] = other < place[i] ? other : place[i];
+                        }
+                    }
+                    for (std::size_t i = 0; i < padded; ++i) {
+                        split(i, place[i]);
+                    }
+                }
+                take(run);
+            }
+        }
+    }
+
+   private:
+    // Of some columns what their squares add to the places of two zones, as integers.
+    struct Lines {
+        alignas(64) std::uint32_t here[longest], next[longest];
+        double span = 0.0, unit = 1.0;
+        int bits = 0;  // behind the point
+
+        LOMMEL_INLINE void prepare(const double* squares, std::size_t padded, double least, double most, double slope,
+                                   double other_slope) {
+            span = (most - least) * slope;
+            bits = fraction_bits(span);
+            unit = std::ldexp(1.0, bits);
+            for (std::size_t i = 0; i < padded; ++i) {
+                here[i] = whole((squares[i] - least) * slope * unit);
+                next[i] = whole((squares[i] - least) * other_slope * unit);
+            }
+        }
+
+        // From the places of the pixel nearest to the axis; returns the part from which they are counted, one before its own or two.
+        // None is less than that one's, nor more than `span` beyond, where it counts.
+        template <std::uint32_t Apart>
+        LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::int32_t* at, float* x) const {
+            static_assert(Apart == 4);
+            const double base = std::floor(first) - 1.0;
+            const std::uint32_t from = whole((first - base + 0.5) * unit);
+            const std::uint32_t or_from = whole((std::min(other, first + span) - base + 0.5) * unit);
+            const std::uint32_t part = ~(Apart - 1), behind = (std::uint32_t{1} << bits) - 1;
+            const int down = bits - 2;  // of four coefficients
+            const float scale = static_cast<float>(1.0 / unit);
+            for (std::size_t i = 0; i < padded; ++i) {
+                const std::uint32_t one = here[i] + from, two = next[i] + or_from, where = two < one ? two : one;
+                at[i] = static_cast<std::int32_t>((where >> down) & part);
+                x[i] = static_cast<float>(static_cast<std::int32_t>(where & behind)) * scale - 0.5f;
+            }
+            return static_cast<std::ptrdiff_t>(base);
+        }
+        static LOMMEL_INLINE std::uint32_t whole(double x) { return static_cast<std::uint32_t>(x + 0.5); }
+    };
+    // Places up to 1.5 span + 3, which fit in 32 bits with so many behind the point, and those in single precision.
+    static int fraction_bits(double span) { return 31 - std::max(7, std::ilogb(1.5 * span + 4.0)); }
+
+    LOMMEL_INLINE double squared(double pixels) const { return pieces_ * pixels * (pieces_ * pixels); }
+    LOMMEL_INLINE void zone_of(double square, std::size_t& zone) const {
+        while (square < zones_[zone].begin) {
+            --zone;
+        }
+        while (square >= zones_[zone + 1].begin) {
+            ++zone;
+        }
+    }
+    double place_error() const;
+
+    PixelWindow window_;
+    double pieces_;  // a pixel has
+    Zones zones_;
+    std::size_t tile_ = longest;
+    bool integers_ = false;
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double SampleRows::place_error() const {
+    double ends[2];
+    PixelWindow line = window_;
+    line.width = 1;
+    line.center_x = 0.0;
+    line.reach(ends);
+    const double near = squared(ends[0]), far = squared(ends[1]);
+    double error = 0.0;
+    for (std::size_t start = 0; start < window_.width; start += tile_) {
+        PixelWindow columns = window_;
+        columns.height = 1;
+        columns.center_y = 0.0;
+        columns.width = std::min(tile_, window_.width - start);
+        columns.center_x -= static_cast<double>(start);
+        columns.reach(ends);
+        const double least = squared(ends[0]), most = squared(ends[1]);
+        for (std::size_t z = 1; zones_[z].begin <= far + most; ++z) {
+            const double end = z + 2 < zones_.size() ? zones_[z + 2].begin : HUGE_VAL;
+            if (most + near < end && most - least <= end - zones_[z].begin) {
+                error = std::max(error, std::ldexp(1.0, -fraction_bits((most - least) * zones_[z].slope)));
+            }
+        }
+    }
+    return error;
+}
+
+LOMMEL_ONCE double SampleRows::by_integers(double room) {
+    const double most = room * pieces_ * zones_[0].slope / window_.step;
+    for (tile_ = longest; tile_ >= 32; tile_ /= 2) {
+        const double error = place_error();
+        if (error < most) {
+            integers_ = true;
+            return error;
+        }
+    }
+    tile_ = longest;
+    return 0.0;
+}
+#endif
+
+}  // namespace lommel

@@ -163,15 +163,14 @@ def test_clearing_frees_what_is_kept_and_changes_no_bit():
 
 
 def test_the_last_two_tables_of_a_kind_are_kept_whatever_their_size():
-    limit = 96 * 2**20  # of layouts of windows
+    limit = 16 * 2**20  # of distances between which samples are interpolated
     lm.clear_caches()
-    out = np.empty((16384, 2900), np.float32)
-    lm.psf(lm.Pupil(), out.shape, 0.5, out=out)
-    assert engine.table_bytes()[0] > limit
-    lm.psf(lm.Pupil(), 33, 0.5)
-    assert engine.table_bytes()[0] > limit
-    lm.psf(lm.Pupil(), 35, 0.5)
-    assert engine.table_bytes()[0] < limit
+    lm.psf(lm.Pupil(), 2950, 40.0)
+    kept = engine.table_bytes()[0]
+    lm.psf(lm.Pupil(), 33, 0.5, center=(16.2, 15.9))
+    assert engine.table_bytes()[0] >= kept
+    lm.psf(lm.Pupil(), 93, 0.5, center=(16.2, 15.9))
+    assert engine.table_bytes()[0] < kept - limit
 
 
 def test_pupils_beyond_a_whole_vector_take_the_tables_of_the_others_where_no_more_are_kept():

@@ -126,19 +126,28 @@ Named tail_bounds(Doubles1 coefficients, Doubles1 amplitude, double obscuration,
 // Of a table for the averages over the pixels of a window, its axis at (center_y, center_x); each ring as (the least
 // and the largest distance of its pixels, the same of its nodes, their count, whether they are of an even function, whether
 // pixels have their own weights).
+Named rings_of(const lommel::PixelRings& table) {
+    nb::list rings;
+    for (const auto& ring : table.rings) {
+        rings.append(nb::make_tuple(ring.middle - ring.half, ring.middle + ring.half, ring.nodes.low, ring.nodes.high,
+                                    ring.nodes.count, ring.nodes.even, ring.direct));
+    }
+    return named("gauss"_a = table.gauss, "harmonics"_a = table.harmonics, "rings"_a = rings, "error"_a = table.error,
+                 "of_nodes"_a = table.of_nodes, "of_grid"_a = table.of_grid, "rounding"_a = table.rounding,
+                 "penalty"_a = listed(table.penalty));
+}
+
 Named pixel_bounds(std::size_t height, std::size_t width, double center_y, double center_x, double step, bool integrate,
                    int level) {
     require(height > 0 && height <= 1000 && width > 0 && width <= 1000, "windows must have 1 to 1000 pixels a side");
     require(step > 0.0 && level >= 1 && level <= 15, "step must be positive, level from 1 to 15");
-    const auto table = lommel::PixelTable::get({height, width, center_y, center_x, step, integrate}, level, 1);
-    nb::list rings;
-    for (const auto& ring : table->rings) {
-        rings.append(nb::make_tuple(ring.middle - ring.half, ring.middle + ring.half, ring.nodes.low, ring.nodes.high,
-                                    ring.nodes.count, ring.nodes.even, ring.direct));
-    }
-    return named("gauss"_a = table->gauss, "harmonics"_a = table->harmonics, "rings"_a = rings, "error"_a = table->error,
-                 "of_nodes"_a = table->of_nodes, "of_grid"_a = table->of_grid, "rounding"_a = table->rounding,
-                 "penalty"_a = listed(table->penalty));
+    return rings_of(*lommel::PixelTable::get({height, width, center_y, center_x, step, integrate}, level, 1));
+}
+
+Named ring_bounds(double pitch, double farthest, int level) {
+    require(pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AverageRings::most_reach && level >= 1 && level <= 15,
+            "pitch must be positive, farthest 1 at least and within reach, level from 1 to 15");
+    return rings_of(*lommel::AverageRings::get(pitch, farthest, level));
 }
 
 lommel::PixelWindow anywhere_window(double pitch, bool averages, double farthest, int level) {
@@ -201,4 +210,5 @@ void bindings::define_radial_bounds(nb::module_& m) {
           "level"_a, "out"_a.noconvert(), "The pixels of one, and the units of roundoff that their sums may be off by.");
     m.def("pixel_bounds", &pixel_bounds, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
           "Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.");
+    m.def("ring_bounds", &ring_bounds, "pitch"_a, "farthest"_a, "level"_a, "The same of windows around any axis.");
 }

@@ -262,7 +262,8 @@ void pixels_around_any_axis(std::mt19937& random) {
     for (const Case& c :
          {Case{9, 7, 1, 3.3, -40.4, 0.4, false}, Case{33, 33, 6, 16, 16, 9.0, true}, Case{150, 90, 1, 75, 45, 0.5, true},
           Case{60, 90, 5, 20.5, 30.5, 1.6, true}, Case{80, 120, 1, -9.25, 60.0, 0.3, false}, Case{1, 1, 4, 0.0, 0.0, 2.0, true},
-          Case{40, 41, 1, 20, 20, 25.0, true}}) {
+          Case{40, 41, 1, 20, 20, 25.0, true}, Case{60, 90, 1, 20.3, 30.9, 1.6, true},
+          Case{31, 33, 3, 16.2, 15.7, 7.0, true}}) {
         const std::size_t pixels = c.height * c.width;
         std::vector<double> coefficients(2 * c.count), scales(c.count, share(random) < 0.5 ? 0.0 : 1.0), bounds(c.count),
             peaks(c.count), slope_bounds(2 * c.count);

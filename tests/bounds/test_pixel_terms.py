@@ -46,10 +46,13 @@ def test_pixels_that_sample_have_nothing_to_average():
 
 def table_of(window: Window, level: int) -> Table:
     """Return what the certificate says of a table, from the rings, nodes and harmonics that the core chose."""
-    made: dict[str, Any] = _core.pixel_bounds(*window, level)
+    return expected_of(_core.pixel_bounds(*window, level), window.side)
+
+
+def expected_of(made: dict[str, Any], a: float) -> Table:
     if not made["rings"]:
         return Table(mp.mpf(0), mp.mpf(1), mp.mpf(1), mp.mpf(0))
-    n, j, a = max(ring[4] for ring in made["rings"]), made["harmonics"], window.side
+    n, j = max(ring[4] for ring in made["rings"]), made["harmonics"]
     # Near the axis nodes are those of an even function, half of twice as many.
     worst = max(
         interpolation(high, 2 * count) if even else interpolation((high - low) / 2, count)
@@ -123,6 +126,30 @@ def test_every_kind_of_table():
     # Averages and samples; harmonics, one ring, rings with a row a pixel, no table at all.
     assert {(True, True, False, True), (False, True, False, True), (True, False, True, True)} <= seen
     assert {(False, False, True, True), (True, False, False, True), (False, False, False, False)} <= seen
+
+
+def test_rings_around_any_axis():
+    rng = np.random.default_rng(4)
+    for _ in range(60):
+        pitch, level = 10.0 ** rng.uniform(-1.2, 1.1), int(rng.integers(3, 15))
+        farthest = float(rng.integers(1, max(2, int(10.0 ** rng.uniform(0.5, 3.2) / pitch))))
+        made: dict[str, Any] = _core.ring_bounds(pitch, farthest, level)
+        expected, rings = expected_of(made, pitch), made["rings"]
+        for name, one in expected._asdict().items():
+            assert made[name] == pytest.approx(float(one), rel=1e-9, abs=0.0), name
+        # From the axis to the farthest pixel without a gap, all points of their squares.
+        width, slack = rings[0][1], pitch / math.sqrt(2)
+        assert rings[-1][0] <= farthest * pitch < rings[-1][1]
+        for i, (near, far, low, high, count, even, direct) in enumerate(rings):
+            assert (near, far) == pytest.approx((i * width, (i + 1) * width), rel=1e-12, abs=1e-12)
+            assert low <= max(0.0, near - slack) * (1 + 1e-12)
+            assert high >= (far + slack) * (1 - 1e-12)
+            assert not direct
+            off = interpolation(high, 2 * count) if even else interpolation((high - low) / 2, count)
+            assert off <= mp.mpf(10) ** -level / 5 / (lebesgue(made["harmonics"]) * lebesgue(K))
+        assert fewest(made["gauss"], mp.mpf(10) ** -level / 10, gauss, pitch)
+        assert fewest(made["harmonics"], mp.mpf(10) ** -level / 5, harmonics, pitch)
+        assert lebesgue(made["harmonics"]) * interpolation(width / 2, K) <= mp.mpf("0.3") * mp.mpf(10) ** -level
 
 
 @pytest.mark.parametrize(

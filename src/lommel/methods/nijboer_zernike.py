@@ -136,7 +136,7 @@ def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Ima
 # Weights for pixels around an axis anywhere take as long as about so many images by filtered samples, of pixels up to
 # so wide in v. Polynomials of the distance from an axis, which serve all axes, take no longer than filtered samples
 # of so many pixels; the core takes them where the axis is in the window, up to so far from it in v.
-_WORTH, _WIDEST, _FEW, _FARTHEST = 8, 12.6, 64 * 64, 110.0
+_WORTH, _WIDEST, _FEW, _FARTHEST = 8, 12.6, 40000, 2000.0
 
 
 def _filters(pupil: Pupil, grid: Grid) -> bool:

@@ -14,6 +14,7 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/reference.hpp"
 #include "lommel/base/watch.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/pixels.hpp"
@@ -98,8 +99,7 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         return cache<SamplePieces>.get(digits, ends[0], ends[1]);
     }
 
-    // The pixels of a window times a number, none below `least`, from I at the radii; returns the largest, not multiplied. Bound by
-    // loads, of doubles.
+    // The pixels of a window times a number, none below `least`, from I at the radii; returns the largest, not multiplied.
     template <class T>
     double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const {
         thread_local Doubles scratch;
@@ -109,20 +109,13 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         const FoldedWindow folded(window);
         const SampleRows rows(folded.part, width, zones(1.0));
         return largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, T* to) {
-            double tops[SampleRows::longest] = {};
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-                rows.each<double, points>(begin, end, [&](const SampleRows::Run<double>& run) LOMMEL_INLINE_LAMBDA {
-                    T* const made = to + (run.row - begin) * folded.part.width + run.start;
-                    for (std::size_t i = 0; i < run.count; ++i) {
-                        const double *const c = all + run.at[i], t = 2.0 * run.x[i], s = t * t;
-                        const double value =
-                            ((c[7] * t + c[6]) * s + (c[5] * t + c[4])) * (s * s) + ((c[3] * t + c[2]) * s + (c[1] * t + c[0]));
-                        tops[i] = value > tops[i] ? value : tops[i];
-                        made[i] = std::max(static_cast<T>(by * value), least);
-                    }
-                });
-            });
-            return *std::max_element(tops, tops + SampleRows::longest);
+            return evaluate(rows, all, by, static_cast<double>(least), begin, end,
+                            [&](std::size_t row, std::size_t start, std::size_t count, const double* values) {
+                                T* const made = to + (row - begin) * folded.part.width + start;
+                                for (std::size_t i = 0; i < count; ++i) {
+                                    made[i] = static_cast<T>(values[i]);
+                                }
+                            });
         });
     }
 
@@ -164,6 +157,12 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     }
 
    private:
+    // Hands over the pixels of rows [begin, end) times a number, none below `least`; returns the largest, not multiplied. Bound by loads,
+    // of doubles.
+    using Made = Reference<void(std::size_t row, std::size_t start, std::size_t count, const double* values)>;
+    double evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin, std::size_t end,
+                    const Made& made) const;
+
     // Has rows [begin, end) painted by paint(begin, end, to), in blocks that are worth a task, and so many that most of the pieces of a
     // row are those of the one before; returns the largest that it does.
     template <class T, class Paint>
@@ -357,6 +356,25 @@ LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t
         }
     }
     radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
+}
+
+LOMMEL_ONCE double SamplePieces::evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin,
+                                          std::size_t end, const Made& made) const {
+    double tops[SampleRows::longest] = {};
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        rows.each<double, points>(begin, end, [&](const SampleRows::Run<double>& run) LOMMEL_INLINE_LAMBDA {
+            double values[SampleRows::longest];
+            for (std::size_t i = 0; i < run.count; ++i) {
+                const double *const c = all + run.at[i], t = 2.0 * run.x[i], s = t * t;
+                const double value =
+                    ((c[7] * t + c[6]) * s + (c[5] * t + c[4])) * (s * s) + ((c[3] * t + c[2]) * s + (c[1] * t + c[0]));
+                tops[i] = value > tops[i] ? value : tops[i];
+                values[i] = by * value > least ? by * value : least;
+            }
+            made(run.row, run.start, run.count, values);
+        });
+    });
+    return *std::max_element(tops, tops + SampleRows::longest);
 }
 
 LOMMEL_ONCE SampleRows::Zones SamplePieces::zones(double parts) const {

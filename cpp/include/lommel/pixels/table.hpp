@@ -28,7 +28,8 @@
 
 namespace lommel {
 
-struct PixelTable : Radii {  // where I is wanted, in v
+// Rings of pixels whose weights do not depend on where in a ring they are.
+struct PixelRings : Radii {  // where I is wanted, in v
     // Shares of the error that is asked of a table.
     struct Budget {
         static constexpr double gauss = 0.1;      // the rule over a pixel
@@ -50,23 +51,125 @@ struct PixelTable : Radii {  // where I is wanted, in v
         bool direct;  // outputs are the values; else coefficients [harmonic][radial_degree]
     };
 
-    PixelWindow window;
-    int level;  // errors are about 10^-level; `error` says what they are
-    PixelGroups groups;
     std::vector<Ring> rings;           // none where I is wanted at the pixels themselves
     std::vector<std::int32_t> places;  // of the nodes of each ring among the radii
     Doubles weights;                   // of each ring: [block of outputs][node][output]
     Doubles x, cosine;                 // x: from -1 to 1 across the ring; cosine of four times the angle
     Doubles penalty;                   // roundings that each coefficient takes part in
-    std::size_t value_count = 0, harmonics = 1, gauss = 1;
+    std::size_t harmonics = 1, gauss = 1;
     double error = 0.0;    // of the values, over half the range of I, where I is exact at the radii
     double of_nodes = 1.0, of_grid = 1.0;  // what errors are multiplied by: at the radii, at the places of the harmonics
     double rounding = 0.0;  // of making and applying the weights, in units of roundoff times the largest I
 
-    PixelTable(const PixelWindow& w, int digits, int threads);
-
     // What an error of I at the radii may become in a value.
     double magnification() const { return of_grid * of_nodes; }
+
+   protected:
+    // So many values of a ring, in whole steps of four vectors, from its coefficients.
+    void sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values, double* out) const;
+
+    // Weights of all rings, and what they are off by.
+    void weigh(double side, double half, int threads) {
+        weights.resize(rings.back().first_weight + rings.back().nodes.count * rings.back().outputs);
+        const Points square = Points::square(side, gauss);
+        const Doubles radial = cosine_transform(radial_degree), angular = cosine_transform(harmonics);
+        parallel_for(rings.size(), threads, [&](std::size_t, std::size_t r) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { weigh(isa, rings[r], square, radial, angular); });
+        });
+        judge(side, half);
+    }
+
+    // Angles and points in a pixel for pixels of some side; half of how wide rings may be.
+    double plan(double side, double allowed) {
+        gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
+        harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
+        double half = 6.0;
+        while (lebesgue(harmonics) * interpolation_error(half, radial_degree) > Budget::rings * allowed) {
+            half *= 0.98;
+        }
+        return half;
+    }
+    // Of the nodes of a ring that is expanded.
+    double of_nodes_within(double allowed) const {
+        return Budget::nodes * allowed / (lebesgue(harmonics) * lebesgue(radial_degree));
+    }
+
+    // Takes `v` for the radii; returns the place of each among them.
+    std::vector<std::int32_t> sort_radii(const std::vector<double>& v) {
+        std::vector<std::size_t> order(v.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return v[i] < v[k]; });
+        std::vector<std::int32_t> place(v.size());
+        for (const std::size_t i : order) {
+            place[i] = static_cast<std::int32_t>(radii.size());
+            radii.push_back(v[i]);
+        }
+        count = v.size();
+        radii.resize(count + widest_step, radii.back());
+        return place;
+    }
+
+    template <class I>
+    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Points& square, const Doubles& radial, const Doubles& angular) {
+        Doubles rows(ring.outputs * ring.nodes.count);
+        average_rows(
+            isa, ring.nodes, square, ring.outputs,
+            // Directly the pixels; else Chebyshev points of the radius, and of the cosine for each.
+            [&](std::size_t o) {
+                const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
+                return ring.middle + ring.half * at;
+            },
+            [&](std::size_t o) {
+                return quarter_angle(ring.direct ? cosine[ring.first_value + o]
+                                                 : chebyshev_point(o / radial_degree, harmonics));
+            },
+            rows.data());
+        if (!ring.direct) {
+            transform(radial, harmonics, radial_degree, 1, ring.nodes.count, rows);
+            transform(angular, radial_degree, 1, radial_degree, ring.nodes.count, rows);
+        }
+        block_rows(rows.data(), ring.outputs, ring.nodes.count, weights.data() + ring.first_weight);
+    }
+
+    // docs/certificate.md, section 9.
+    void judge(double side, double half) {
+        double worst = 0.0;
+        std::size_t most = 0;
+        bool expanded = false;
+        for (const Ring& ring : rings) {
+            worst = std::max(worst, ring.nodes.error);
+            most = std::max(most, ring.nodes.count);
+            expanded = expanded || !ring.direct;
+        }
+        const double n = static_cast<double>(most);
+        of_nodes = lebesgue(most);
+        of_grid = expanded ? lebesgue(harmonics) * lebesgue(radial_degree) : 1.0;
+        error = of_grid * (worst + gauss_error(side, gauss));
+        rounding = of_grid * of_nodes * (6.0 * n + 40.0);
+        if (!expanded) {
+            harmonics = 0;
+            return;
+        }
+        error += lebesgue(harmonics) * interpolation_error(half, radial_degree) + harmonics_error(side, harmonics);
+        const double orders = static_cast<double>(harmonics), degrees = static_cast<double>(radial_degree);
+        rounding += of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
+        for (std::size_t j = 0; j < harmonics; ++j) {
+            for (std::size_t k = 0; k < radial_degree; ++k) {
+                const double order = static_cast<double>(j), power = static_cast<double>(k);
+                penalty.push_back(1.5 * (power + 1.0) * (power + 2.0) + 10.0 * order * order + 4.0 * orders);
+            }
+        }
+    }
+};
+
+struct PixelTable : PixelRings {
+    PixelWindow window;
+    int level;  // errors are about 10^-level; `error` says what they are
+    PixelGroups groups;
+    std::size_t value_count = 0;
+
+    PixelTable(const PixelWindow& w, int digits, int threads);
+
     // As of an AnywhereTable.
     double outermost() const { return rings.empty() ? reach() : rings.back().nodes.high; }
     double growth() const {
@@ -110,28 +213,13 @@ struct PixelTable : Radii {  // where I is wanted, in v
             }
             for (std::size_t p = 0; p < Together && !ring.direct; ++p) {
                 penalties[p] = std::max(penalties[p], weighted_size(isa, sums[p], penalty.data(), ring.outputs));
-                sum_harmonics(isa, RadialDegree{}, sums[p], harmonics, x.data() + ring.first_value,
-                              cosine.data() + ring.first_value, ring.values, out[p] + ring.first_value);
+                sum_ring(sums[p], x.data() + ring.first_value, cosine.data() + ring.first_value, ring.values,
+                         out[p] + ring.first_value);
             }
         }
     }
 
    private:
-    // Takes `v` for the radii; returns the place of each among them.
-    std::vector<std::int32_t> sort_radii(const std::vector<double>& v) {
-        std::vector<std::size_t> order(v.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return v[i] < v[k]; });
-        std::vector<std::int32_t> place(v.size());
-        for (const std::size_t i : order) {
-            place[i] = static_cast<std::int32_t>(radii.size());
-            radii.push_back(v[i]);
-        }
-        count = v.size();
-        radii.resize(count + widest_step, radii.back());
-        return place;
-    }
-
     void at_pixels() {
         groups.renumber(sort_radii(groups.v));
         value_count = count;
@@ -189,76 +277,24 @@ struct PixelTable : Radii {  // where I is wanted, in v
         // Of each pixel is known what is needed.
         groups.v = groups.cosine = {};
     }
-
-    template <class I>
-    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Points& square, const Doubles& radial, const Doubles& angular) {
-        Doubles rows(ring.outputs * ring.nodes.count);
-        average_rows(
-            isa, ring.nodes, square, ring.outputs,
-            // Directly the pixels; else Chebyshev points of the radius, and of the cosine for each.
-            [&](std::size_t o) {
-                const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
-                return ring.middle + ring.half * at;
-            },
-            [&](std::size_t o) {
-                return quarter_angle(ring.direct ? cosine[ring.first_value + o]
-                                                 : chebyshev_point(o / radial_degree, harmonics));
-            },
-            rows.data());
-        if (!ring.direct) {
-            transform(radial, harmonics, radial_degree, 1, ring.nodes.count, rows);
-            transform(angular, radial_degree, 1, radial_degree, ring.nodes.count, rows);
-        }
-        block_rows(rows.data(), ring.outputs, ring.nodes.count, weights.data() + ring.first_weight);
-    }
-
-    // docs/certificate.md, section 9.
-    void judge(double half) {
-        double worst = 0.0;
-        std::size_t most = 0;
-        bool expanded = false;
-        for (const Ring& ring : rings) {
-            worst = std::max(worst, ring.nodes.error);
-            most = std::max(most, ring.nodes.count);
-            expanded = expanded || !ring.direct;
-        }
-        const double n = static_cast<double>(most);
-        of_nodes = lebesgue(most);
-        of_grid = expanded ? lebesgue(harmonics) * lebesgue(radial_degree) : 1.0;
-        error = of_grid * (worst + gauss_error(window.side(), gauss));
-        rounding = of_grid * of_nodes * (6.0 * n + 40.0);
-        if (!expanded) {
-            harmonics = 0;
-            return;
-        }
-        error += lebesgue(harmonics) * interpolation_error(half, radial_degree) + harmonics_error(window.side(), harmonics);
-        const double orders = static_cast<double>(harmonics), degrees = static_cast<double>(radial_degree);
-        rounding += of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
-        for (std::size_t j = 0; j < harmonics; ++j) {
-            for (std::size_t k = 0; k < radial_degree; ++k) {
-                const double order = static_cast<double>(j), power = static_cast<double>(k);
-                penalty.push_back(1.5 * (power + 1.0) * (power + 2.0) + 10.0 * order * order + 4.0 * orders);
-            }
-        }
-    }
 };
 
 #if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void PixelRings::sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values,
+                                      double* out) const {
+    dispatch([&](auto isa)
+                 LOMMEL_INLINE_LAMBDA { sum_harmonics(isa, RadialDegree{}, coefficients, harmonics, at, angle, values, out); });
+}
+
 LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads) : window(w), level(digits), groups(w) {
     const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
     const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
     const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
-    gauss = fewest(1, [&](std::size_t q) { return gauss_error(w.side(), q) <= Budget::gauss * allowed; });
-    harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(w.side(), j) <= Budget::harmonics * allowed; });
-    const double by_angle = lebesgue(harmonics);
-    double half = 6.0;
-    while (by_angle * interpolation_error(half, radial_degree) > Budget::rings * allowed) {
-        half *= 0.98;
-    }
+    const double half = plan(w.side(), allowed);
 
     // Multiply-adds of one image, and a share of those of the table, counted, not measured: rings so narrow that
     // `radial_degree` coefficients do, the window as one ring, or I at the pixels.
-    const double within = Budget::nodes * allowed / (by_angle * lebesgue(radial_degree));
+    const double within = of_nodes_within(allowed);
     const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
     const RingNodes whole(least, most, slack, Budget::window * allowed);
     const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
@@ -283,13 +319,7 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
                  : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +
             "; take smaller pixels, and average blocks of them");
     }
-    weights.resize(entries);
-    const Points square = Points::square(w.side(), gauss);
-    const Doubles radial = cosine_transform(radial_degree), angular = cosine_transform(harmonics);
-    parallel_for(rings.size(), threads, [&](std::size_t, std::size_t r) {
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { weigh(isa, rings[r], square, radial, angular); });
-    });
-    judge(half);
+    weigh(w.side(), half, threads);
 }
 #endif
 

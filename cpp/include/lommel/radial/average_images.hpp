@@ -65,9 +65,11 @@ class PixelRenderer {
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
     void run() {
-        // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2.
+        // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2; an
+        // older one 400 for averages of 128^2 by rings.
+        const double pixel = of_rings() ? 2e-2 : 2e-3;
         threads_ =
-            worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + 2e-3 * static_cast<double>(pixels())));
+            worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
         const bool batch = answer_.derivatives == 0 && Batch::fits(stack_) && table_pays() && pixels() <= most_of_batch;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : render_batch<PixelTable>()))) {
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
@@ -113,17 +115,22 @@ class PixelRenderer {
     std::size_t pixels() const { return window_.height * window_.width; }
     static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
 
-    // Whether one table serves all the axes of the stack, or the one within the window of so few pupils that a table for this axis
+    // Whether tables for any axis serve: those of the stack, or the one within the window of so few pupils that a table for this axis
     // would cost more than it saves.
-    bool anywhere() const {
+    bool any_axis(double farthest) const {
         double ends[2];
         window_.reach(ends);
-        const bool few = window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 4096;
-        return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= AnywhereTable::most_reach;
+        const bool few = window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 40000 &&
+                         window_.step <= 12.6;
+        return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= farthest;
     }
+    bool anywhere() const { return any_axis(AnywhereTable::most_reach); }
+    bool of_rings() const { return window_.integrate && any_axis(AverageRings::most_reach); }
     template <class Table>
     std::shared_ptr<const Table> table_of(const PixelWindow& window, int level) const {
-        if constexpr (std::is_same_v<Table, AnywhereTable>) {
+        if constexpr (std::is_same_v<Table, AverageRings>) {
+            return AverageRings::get(window.step, windows_.farthest, level);
+        } else if constexpr (std::is_same_v<Table, AnywhereTable>) {
             return AnywhereTable::get(window.step, window.integrate, windows_.farthest, level);
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {
             return SamplePieces::get(window, level);
@@ -303,12 +310,12 @@ class PixelRenderer {
                 return Renderer<T>(stack_, windows_[pupil], tol_, threads, answer_).render(pupil, threads);
             }
         }
-        if (anywhere()) {
-            try {
-                return render_by<AnywhereTable>(pupil, threads);
-            } catch (const ToleranceNotMet&) {
-                // Roundings of long polynomials are more than those of weights for every pixel.
+        try {
+            if (of_rings()) {
+                return render_by<AverageRings>(pupil, threads);
             }
+        } catch (const ToleranceNotMet&) {
+            // Roundings of long polynomials are more than those of weights for every pixel.
         }
         render_by<PixelTable>(pupil, threads);
     }

@@ -9,6 +9,7 @@
 #include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/pixels/average_rings.hpp"
 #include "lommel/pixels/own_axes.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/limits.hpp"
@@ -23,6 +24,8 @@ struct WindowValues {
 
     void make(const AnywhereTable& table, const PixelWindow& window, const double* at_radii, int);
 
+    void make(const AverageRings& table, const PixelWindow& window, const double* at_radii, int threads);
+
     void make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads);
 };
 
@@ -32,6 +35,13 @@ LOMMEL_ONCE void WindowValues::make(const AnywhereTable& table, const PixelWindo
     count = window.height * window.width;
     values.resize(count + widest_step);
     penalty = table.values(window, at_radii, scratch, values.data());
+}
+
+LOMMEL_ONCE void WindowValues::make(const AverageRings& table, const PixelWindow& window, const double* at_radii, int threads) {
+    thread_local Doubles scratch;
+    count = window.height * window.width;
+    values.resize(count + widest_step);
+    penalty = table.values(window, at_radii, threads, scratch, values.data());
 }
 
 LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads) {

@@ -1,0 +1,140 @@
+// Averages around an axis anywhere, of pixels too far from it for one polynomial: of each ring of equal width polynomials of the distance
+// and harmonics, with weights that depend on pitch and reach only. docs/certificate.md, section 9.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/base/parallel.hpp"
+#include "lommel/pixels/table.hpp"
+#include "lommel/pixels/window.hpp"
+
+namespace lommel {
+
+struct AverageRings : PixelRings {
+    // Beyond, I at all the radii takes longer than what else there is.
+    static constexpr double most_reach = 2000.0;
+
+    double step;  // the pitch in v
+    double farthest;  // middles of pixels from the axis, in pixels
+    int level;  // errors are about 10^-level; `error` says what they are
+    double width;  // of a ring, in v
+
+    AverageRings(double pitch, double pixels, int digits);
+
+    // As of an AnywhereTable.
+    double outermost() const { return rings.back().nodes.high; }
+    std::size_t bytes() const {
+        return sizeof(double) * (weights.size() + radii.size()) + sizeof(std::int32_t) * places.size();
+    }
+    bool is(double pitch, double pixels, int digits) const { return step == pitch && farthest == pixels && level == digits; }
+    static constexpr std::size_t most_bytes = std::size_t{64} << 20;
+    static std::shared_ptr<const AverageRings> get(double pitch, double pixels, int digits) {
+        return cache<AverageRings>.get(pitch, pixels, digits);
+    }
+
+    // The pixels of a window from I at the radii, in whole vectors; returns what evaluating the polynomials may be off by, in units of
+    // roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
+    double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits) : step(pitch), farthest(pixels), level(digits) {
+    const double allowed = std::pow(10.0, -level), half = plan(step, allowed), slack = step * 0.70710678118654752;
+    width = 2.0 * half;
+    const std::size_t outputs = (radial_degree * harmonics + block_outputs - 1) / block_outputs * block_outputs;
+    std::vector<double> radius;
+    std::size_t entries = 0;
+    for (double begin = 0.0; begin <= farthest * step * (1.0 + 1e-12); begin += width) {
+        const RingNodes nodes(begin, begin + width, slack, of_nodes_within(allowed));
+        rings.push_back({nodes, begin + half, half, radius.size(), 0, 0, 0, entries, outputs, false});
+        entries += nodes.count * outputs;
+        for (std::size_t i = 0; i < nodes.count; ++i) {
+            radius.push_back(nodes.radius(i));
+        }
+    }
+    places = sort_radii(radius);
+    weigh(step, half, 1);
+}
+
+LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch,
+                                        double* out) const {
+    std::vector<std::int32_t> ring_of;
+    std::vector<std::size_t> starts, next;
+    constexpr std::size_t whole = 2 * row_lanes;  // values are summed so many together, or a part of them
+    const std::size_t pixels = window.height * window.width, room = pixels + whole * rings.size();
+    const std::size_t outputs = radial_degree * harmonics;
+    scratch.resize(2 * pixels + 3 * room);
+    double *const v = scratch.data(), *const angle = v + pixels, *const x = angle + pixels, *const cosine = x + room,
+                  *const made = cosine + room;
+    ring_of.resize(pixels);
+    next.assign(rings.size(), 0);
+    const double per_ring = 1.0 / width;
+    for (std::size_t row = 0, i = 0; row < window.height; ++row) {
+        const double dy = static_cast<double>(row) - window.center_y, above = dy * dy;
+        for (std::int32_t column = 0; column < static_cast<std::int32_t>(window.width); ++column, ++i) {
+            const double dx = static_cast<double>(column) - window.center_x, square = dx * dx + above;
+            const double product = dx * dy / std::max(square, 1e-300);
+            v[i] = step * std::sqrt(square);
+            angle[i] = 1.0 - 8.0 * product * product;
+            ring_of[i] = std::min(static_cast<std::int32_t>(v[i] * per_ring), static_cast<std::int32_t>(rings.size()) - 1);
+        }
+    }
+    for (std::size_t i = 0; i < pixels; ++i) {
+        ++next[static_cast<std::size_t>(ring_of[i])];
+    }
+    // The values of a ring follow each other; what fills its last vectors is on its middle.
+    starts.assign(rings.size() + 1, 0);
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+        const std::size_t end = starts[r] + next[r];
+        starts[r + 1] = starts[r] + (next[r] + whole - 1) / whole * whole;
+        next[r] = starts[r];
+        std::fill(x + end, x + starts[r + 1], 0.0);
+        std::fill(cosine + end, cosine + starts[r + 1], 0.0);
+    }
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const Ring& ring = rings[static_cast<std::size_t>(ring_of[i])];
+        const std::size_t place = next[static_cast<std::size_t>(ring_of[i])]++;
+        x[place] = (v[i] - ring.middle) / ring.half;
+        cosine[place] = angle[i];
+        v[i] = static_cast<double>(place);
+    }
+    constexpr std::size_t block = 4;  // rings a task
+    std::vector<double> penalties((rings.size() + block - 1) / block, 0.0);
+    parallel_for(penalties.size(), threads, [&](std::size_t, std::size_t task) {
+        thread_local Doubles own;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t r = task * block; r < std::min(rings.size(), (task + 1) * block); ++r) {
+                const Ring& ring = rings[r];
+                const std::size_t nodes = ring.nodes.count, here = starts[r + 1] - starts[r];
+                if (here == 0) {
+                    continue;
+                }
+                own.resize(outputs + nodes);
+                double *sums = own.data(), *const at = sums + outputs;
+                for (std::size_t i = 0; i < nodes; ++i) {
+                    at[i] = intensity[places[ring.first_node + i]];
+                }
+                const double* const from = at;
+                for (std::size_t first = 0; first < outputs; first += block_outputs) {
+                    weighted_sums<1>(isa, weights.data() + ring.first_weight + first * nodes, nodes, &from, &sums, first);
+                }
+                penalties[task] = std::max(penalties[task], weighted_size(isa, sums, penalty.data(), outputs));
+                sum_ring(sums, x + starts[r], cosine + starts[r], here, made + starts[r]);
+            }
+        });
+    });
+    for (std::size_t i = 0; i < pixels; ++i) {
+        out[i] = made[static_cast<std::size_t>(v[i])];
+    }
+    return *std::max_element(penalties.begin(), penalties.end());
+}
+#endif
+
+}  // namespace lommel

@@ -322,3 +322,16 @@ def test_pieces_of_a_stack_of_averages_keep_their_axes(monkeypatch):
     monkeypatch.setattr(averaging, "_VALUES", 600)
     found = lm.psf(PUPILS["coma"][:5], 6, 0.8, center=([3, 3.2, 2.7, 3, 2], 2.5), integrate=True)
     np.testing.assert_allclose(found.values, expected.values, atol=2e-6 * expected.values.max())
+
+
+@pytest.mark.parametrize("side", [1, 2, 3, 5])
+def test_samples_far_apart_are_around_the_axis_of_their_own_pupil(side):
+    pupils = lm.Pupil(lm.Wavefront(np.linspace(0.0, 3.0, 6), 1.0))
+    rows, columns = side // 2 + np.random.default_rng(0).uniform(-0.5, 0.5, (2, 6))
+    together = lm.psf(pupils, side, 60.0 / side + 30.0, center=(rows, columns), normalize="strehl")
+    for k, one in enumerate(together.values):
+        alone = lm.psf(
+            pupils[k], side, 60.0 / side + 30.0, center=(rows[k], columns[k]), normalize="strehl", tol=1e-9
+        )
+        peak = lm.psf(pupils[k], 65, 0.3, normalize="strehl").values.max()
+        assert np.abs(one - alone.values).max() <= 1.01e-6 * peak

@@ -71,7 +71,9 @@ class PixelRenderer {
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
         const bool batch = answer_.derivatives == 0 && Batch::fits(stack_) && table_pays() && pixels() <= most_of_batch;
-        if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : render_batch<PixelTable>()))) {
+        // A table of one window serves no pupil with another axis.
+        const bool one_axis = windows_.centers == nullptr;
+        if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : one_axis && render_batch<PixelTable>()))) {
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
         }
     }

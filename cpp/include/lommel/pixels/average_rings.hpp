@@ -20,6 +20,8 @@ namespace lommel {
 struct AverageRings : PixelRings {
     // Beyond, I at all the radii takes longer than what else there is.
     static constexpr double most_reach = 2000.0;
+    // Pixels are no wider, in v: beyond, light is better followed across their edges, or pixels have weights of their own.
+    static constexpr double widest = 40.0;
 
     double step;  // the pitch in v
     double farthest;  // middles of pixels from the axis, in pixels

@@ -127,7 +127,9 @@ class PixelRenderer {
         return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= farthest;
     }
     bool anywhere() const { return any_axis(AnywhereTable::most_reach); }
-    bool of_rings() const { return window_.integrate && any_axis(AverageRings::most_reach); }
+    bool of_rings() const {
+        return window_.integrate && window_.step <= AverageRings::widest && any_axis(AverageRings::most_reach);
+    }
     template <class Table>
     std::shared_ptr<const Table> table_of(const PixelWindow& window, int level) const {
         if constexpr (std::is_same_v<Table, AverageRings>) {

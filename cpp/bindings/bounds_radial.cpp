@@ -145,10 +145,9 @@ Named pixel_bounds(std::size_t height, std::size_t width, double center_y, doubl
 }
 
 Named ring_bounds(double pitch, double farthest, int level) {
-    require(pitch > 0.0 && pitch <= lommel::AverageRings::widest && farthest >= 1.0 &&
-                pitch * farthest <= lommel::AverageRings::most_reach && level >= 1 && level <= 15,
+    require(pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AverageRings::most_reach && level >= 1 && level <= 15,
             "pitch must be positive, farthest 1 at least and within reach, level from 1 to 15");
-    return rings_of(*lommel::AverageRings::get(pitch, farthest, level));
+    return rings_of(*lommel::AverageRings::get(pitch, farthest, level, 1));
 }
 
 lommel::PixelWindow anywhere_window(double pitch, bool averages, double farthest, int level) {

@@ -134,9 +134,10 @@ def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Ima
 
 
 # Weights for pixels around an axis anywhere take as long as about so many images by filtered samples, of pixels up to
-# so wide in v. Polynomials of the distance from an axis, which serve all axes, take no longer than filtered samples
-# of so many pixels; the core takes them where the axis is in the window, up to so far from it in v.
-_WORTH, _WIDEST, _FEW, _FARTHEST = 8, 12.6, 40000, 2000.0
+# so wide in v. Polynomials of rings, which serve all axes, take no longer than filtered samples of so many pixels. The
+# core takes them where the axis is in the window, up to so far from it in v, and where about so many products do for
+# their weights (AverageRings in average_rings.hpp).
+_WORTH, _WIDEST, _FEW, _FARTHEST, _MOST_WORK = 8, 12.6, 40000, 2000.0, 2e7
 
 
 def _filters(pupil: Pupil, grid: Grid) -> bool:
@@ -144,10 +145,11 @@ def _filters(pupil: Pupil, grid: Grid) -> bool:
     few = grid.integrate and not (grid.stack or math.prod(pupil.shape) > _WORTH)
     if not few or grid.mirrored or grid.step(pupil) > _WIDEST:
         return False
-    (y, x), (height, width) = grid.axis, grid.shape
+    (y, x), (height, width), step = grid.axis, grid.shape, grid.step(pupil)
     within = 0.0 <= y <= height - 1 and 0.0 <= x <= width - 1
-    far = math.hypot(max(y, height - 1 - y), max(x, width - 1 - x))
-    return not within or height * width > _FEW or math.ceil(far) * grid.step(pupil) > _FARTHEST
+    far = math.ceil(math.hypot(max(y, height - 1 - y), max(x, width - 1 - x))) * step
+    work = (far / 12 + 1) * 16 * (1.2 * step + 3) * (0.8 * step + 8) ** 2 * (1.5 * step + 27)
+    return not within or height * width > _FEW or far > _FARTHEST or work > _MOST_WORK
 
 
 def radial_stack(pupil: Pupil) -> RadialStack:

@@ -20,25 +20,32 @@ namespace lommel {
 struct AverageRings : PixelRings {
     // Beyond, I at all the radii takes longer than what else there is.
     static constexpr double most_reach = 2000.0;
-    // Pixels are no wider, in v: beyond, light is better followed across their edges, or pixels have weights of their own.
-    static constexpr double widest = 40.0;
+    // About so many products make the weights: rings, angles and points of each, and places in a pixel and nodes for these. More would
+    // cost as much as many images by other ways, as nijboer_zernike.py has it, too.
+    static double work(double pitch, double reach) {
+        const double places = 0.8 * pitch + 8.0;
+        return (reach / 12.0 + 1.0) * 16.0 * (1.2 * pitch + 3.0) * places * places * (1.5 * pitch + 27.0);
+    }
+    static constexpr double most_work = 2e7;
 
     double step;  // the pitch in v
     double farthest;  // middles of pixels from the axis, in pixels
     int level;  // errors are about 10^-level; `error` says what they are
     double width;  // of a ring, in v
 
-    AverageRings(double pitch, double pixels, int digits);
+    AverageRings(double pitch, double pixels, int digits, int threads);
 
     // As of an AnywhereTable.
     double outermost() const { return rings.back().nodes.high; }
     std::size_t bytes() const {
         return sizeof(double) * (weights.size() + radii.size()) + sizeof(std::int32_t) * places.size();
     }
-    bool is(double pitch, double pixels, int digits) const { return step == pitch && farthest == pixels && level == digits; }
+    bool is(double pitch, double pixels, int digits, int) const {
+        return step == pitch && farthest == pixels && level == digits;
+    }
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-    static std::shared_ptr<const AverageRings> get(double pitch, double pixels, int digits) {
-        return cache<AverageRings>.get(pitch, pixels, digits);
+    static std::shared_ptr<const AverageRings> get(double pitch, double pixels, int digits, int threads) {
+        return cache<AverageRings>.get(pitch, pixels, digits, threads);
     }
 
     // The pixels of a window from I at the radii, in whole vectors; returns what evaluating the polynomials may be off by, in units of
@@ -47,7 +54,8 @@ struct AverageRings : PixelRings {
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits) : step(pitch), farthest(pixels), level(digits) {
+LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits, int threads)
+    : step(pitch), farthest(pixels), level(digits) {
     const double allowed = std::pow(10.0, -level), half = plan(step, allowed), slack = step * 0.70710678118654752;
     width = 2.0 * half;
     const std::size_t outputs = (radial_degree * harmonics + block_outputs - 1) / block_outputs * block_outputs;
@@ -62,7 +70,7 @@ LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits) 
         }
     }
     places = sort_radii(radius);
-    weigh(step, half, 1);
+    weigh(step, half, threads);
 }
 
 LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch,

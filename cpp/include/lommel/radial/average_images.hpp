@@ -122,18 +122,19 @@ class PixelRenderer {
     bool any_axis(double farthest) const {
         double ends[2];
         window_.reach(ends);
-        const bool few = window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 40000 &&
-                         window_.step <= 12.6;
+        const bool few = window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 40000;
         return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= farthest;
     }
     bool anywhere() const { return any_axis(AnywhereTable::most_reach); }
     bool of_rings() const {
-        return window_.integrate && window_.step <= AverageRings::widest && any_axis(AverageRings::most_reach);
+        const double reach = windows_.farthest * window_.step;
+        return window_.integrate && AverageRings::work(window_.step, reach) <= AverageRings::most_work &&
+               any_axis(AverageRings::most_reach);
     }
     template <class Table>
     std::shared_ptr<const Table> table_of(const PixelWindow& window, int level) const {
         if constexpr (std::is_same_v<Table, AverageRings>) {
-            return AverageRings::get(window.step, windows_.farthest, level);
+            return AverageRings::get(window.step, windows_.farthest, level, threads_);
         } else if constexpr (std::is_same_v<Table, AnywhereTable>) {
             return AnywhereTable::get(window.step, window.integrate, windows_.farthest, level);
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {

@@ -134,7 +134,7 @@ def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Ima
 
 
 # Weights for pixels around an axis anywhere take as long as about so many images by filtered samples, of pixels up to
-# so wide in v. Polynomials of rings, which serve all axes, take no longer than filtered samples of so many pixels. The
+# so wide in v. Polynomials of rings for all axes take no longer than filtered samples of so many pixels. The
 # core takes them where the axis is in the window, up to so far from it in v, and where about so many products do for
 # their weights (AverageRings in average_rings.hpp).
 _WORTH, _WIDEST, _FEW, _FARTHEST, _MOST_WORK = 8, 12.6, 40000, 2000.0, 2e7

@@ -68,7 +68,8 @@ def psf(
         circular apertures, ChordalGauss instead where it is likely to take less time for wavefronts that depend on
         the direction, NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is what was used.
     tol : float, optional
-        Tolerance relative to the peak; by default that of the method, or 1e-6 if no method is given.
+        Tolerance relative to the peak, or to the largest value in the window if `normalize` is "peak"; by default
+        that of the method, or 1e-6 if no method is given.
     normalize : {"energy", "emitted", "strehl", "peak"}, default "energy"
         "energy": a value is the fraction of all light per pixel: averages over an infinite window sum to 1, and so do
         samples of pixels no larger than lambda*N/2. "emitted", of an Objective: the same over the light that it would
@@ -148,8 +149,8 @@ def psf(
 class Plan:
     """A prepared computation of PSFs for many pupils, one after the other; the options are checked once.
 
-    Called with a pupil, it returns the same as :func:`psf`. After the first call with `out` no image is allocated and
-    no table is built.
+    Called with a pupil, it returns the same as :func:`psf`. After the first call with `out` no image is allocated,
+    and no table is built while the caches hold those of the last calls.
 
     Parameters
     ----------

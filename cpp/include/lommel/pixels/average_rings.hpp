@@ -58,7 +58,8 @@ LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits, 
     : step(pitch), farthest(pixels), level(digits) {
     const double allowed = std::pow(10.0, -level), half = plan(step, allowed), slack = step * 0.70710678118654752;
     width = 2.0 * half;
-    const std::size_t outputs = (radial_degree * harmonics + block_outputs - 1) / block_outputs * block_outputs;
+    const std::size_t outputs = radial_degree * harmonics;  // whole blocks
+    static_assert(radial_degree % block_outputs == 0);
     std::vector<double> radius;
     std::size_t entries = 0;
     for (double begin = 0.0; begin <= farthest * step * (1.0 + 1e-12); begin += width) {
@@ -75,7 +76,7 @@ LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits, 
 
 LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch,
                                         double* out) const {
-    std::vector<std::int32_t> ring_of;
+    std::vector<std::int32_t> ring_of, place_of;
     std::vector<std::size_t> starts, next;
     constexpr std::size_t whole = 2 * row_lanes;  // values are summed so many together, or a part of them
     const std::size_t pixels = window.height * window.width, room = pixels + whole * rings.size();
@@ -84,6 +85,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
     double *const v = scratch.data(), *const angle = v + pixels, *const x = angle + pixels, *const cosine = x + room,
                   *const made = cosine + room;
     ring_of.resize(pixels);
+    place_of.resize(pixels);
     next.assign(rings.size(), 0);
     const double per_ring = 1.0 / width;
     for (std::size_t row = 0, i = 0; row < window.height; ++row) {
@@ -113,7 +115,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
         const std::size_t place = next[static_cast<std::size_t>(ring_of[i])]++;
         x[place] = (v[i] - ring.middle) / ring.half;
         cosine[place] = angle[i];
-        v[i] = static_cast<double>(place);
+        place_of[i] = static_cast<std::int32_t>(place);
     }
     constexpr std::size_t block = 4;  // rings a task
     std::vector<double> penalties((rings.size() + block - 1) / block, 0.0);
@@ -141,7 +143,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
         });
     });
     for (std::size_t i = 0; i < pixels; ++i) {
-        out[i] = made[static_cast<std::size_t>(v[i])];
+        out[i] = made[place_of[i]];
     }
     return *std::max_element(penalties.begin(), penalties.end());
 }

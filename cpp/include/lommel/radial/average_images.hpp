@@ -70,7 +70,8 @@ class PixelRenderer {
         const double pixel = of_rings() ? 2e-2 : 2e-3;
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
-        const bool batch = answer_.derivatives == 0 && Batch::fits(stack_) && table_pays() && pixels() <= most_of_batch;
+        const bool batch =
+            answer_.derivatives == 0 && Batch::fits(stack_) && table_pays() && (window_.integrate || pixels() <= most_sampled);
         // A table of one window serves no pupil with another axis.
         const bool one_axis = windows_.centers == nullptr;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : one_axis && render_batch<PixelTable>()))) {
@@ -80,8 +81,7 @@ class PixelRenderer {
 
    private:
     static constexpr int last_level = 15;
-    static constexpr std::size_t most_of_batch =
-        4096;  // pixels: beyond, their table would cost more than to find out that it does
+    static constexpr std::size_t most_sampled = 8192;  // pixels of a batch: beyond, its table costs more than it saves
 
     // What the tolerance is spent on, times what the largest value may be.
     struct Budget {
@@ -311,9 +311,9 @@ class PixelRenderer {
             } catch (const ToleranceNotMet&) {
                 // Nor do powers of the distance round as little as weights do, or as I itself.
             }
-            if (windows_[pupil].folds()) {
-                return Renderer<T>(stack_, windows_[pupil], tol_, threads, answer_).render(pupil, threads);
-            }
+        }
+        if (!window_.integrate && windows_.centers == nullptr && window_.folds()) {
+            return Renderer<T>(stack_, window_, tol_, threads, answer_).render(pupil, threads);
         }
         try {
             if (of_rings()) {

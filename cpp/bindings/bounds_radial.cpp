@@ -210,5 +210,6 @@ void bindings::define_radial_bounds(nb::module_& m) {
           "level"_a, "out"_a.noconvert(), "The pixels of one, and the units of roundoff that their sums may be off by.");
     m.def("pixel_bounds", &pixel_bounds, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
           "Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.");
-    m.def("ring_bounds", &ring_bounds, "pitch"_a, "farthest"_a, "level"_a, "The same of windows around any axis.");
+    m.def("ring_bounds", &ring_bounds, "pitch"_a, "farthest"_a, "level"_a,
+          "Rings of a window whose pixels average around any axis, and bounds on what they leave and magnify.");
 }

@@ -461,6 +461,11 @@ def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step
     Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.
     """
 
+def ring_bounds(pitch: float, farthest: float, level: int) -> dict[str, object]:
+    """
+    Rings of a window whose pixels average around any axis, and bounds on what they leave and magnify.
+    """
+
 def disk_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], count: int) -> dict[str, object]:
     """
     Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.

@@ -88,16 +88,12 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
     place_of.resize(pixels);
     next.assign(rings.size(), 0);
     const double per_ring = 1.0 / width;
-    for (std::size_t row = 0, i = 0; row < window.height; ++row) {
-        const double dy = static_cast<double>(row) - window.center_y, above = dy * dy;
-        for (std::int32_t column = 0; column < static_cast<std::int32_t>(window.width); ++column, ++i) {
-            const double dx = static_cast<double>(column) - window.center_x, square = dx * dx + above;
-            const double product = dx * dy / std::max(square, 1e-300);
-            v[i] = step * std::sqrt(square);
-            angle[i] = 1.0 - 8.0 * product * product;
-            ring_of[i] = std::min(static_cast<std::int32_t>(v[i] * per_ring), static_cast<std::int32_t>(rings.size()) - 1);
-        }
-    }
+    const std::int32_t last = static_cast<std::int32_t>(rings.size()) - 1;
+    window.each([&](std::size_t i, double dx, double dy, double square) LOMMEL_INLINE_LAMBDA {
+        v[i] = step * std::sqrt(square);
+        angle[i] = cosine_of_four(dx, dy, square);
+        ring_of[i] = std::min(static_cast<std::int32_t>(v[i] * per_ring), last);
+    });
     for (std::size_t i = 0; i < pixels; ++i) {
         ++next[static_cast<std::size_t>(ring_of[i])];
     }

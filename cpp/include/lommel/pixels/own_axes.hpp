@@ -49,7 +49,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
 
     // The pixels of a window from I at the radii, in whole vectors; returns what evaluating the polynomials may be off by, in
     // units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
-    double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* out) const;
+    double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 
    private:
     template <class I>
@@ -61,17 +61,12 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
             weighted_sums<1>(isa, weights.data() + block * count, count, &intensity, &sums, block);
         }
         const double slope = 2.0 / (farthest * farthest);
-        for (std::size_t row = 0, i = 0; row < window.height; ++row) {
-            const double dy = static_cast<double>(row) - window.center_y, above = dy * dy;
-            for (std::int32_t column = 0; column < static_cast<std::int32_t>(window.width); ++column, ++i) {
-                const double dx = static_cast<double>(column) - window.center_x, square = dx * dx + above;
-                x[i] = slope * square - 1.0;
-                if (harmonics > 1) {
-                    const double product = dx * dy / std::max(square, 1e-300);
-                    cosine[i] = 1.0 - 8.0 * product * product;
-                }
+        window.each([&](std::size_t i, double dx, double dy, double square) LOMMEL_INLINE_LAMBDA {
+            x[i] = slope * square - 1.0;
+            if (harmonics > 1) {
+                cosine[i] = cosine_of_four(dx, dy, square);
             }
-        }
+        });
         // What fills the last vectors is a pixel too.
         std::fill(x + pixels, x + room, x[0]);
         std::fill(cosine + pixels, cosine + room, cosine[0]);
@@ -147,7 +142,7 @@ LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pix
     judge(reach, side, nodes.error);
 }
 
-LOMMEL_ONCE double AnywhereTable::values(const PixelWindow& window, const double* intensity, Doubles& scratch,
+LOMMEL_ONCE double AnywhereTable::values(const PixelWindow& window, const double* intensity, int, Doubles& scratch,
                                          double* out) const {
     double size = 0.0;
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { size = apply(isa, window, intensity, scratch, out); });

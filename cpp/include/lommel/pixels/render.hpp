@@ -29,6 +29,11 @@ struct FoldedSide {
     std::size_t between() const { return high - low; }  // 1 where the axis is between two pixels
     // Distances that differ: 0, 1, ... pixels from the first on either side.
     std::size_t distances() const { return std::max(low + 1, count - high); }
+    // The first pixel that is so far away, and whether there is another, at high + distance.
+    std::size_t first(std::size_t distance) const { return distance <= low ? low - distance : high + distance; }
+    bool twice(std::size_t distance) const {
+        return distance <= low && high + distance < count && high + distance > low - distance;
+    }
 };
 
 // The distinct radii of a quadrant of rows x columns distances, squared: all pixels (dy, dx) with the same
@@ -75,14 +80,15 @@ class SquaredRadii {
     }
 
     // The rank of each pixel's radius.
-    void ranks(std::int32_t* index) const {
+    template <class Rank>
+    void ranks(Rank* index) const {
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // counting bits is one instruction where there are vectors
             for (std::size_t y = 0; y < rows_; ++y) {
                 look();
                 for (std::size_t x = 0; x < cols_; ++x) {
                     const std::size_t s = number(y, x);
                     const Word word = words_[s / 64];
-                    *index++ = static_cast<std::int32_t>(word.before + set(word.bits & ((std::uint64_t{1} << s % 64) - 1)));
+                    *index++ = static_cast<Rank>(word.before + set(word.bits & ((std::uint64_t{1} << s % 64) - 1)));
                 }
             }
         });
@@ -135,8 +141,8 @@ LOMMEL_INLINE void store_scaled(const From* values, double scale, std::size_t co
 
 // A row to both sides of its middle. Not inlined: where its callers have other things in registers, it loads its end from memory
 // for each pixel.
-template <class T>
-LOMMEL_NOINLINE void mirrored_row(const T* profile, const std::int32_t* from, std::size_t count, T* right, T* left) {
+template <class T, class Rank>
+LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_t count, T* right, T* left) {
     for (std::size_t dx = 0; dx < count; ++dx) {
         const T value = profile[from[dx]];
         right[dx] = value;
@@ -146,15 +152,14 @@ LOMMEL_NOINLINE void mirrored_row(const T* profile, const std::int32_t* from, st
 
 // Rows at distances [first, last), on both sides, of one image from the values at the distinct radii. Each row is gathered once and
 // its mirror image copied: bound by the loads of the gather and by memory writes.
-template <class T>
-LOMMEL_INLINE void scatter_rows(const T* profile, const std::int32_t* index, const FoldedSide& rows, const FoldedSide& columns,
+template <class T, class Rank>
+LOMMEL_INLINE void scatter_rows(const T* profile, const Rank* index, const FoldedSide& rows, const FoldedSide& columns,
                                 std::size_t first, std::size_t last, T* out) {
     const std::size_t width = columns.count, right = width - columns.high, left = columns.low + 1, both = std::min(left, right);
     constexpr std::size_t ahead = 6;  // rows: those of large images are in memory, not in a cache
     for (std::size_t dy = first; dy < last; ++dy) {
-        const std::int32_t* from = index + dy * columns.distances();
-        const bool above = dy <= rows.low, below = rows.high + dy < rows.count;
-        T* row = out + (above ? rows.low - dy : rows.high + dy) * width;
+        const Rank* from = index + dy * columns.distances();
+        T* row = out + rows.first(dy) * width;
         if (dy + ahead < last && width * sizeof(T) >= 1024) {
             for (std::size_t x = 0; x < width; x += 64 / sizeof(T)) {
                 if (dy + ahead <= rows.low) {
@@ -172,8 +177,8 @@ LOMMEL_INLINE void scatter_rows(const T* profile, const std::int32_t* index, con
         for (std::size_t dx = both; dx < left; ++dx) {
             row[columns.low - dx] = profile[from[dx]];
         }
-        T* const other = out + (rows.high + dy) * width;
-        if (above && below && other != row) {
+        if (rows.twice(dy)) {
+            T* const other = out + (rows.high + dy) * width;
             if (width >= 128) {
                 std::memcpy(other, row, width * sizeof(T));
             } else {

@@ -38,13 +38,12 @@ class FoldedWindow {
     // A row of the part to wherever it stands in the image.
     template <class T>
     LOMMEL_NOINLINE void unfold(std::size_t row, const T* values, T* image) const {
-        const bool above = row <= rows_.low, below = rows_.high + row < rows_.count;
-        T* const line = image + (above ? rows_.low - row : rows_.high + row) * columns_.count;
+        T* const line = image + rows_.first(row) * columns_.count;
         std::memcpy(line + columns_.high, values, (columns_.count - columns_.high) * sizeof(T));
         for (std::size_t i = columns_.high - columns_.low == 0 ? 1 : 0; i <= columns_.low; ++i) {
             *(line + columns_.low - i) = values[i];
         }
-        if (above && below && rows_.low - row < rows_.high + row) {
+        if (rows_.twice(row)) {
             std::memcpy(image + (rows_.high + row) * columns_.count, line, columns_.count * sizeof(T));
         }
     }

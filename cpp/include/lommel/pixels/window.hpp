@@ -40,7 +40,25 @@ struct PixelWindow {
     FoldedSide columns() const { return {width, center_x}; }
     bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }
     bool centered() const { return center_y == static_cast<double>(height / 2) && center_x == static_cast<double>(width / 2); }
+
+    // Calls f(i, dx, dy, dx^2 + dy^2) for the pixels in turn, in pixels from the axis.
+    template <class F>
+    LOMMEL_INLINE void each(const F& f) const {
+        for (std::size_t row = 0, i = 0; row < height; ++row) {
+            const double dy = static_cast<double>(row) - center_y, above = dy * dy;
+            for (std::int32_t column = 0; column < static_cast<std::int32_t>(width); ++column, ++i) {
+                const double dx = static_cast<double>(column) - center_x;
+                f(i, dx, dy, dx * dx + above);
+            }
+        }
+    }
 };
+
+// The cosine of four times the angle of (x, y), the sum of whose squares is known.
+LOMMEL_INLINE double cosine_of_four(double x, double y, double square) {
+    const double product = x * y / std::max(square, 1e-300);
+    return 1.0 - 8.0 * product * product;
+}
 
 // Those of a stack of pupils, all around the axis of the first or each around its own.
 struct PixelWindows {
@@ -107,9 +125,8 @@ struct PixelGroups {
                 }
                 index.push_back(static_cast<std::int32_t>(v.size()));
                 const double a = down[i], b = across[k], square = a * a + b * b;
-                const double product = square > 0.0 ? a * b / square : 0.0;
                 v.push_back(w.step * std::sqrt(square));
-                cosine.push_back(1.0 - 8.0 * product * product);
+                cosine.push_back(cosine_of_four(a, b, square));
             }
         }
     }

@@ -22,28 +22,18 @@ struct WindowValues {
     std::size_t count = 0;
     double penalty = 0.0;  // of the harmonics, in units of roundoff
 
-    void make(const AnywhereTable& table, const PixelWindow& window, const double* at_radii, int);
-
-    void make(const AverageRings& table, const PixelWindow& window, const double* at_radii, int threads);
-
+    // By a table that serves any axis.
+    template <class Table>
+    void make(const Table& table, const PixelWindow& window, const double* at_radii, int threads) {
+        thread_local Doubles scratch;
+        count = window.height * window.width;
+        values.resize(count + widest_step);
+        penalty = table.values(window, at_radii, threads, scratch, values.data());
+    }
     void make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads);
 };
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void WindowValues::make(const AnywhereTable& table, const PixelWindow& window, const double* at_radii, int) {
-    thread_local Doubles scratch;
-    count = window.height * window.width;
-    values.resize(count + widest_step);
-    penalty = table.values(window, at_radii, scratch, values.data());
-}
-
-LOMMEL_ONCE void WindowValues::make(const AverageRings& table, const PixelWindow& window, const double* at_radii, int threads) {
-    thread_local Doubles scratch;
-    count = window.height * window.width;
-    values.resize(count + widest_step);
-    penalty = table.values(window, at_radii, threads, scratch, values.data());
-}
-
 LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads) {
     count = table.value_count;
     values.resize(count + widest_step);
@@ -105,7 +95,7 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
     thread_local Doubles scratch;
     double penalty = 0.0;
     for (std::size_t p = 0; p < pupils; ++p) {
-        penalty = std::max(penalty, table.values(windows[first + p], at_radii + p * stride, scratch, made + p * apart));
+        penalty = std::max(penalty, table.values(windows[first + p], at_radii + p * stride, 1, scratch, made + p * apart));
     }
     return penalty;
 }

@@ -113,9 +113,8 @@ class Renderer {
     }
 
     void paint(const T* profile, T* image, int threads) {
-        for_rows(layout_->rows.distances(), layout_->width(), threads, [&](std::size_t first, std::size_t last) {
-            scatter_rows(profile, layout_->index.data(), layout_->rows, layout_->columns, first, last, image);
-        });
+        for_rows(layout_->rows.distances(), layout_->width(), threads,
+                 [&](std::size_t first, std::size_t last) { layout_->scatter(profile, first, last, image); });
     }
 
     Stack stack_;

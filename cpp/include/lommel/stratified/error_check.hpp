@@ -100,9 +100,9 @@ class Turned {
     void sum(const Layout& layout, const double* values, std::size_t stride, double* out) const {
         const std::size_t pixels = layout.height() * layout.width(), cy = layout.rows.low, cx = layout.columns.low;
         for (std::size_t y = 0, i = 0; y < layout.height(); ++y) {
-            const std::int32_t* ranks = layout.index.data() + (y < cy ? cy - y : y - cy) * (cx + 1);
+            const std::size_t dy = y < cy ? cy - y : y - cy;
             for (std::size_t x = 0; x < layout.width(); ++x, ++i) {
-                const auto rank = static_cast<std::size_t>(ranks[x < cx ? cx - x : x - cx]);
+                const std::size_t rank = layout.rank(dy, x < cx ? cx - x : x - cx);
                 double total = values[rank];
                 for (std::size_t k = 1; k < orders_; ++k) {
                     total += around_[(k - 1) * pixels + i] * values[k * stride + rank];

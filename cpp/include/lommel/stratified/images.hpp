@@ -162,8 +162,7 @@ class LayeredImages {
         profile.resize(layout.count);
         const double scale = note(plane, top, top - off, off);
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(values, scale, layout.count, T{0}, profile.data()); });
-        scatter_rows(profile.data(), layout.index.data(), layout.rows, layout.columns, 0, layout.rows.distances(),
-                     answer_.images + plane * pixels());
+        layout.scatter(profile.data(), 0, layout.rows.distances(), answer_.images + plane * pixels());
     }
 
     double note(std::size_t plane, double top, double peak, double off) const {

@@ -303,8 +303,6 @@ void PolarImage::paint(double scale, T* image) {
                         pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
                     } else if (zone.style->between == 6) {
                         pixels<6, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->around == 4) {
-                        pixels<4, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
                     } else {
                         pixels<4, 3, float>(isa, zone, list_[i], lines, scale, buffer, part);
                     }

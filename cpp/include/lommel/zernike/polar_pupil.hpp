@@ -26,7 +26,7 @@ struct PolarStyle {
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
 // From the most exact one to that which costs least.
-inline constexpr std::array<PolarStyle, 13> polar_styles = {{{2.0, 14, 14, true, true},
+inline constexpr std::array<PolarStyle, 12> polar_styles = {{{2.0, 14, 14, true, true},
                                                              {2.0, 12, 12, true, true},
                                                              {3.0, 10, 10, true, true},
                                                              {2.0, 10, 10, true, true},
@@ -37,7 +37,6 @@ inline constexpr std::array<PolarStyle, 13> polar_styles = {{{2.0, 14, 14, true,
                                                              {1.5, 8, 6, false, false},
                                                              {1.5, 8, 4, false, false},
                                                              {1.5, 6, 4, false, false},
-                                                             {1.5, 4, 4, false, false},
                                                              {1.5, 4, 3, false, false}}};
 
 // What a pupil is made of: its disk and, of the same phase, the one within that is dark.

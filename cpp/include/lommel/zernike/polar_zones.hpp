@@ -139,11 +139,20 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     if (starts[most_exact] > near) {
         return false;
     }
+    const auto end = [&](std::size_t s) {
+        return std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
+    };
+    // Circles of a narrow zone take longer than a less exact style saves on its pixels.
+    for (std::size_t s = polar_styles.size(); --s > most_exact;) {
+        if (end(s) - starts[s] < 2.0 * static_cast<double>(PolarTable::block) * polar_styles[s].step()) {
+            starts[s] = starts.back();
+        }
+    }
     count_ = 0;
     zones_.resize(polar_styles.size());
     double from = near;
     for (std::size_t s = most_exact; s < polar_styles.size() && from < reach; ++s) {
-        const double to = std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
+        const double to = end(s);
         if (to <= from) {
             continue;
         }

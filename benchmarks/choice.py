@@ -1,11 +1,12 @@
 """What the method that is chosen costs over the better one, on random questions about round pupils.
 
-    python benchmarks/choice.py [--first 0] [--count 300] [--averages] [--write tests/methods/choice.csv]
+    python benchmarks/choice.py [--first 0] [--count 300] [--averages] [--write tests/methods/choice.csv "Zen 5"]
 
 Each question is asked by a prepared computation, on one thread, of the chordal rule, of the series, and of what is
 chosen, in turn. Prints quantiles of the processor time of the last over that of the better one, and the worst
 questions, with vectors of 512 and of 256 bits where the processor has both. With `--write` the times of both methods
-are written, in microseconds, which the tests hold the choice to.
+are written, in microseconds, beside those of other processors than the one of that name: the tests hold the choice to
+them.
 """
 
 from __future__ import annotations
@@ -102,15 +103,19 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=300)
     parser.add_argument("--averages", action="store_true")
-    parser.add_argument("--write", type=Path)
+    parser.add_argument("--write", nargs=2, metavar=("FILE", "PROCESSOR"))
     options = parser.parse_args()
-    widest, rows = _core.instructions(), ["instructions,question,chords,series"]
+    widest, rows = _core.instructions(), []
     for level in [widest] if widest != "avx512" else ["avx512", "avx2"]:
         _core.limit_instructions(level)
         found = asked(options.first, options.count, averages=options.averages)
         rows += [f"{level},{index},{1e6 * chords:.1f},{1e6 * series:.1f}" for chords, series, _, index in found]
     if options.write:
-        options.write.write_text("\n".join(rows) + "\n", encoding="utf-8")
+        file, name = Path(options.write[0]), options.write[1]
+        header, *others = file.read_text(encoding="utf-8").splitlines()
+        kept = [line for line in others if not line.startswith(f"{name},")]
+        lines = [header, *kept, *(f"{name},{row}" for row in rows)]
+        file.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

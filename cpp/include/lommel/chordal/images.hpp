@@ -70,7 +70,7 @@ class ChordalRenderer {
         weighed_ = true;
         run();
     }
-    // What both are likely to take, in nanoseconds, without images.
+    // What both are likely to take from here on, in nanoseconds, without images.
     std::pair<double, double> costs() {
         only_costs_ = true;
         run();
@@ -305,7 +305,7 @@ class ChordalRenderer {
         const std::vector<Group> groups = grouped<Real>(pending, pupils);
         // Tables of rows come from a cache that processors share, and from memory where they are larger than that.
         const double tables = KernelTable<Real>::bytes(nodes_of(groups), rows_.at.size());
-        const double byte = 0.01 + 0.046 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
+        const double byte = 0.0061 + 0.028 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
         for (const Group& group : groups) {
             for (const ChordCount& count : {group.far, group.near}) {
@@ -313,11 +313,11 @@ class ChordalRenderer {
                 if (chords > 0.0 && group.lone) {
                     const double nodes = std::ceil(0.5 * chords / lanes) * static_cast<double>(count.nodes);
                     const double table = KernelTable<Real>::bytes(2.0 * nodes * lanes, rows_.at.size());
-                    sum += 590.0 + (12.5 + 0.73 * terms + 0.26 * rows) * nodes + byte * table +
-                           (0.51 * chords * std::ceil(columns / lanes) + 2.0 * columns) * height;
+                    sum += 660.0 + (10.3 + 0.98 * terms + 0.134 * rows) * nodes + byte * table +
+                           (0.54 * chords * std::ceil(columns / lanes) + 2.0 * columns) * height;
                 } else if (chords > 0.0) {
-                    sum += 1540.0 + (1.6 + 0.14 * terms + 0.65 * rows) * count.size() +
-                           (0.1 * chords + 1.0 * static_cast<double>(group.here)) * columns * height;
+                    sum += 1940.0 + (2.2 + 0.165 * terms + 0.57 * rows) * count.size() +
+                           (0.17 * chords + 1.15 * static_cast<double>(group.here)) * columns * height;
                 }
             }
         }
@@ -327,26 +327,26 @@ class ChordalRenderer {
     // Once it is known how many chords and nodes they take.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
-        costs_.first = 8100.0 + 44.0 * count * static_cast<double>(stack_.terms.size()) +
+        costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
                        nanoseconds<double>(pending.data() + singles, pending.size() - singles);
         if constexpr (sizeof(T) == sizeof(float)) {
             costs_.first += nanoseconds<float>(pending.data(), singles);
         }
         const bool weighed = weighed_;
         weighed_ = false;
-        costs_.second = SeriesCost::least * count;
-        if (weighed && costs_.first <= SeriesCost::declined + costs_.second) {
+        costs_.second = SeriesCost::declined + SeriesCost::least * count;
+        if (weighed && costs_.first <= costs_.second) {
             return;
         }
         const DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
         // Of many, some stand for all.
         const std::size_t looks = std::min<std::size_t>(stack_.count, 8);
-        costs_.second = 0.0;
+        costs_.second = SeriesCost::declined;
         for (std::size_t i = 0; i < looks; ++i) {
             costs_.second +=
                 SeriesCost::nanoseconds(stack_, window, i * stack_.count / looks, tol_) * count / static_cast<double>(looks);
         }
-        if (weighed && costs_.first > SeriesCost::declined + costs_.second) {
+        if (weighed && costs_.first > costs_.second) {
             throw LimitExceeded("a series is likely to take less time than chords");
         }
     }

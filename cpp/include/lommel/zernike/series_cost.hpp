@@ -57,20 +57,20 @@ struct SeriesCost {
         const bool serve = circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
         if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels)) {
             // Taps, and their oversampling, are in number as the digits that are asked for.
-            const double digits = std::log10(std::max(10.0, dim / tol)), square = digits * digits;
-            return cost.calls_ + 8600.0 +
-                   wide * (cost.sum_ + 0.089 * square * reach * orders + (4.6 + 0.556 * square) * groups);
+            const double digits = std::log10(std::max(10.0, dim / tol));
+            return cost.calls_ + 12900.0 +
+                   wide * (cost.sum_ + (0.1 + 0.55 * digits) * reach * orders + (3.15 + 3.04 * digits) * groups);
         }
         // Of an obscured pupil both disks are interpolated on every ring.
-        const double within = area > 1e-18 ? 46.0 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
-        const double each = tol >= 1e-6 ? 0.34 : 0.86;
-        const double image = 8.3 * orders * cost.degrees_ + (2.2 + within) * reach * orders + (5.5 + each * orders) * groups;
-        return cost.calls_ + 12700.0 + wide * (cost.sum_ + image) * (rounding > lost ? 20.0 : rounding > rounded ? 1.5 : 1.0);
+        const double within = area > 1e-18 ? 18.4 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
+        const double each = tol >= 1e-6 ? 0.354 : 0.554;
+        const double image = 9.7 * orders * cost.degrees_ + (2.63 + within) * reach * orders + (5.2 + each * orders) * groups;
+        return cost.calls_ + 12400.0 + wide * (cost.sum_ + image) * (rounding > lost ? 20.0 : rounding > rounded ? 1.5 : 1.0);
     }
 
    private:
     // What narrower vectors than those of eight doubles take, over these.
-    static double widths() { return std::pow(0.125 * static_cast<double>(vector_lanes(processor_level())), -0.81); }
+    static double widths() { return std::pow(0.125 * static_cast<double>(vector_lanes(processor_level())), -0.91); }
 
     // How much larger U is at the peak of an image without aberration, likely.
     static double dimness(const ZernikePhase& phase) {
@@ -87,9 +87,9 @@ struct SeriesCost {
         const double degrees = static_cast<double>(size.degrees), orders = static_cast<double>(size.orders),
                      rings = static_cast<double>(DiskRule::rings_for(exact)),
                      nodes = rings * static_cast<double>(DiskRule::points_for(exact));
-        calls_ += 19300.0;
-        sum_ += 0.065 * degrees * degrees * rings + 6.4 * degrees * orders + 0.215 * size.samples +
-                (1.56 + 0.017 * static_cast<double>(phase.list.pairs.size())) * nodes;
+        calls_ += 22800.0;
+        sum_ += 0.041 * degrees * degrees * rings + 5.9 * degrees * orders + 0.3 * size.samples +
+                (1.65 + 0.014 * static_cast<double>(phase.list.pairs.size())) * nodes;
         rounding_ = std::max(rounding_, 0.71 * degrees * (25.0 + rings + 4.0 * degrees));
         orders_ = std::max(orders_, orders);
         degrees_ = std::max(degrees_, degrees);

@@ -102,6 +102,24 @@ def test_the_light_beyond_a_circle_is_its_mean_within_the_bound(phase, obscurati
         assert max(shares) > 0.2
 
 
+@pytest.mark.parametrize(
+    ("phase", "obscuration", "gaussian"),
+    [((0.0,), 0.0, 0.0), ((0.8, 0.5), 0.0, 1.5), ((0.8, 0.5), 0.3, 0.0), ((0.8, 0.5), 0.5, 1.5)],
+)
+def test_what_the_mean_leaves_out_of_the_light_without_its_rings(phase, obscuration, gaussian):
+    """A smooth window, in which rings vanish, of I r^3."""
+    pupil = lm.Pupil(
+        lm.Wavefront.zernike({(2 * j + 2, 0): c for j, c in enumerate(phase)}, unit="radians", normalization="edge"),
+        obscuration=obscuration,
+        apodization=gaussian,
+    )
+    x = np.linspace(-1.0, 1.0, 4001)[1:-1]
+    r, window = 160.0 + 100.0 * x, np.exp(-1.0 / (1.0 - x * x))
+    bounds = [_core.tail_bounds(np.array(phase), np.array([0.0, gaussian]), obscuration, at) for at in r]
+    left = window @ (profile(pupil, 261.0)(r) * r**3 - bounds[0]["mean"])
+    assert left == pytest.approx(window @ (r**3 * [each["curved"] for each in bounds]), rel=0.01)
+
+
 def test_coarse_pixels_hold_all_the_light():
     pupil = lm.Pupil(lm.Wavefront.from_seidel(W020=0.6), wavelength=550e-9, f_number=4)
     for pixel in (20e-6, 50e-6, 500e-6):

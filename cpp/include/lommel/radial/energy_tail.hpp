@@ -17,9 +17,9 @@ namespace lommel {
 class EnergyTail {
    public:
     EnergyTail(const Phase& phase, double obscuration) {
-        add_waves(phase, 1.0, 1.0);
+        add_waves(phase, 1.0);
         if (obscuration >= 1e-9) {  // as Field has it
-            add_waves(phase, obscuration, -1.0);
+            add_waves(phase, obscuration);
         }
         for (std::size_t i = 0; i < wave_count_; ++i) {
             for (std::size_t j = i; j < wave_count_; ++j) {
@@ -120,14 +120,14 @@ class EnergyTail {
         return made;
     }
 
-    // sign times the sum of (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v).
-    void add_waves(const Phase& phase, double edge, double sign) {
+    // The sum of (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v); that of the inner edge is subtracted, which no mean nor bound shows.
+    void add_waves(const Phase& phase, double edge) {
         const auto slopes = derivatives(phase, edge);
         Wave forth{edge, {}}, back{-edge, {}};
         for (std::size_t k = 0; k < terms; ++k) {
             const double order = static_cast<double>(k + 1);
             const std::complex<double> factor =
-                (k % 2 == 0 ? sign : -sign) * std::pow(2.0 * edge, order) / std::sqrt(2.0 * pi * edge) * slopes[k];
+                (k % 2 == 0 ? 1.0 : -1.0) * std::pow(2.0 * edge, order) / std::sqrt(2.0 * pi * edge) * slopes[k];
             // Hankel's expansion: from as many terms on, an even number, its remainder is below its next two.
             const std::size_t least = std::max(k + 1, terms - k + 1), count = least + least % 2;
             double hankel = 1.0;

@@ -42,6 +42,17 @@ struct ZernikePhase {
         return sum;
     }
 
+    // How much larger U is at the peak of an image without aberration, likely, and with a margin: strong aberrations may make it
+    // twice as dim as is likely.
+    double dimness() const {
+        double variance = 0.0;
+        amplitudes([&](double a, std::size_t n, std::size_t m) {
+            variance += a * a / (static_cast<double>(n + 1) * (m > 0 ? 2.0 : 1.0));
+        });
+        return std::sqrt(1.0 + variance);
+    }
+    double dimmest() const { return std::min(size() + 1.0, 2.5 * dimness()); }
+
     // What roundings of rho and of the recurrences do to the phase, in units of roundoff.
     double sensitivity() const {
         double sum = 0.0;

@@ -59,7 +59,7 @@ class ZernikeRenderer {
         const Tiles tiles(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_), stack_.rows[pupil],
                           stack_.columns[pupil]);
         const double first =
-            ZernikeBudget::field * tol * stack_.amplitude.integral(stack_.obscuration) / (phase(pupil).size() + 1.0);
+            ZernikeBudget::field * tol * stack_.amplitude.integral(stack_.obscuration) / phase(pupil).dimmest();
         double error = first, peak = 0.0;
         const auto expand = [&](ZernikeField& field, double reach) {
             field.expand(phase(pupil), inner_phase(pupil), stack_.obscuration, reach, error, stack_.lost[pupil], threads);

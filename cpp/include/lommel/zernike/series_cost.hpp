@@ -43,13 +43,13 @@ struct SeriesCost {
         SeriesCost cost;
         const ZernikePhase outer{terms, phases.data(), stack.amplitude};
         const double area = stack.obscuration * stack.obscuration;
-        const double error = ZernikeBudget::field * tol * stack.amplitude.integral(stack.obscuration) / (outer.size() + 1.0);
+        const double error = ZernikeBudget::field * tol * stack.amplitude.integral(stack.obscuration) / outer.dimmest();
         cost.expand(outer, reach, ZernikeBudget::outer * error);
         if (area > 1e-18) {
             const ZernikePhase inner{terms, stack.inner.data() + pupil * count, stack.amplitude.scaled(area)};
             cost.expand(inner, stack.obscuration * reach, ZernikeBudget::inner * error / area);
         }
-        const double dim = dimness(outer), rounding = unit_roundoff * (outer.sensitivity() + cost.rounding_) * dim / tol;
+        const double dim = outer.dimness(), rounding = unit_roundoff * (outer.sensitivity() + cost.rounding_) * dim / tol;
         // Eight pixels at once where the axis is in the window.
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
@@ -71,15 +71,6 @@ struct SeriesCost {
    private:
     // What narrower vectors than those of eight doubles take, over these.
     static double widths() { return std::pow(0.125 * static_cast<double>(vector_lanes(processor_level())), -0.91); }
-
-    // How much larger U is at the peak of an image without aberration, likely.
-    static double dimness(const ZernikePhase& phase) {
-        double variance = 0.0;
-        phase.amplitudes([&](double amplitude, std::size_t n, std::size_t m) {
-            variance += amplitude * amplitude / (static_cast<double>(n + 1) * (m > 0 ? 2.0 : 1.0));
-        });
-        return std::sqrt(1.0 + variance);
-    }
 
     void expand(const ZernikePhase& phase, double reach, double error) {
         const DiskExpansion::Size size = DiskExpansion::likely(phase, reach, error);

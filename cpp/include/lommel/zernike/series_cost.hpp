@@ -58,7 +58,7 @@ struct SeriesCost {
         if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels)) {
             // Taps, and their oversampling, are in number as the digits that are asked for.
             const double digits = std::log10(std::max(10.0, dim / tol));
-            return cost.calls_ + 12900.0 +
+            return cost.calls_ + 24000.0 +
                    wide * (cost.sum_ + (0.1 + 0.55 * digits) * reach * orders + (3.15 + 3.04 * digits) * groups);
         }
         // Of an obscured pupil both disks are interpolated on every ring.

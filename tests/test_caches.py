@@ -62,8 +62,31 @@ def test_single_pupils_want_farther_pieces_and_more_rows_in_turn():
             agrees(lm.Pupil(lm.Wavefront(defocus)), (1, 41), pixel, lm.NijboerZernike(tol))
 
 
+COMA, WEAK = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 1.5, (2, -2): 0.5})), np.linspace(0.05, 0.1, 5)
+
+
+@pytest.mark.parametrize(
+    ("pupil", "strong", "shape", "pixel", "options"),
+    [
+        (lm.Pupil(lm.Wavefront(2.7, [4.7])), lm.Pupil(lm.Wavefront(-10.3, [6.4])), 49, 2.8636, {"integrate": True}),
+        (lm.Pupil(lm.Wavefront(WEAK)), lm.Pupil(lm.Wavefront(300.0 * WEAK)), 15, 0.43, {"center": None}),
+        (COMA, lm.Pupil(20.0 * COMA.wavefront, obscuration=0.3), 33, 0.43, {}),
+    ],
+    ids=["averages", "stack", "general"],
+)
+def test_no_bit_depends_on_what_was_asked_for_before(pupil, strong, shape, pixel, options):
+    wanted = {"method": lm.NijboerZernike(1e-9), "dtype": np.float64, "center": (shape / 2 - 1, shape / 2)} | options
+
+    def ask(pupil: lm.Pupil) -> bytes:
+        return lm.psf(pupil, shape, pixel, **wanted).values.tobytes()
+
+    lm.clear_caches()
+    first = ask(pupil)
+    ask(strong)
+    assert ask(pupil) == first
+
+
 SERIES, CHORDS = lm.NijboerZernike(1e-7), lm.ChordalGauss(1e-7)
-COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 1.5, (2, -2): 0.5}))
 
 
 @pytest.mark.parametrize("method", [SERIES, CHORDS], ids=["series", "chords"])

@@ -57,14 +57,20 @@ void legendre_rule(std::size_t nodes) {
 void bessel_piece(double width, std::size_t s, std::size_t parity) {
     constexpr std::size_t m = lommel::degree_count, places = 81;
     const lommel::ChebyshevToMonomials<m, extended> exactly;
-    const std::size_t terms = lommel::window_terms(width * static_cast<double>(s + 1), lommel::left_out);
+    const std::size_t terms = lommel::Piece::most(width, s);
     const lommel::Piece piece = lommel::made_piece(parity, width, s, terms);
+    for (std::size_t fewer : {terms / 8, terms / 3, terms / 2, terms - 1}) {
+        const lommel::Piece first = lommel::made_piece(parity, width, s, fewer);
+        check(std::equal(first.rows.begin(), first.rows.end(), piece.rows.begin()), "rows that depend on their number",
+              static_cast<double>(fewer));
+    }
     double points[m];
     for (std::size_t j = 0; j < m; ++j) {
         points[j] = width * (static_cast<double>(s) + 0.5 * (1.0 + lommel::piece_rule.point(j)));
     }
     lommel::Doubles values(m * (terms + lommel::row_lanes));
-    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::piece_values(isa, parity, points, terms, values.data()); });
+    lommel::dispatch([&](auto isa)
+                         LOMMEL_INLINE_LAMBDA { lommel::piece_values(isa, parity, points, terms, terms, values.data()); });
     double off = 0.0;
     for (std::size_t j = 0; j < m; ++j) {
         std::vector<extended> orders(2 * terms + parity + 300);

@@ -37,7 +37,7 @@ struct RadiusTable {
     }
 
     bool is(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n) const {
-        return layout == l && step == pixel_step && terms >= n;
+        return layout == l && step == pixel_step && terms == n;  // of as many, lest roundings depend on other stacks
     }
     std::size_t bytes() const { return sizeof(double) * rows.size(); }
 

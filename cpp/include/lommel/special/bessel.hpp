@@ -33,8 +33,8 @@ LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& fir
     first = scale * (parts[1][0] * (sine - cosine) + parts[1][1] * (sine + cosine));
 }
 
-// Whether orders below `count` follow from the first two by the recurrence upwards, which is stable where they are well below v.
-inline bool rises(double v, std::size_t count) { return v >= 100.0 && static_cast<double>(count) <= 0.5 * v; }
+// The orders, from the first on, that follow from the first two by the recurrence upwards, which is stable where they are well below v.
+inline std::size_t rising(double v) { return v >= 100.0 ? static_cast<std::size_t>(0.5 * v) : 0; }
 
 // Where the recurrence backwards begins: beyond v + O(v^(1/3)) the orders decay faster than any power, so the arbitrary start
 // is forgotten.
@@ -52,7 +52,7 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
     if (count == 0) {
         return;
     }
-    if (rises(v, count)) {
+    if (count <= rising(v)) {
         using V = Portable::pack;
         V first, second;
         first_bessel(splat<V>(v), splat<V>(std::cos(v)), splat<V>(std::sin(v)), splat<V>(std::sqrt(v)), first, second);

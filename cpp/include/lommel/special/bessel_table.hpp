@@ -47,9 +47,6 @@ struct WantedPieces {
     std::size_t end() const { return others.empty() ? leading : others.back() + 1; }
 };
 
-// What all rows that a piece leaves out can add to U, whatever the pupil.
-constexpr double left_out = 1e-19;
-
 class PieceTables final : Shared {
    public:
     explicit PieceTables(std::size_t parity) : parity_(parity) {}
@@ -124,9 +121,7 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
     // Rounded up, so that a little more defocus does not mean a new table.
     table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
     table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
-    const auto rows = [&](std::size_t s) {
-        return std::min(table->terms, window_terms(width * static_cast<double>(s + 1), left_out));
-    };
+    const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };
     // Of the old ones those that have rows enough, as all have unless there are more terms now.
     for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
         if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {

@@ -10,6 +10,7 @@
 
 #include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/bounds/ellipse.hpp"
 #include "lommel/special/bessel.hpp"
 #include "lommel/special/sincos.hpp"
 
@@ -22,6 +23,10 @@ struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
+
+    // What all rows that a piece leaves out can add to U, whatever the pupil; and as many as are not left out.
+    static constexpr double left_out = 1e-19;
+    static std::size_t most(double width, std::size_t s) { return window_terms(width * static_cast<double>(s + 1), left_out); }
 };
 
 // cos(k pi / 32) for k = 0 .. 16: a multiple of 2^-24, and the rest.
@@ -123,12 +128,13 @@ inline constexpr PieceRule piece_rule;
 
 // 2 (-1)^n J_{2n+1+parity}(v) / v at the 16 points of a piece, as zernike_transforms() has it, to values[16 n + point]. The
 // last point, the nearest, must be no less than half as far out as the first: what the recurrence backwards grows by is then within the
-// range of numbers for orders that do not vanish at all of them.
+// range of numbers for orders that do not vanish at all of them. Each is the same whatever the number of terms, up to `most`.
 template <class I>
-LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, double* values) {
+LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
+                                double* values) {
     using V = typename I::pack;
     constexpr std::size_t packs = degree_count / I::lanes;  // together they hide the latency of the recurrence
-    const std::size_t count = 2 * terms + parity;
+    const std::size_t count = 2 * terms + parity, upwards = rising(points[degree_count - 1]);
     V at[packs], turn[packs], before[packs], here[packs];
     for (std::size_t p = 0; p < packs; ++p) {
         at[p] = load<V>(points + p * I::lanes);
@@ -152,7 +158,7 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
             }
         }
     };
-    if (rises(points[degree_count - 1], count)) {
+    if (upwards > 0) {
         for (std::size_t p = 0; p < packs; ++p) {
             const V v = load<V>(points + p * I::lanes);
             V sine, cosine;
@@ -163,19 +169,21 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
             }
             first_bessel(v, cosine, sine, load<V>(roots), before[p], here[p]);
         }
-        for (std::size_t k = 1; k < count; ++k) {
+        for (std::size_t k = 1; k < std::min(count, upwards); ++k) {
             keep(k);
             step(k);
         }
-        return;
+        if (count <= upwards) {
+            return;
+        }
     }
     V sum[packs];
     for (std::size_t p = 0; p < packs; ++p) {
         before[p] = sum[p] = splat<V>(0.0);
         here[p] = splat<V>(1e-280);
     }
-    for (std::size_t k = bessel_start(points[0], count); k > 0; --k) {
-        if (k < count) {
+    for (std::size_t k = bessel_start(points[0], 2 * most + parity); k > 0; --k) {
+        if (upwards <= k && k < count) {
             keep(k);
         }
         for (std::size_t p = 0; p < packs; ++p) {
@@ -185,14 +193,14 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     }
     for (std::size_t p = 0; p < packs; ++p) {
         const V unit = splat<V>(1.0) / (here[p] + splat<V>(2.0) * sum[p]);
-        for (std::size_t n = 0; n < terms; ++n) {
+        for (std::size_t n = upwards > parity ? (upwards - parity) / 2 : 0; n < terms; ++n) {
             double* value = values + n * degree_count + p * I::lanes;
             store(value, load<V>(value) * unit);
         }
     }
 }
 
-// The first rows of piece s.
+// The first rows of piece s, at most as many as there are.
 Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {
@@ -202,13 +210,14 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
     Piece piece;
     piece.rows.resize(terms * m);
     values.assign((terms + row_lanes) * m, 0.0);  // orders that fill the last vector up are zero
+    const std::size_t most = Piece::most(width, s);
     double points[m];
     for (std::size_t j = 0; j < m; ++j) {
         points[j] = width * (static_cast<double>(s) + 0.5 * (1.0 + piece_rule.point(j)));
     }
     for (std::size_t j = 0; s == 0 && j < m; ++j) {  // near the axis, where the recurrence grows beyond all numbers
-        std::vector<double> one(terms);
-        zernike_transforms(parity, points[j], terms, one.data(), scratch);
+        std::vector<double> one(most);
+        zernike_transforms(parity, points[j], most, one.data(), scratch);
         for (std::size_t n = 0; n < terms; ++n) {
             values[n * m + j] = one[n];
         }
@@ -217,7 +226,7 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
         using I = decltype(isa);
         using V = typename I::pack;
         if (s > 0) {
-            piece_values(isa, parity, points, terms, values.data());
+            piece_values(isa, parity, points, terms, most, values.data());
         }
         V sums[m], all[m];
         for (std::size_t k = 0; k < m; ++k) {

@@ -49,7 +49,7 @@ def _pairs(*, quick: bool) -> Iterator[tuple[str, str, tuple[Contender, float], 
     ):
         for where, center in places.items():
             yield (
-                f"{n}², radial, the axis {where}",
+                f"{n}², radial, sampled, the axis {where}",
                 _MIDDLE,
                 (_asked(radial, n, center=center), 1),
                 (_asked(radial, n), 1),

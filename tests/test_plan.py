@@ -232,8 +232,9 @@ def test_after_the_first_call_nothing_large_is_allocated():
         (np.empty((33, 33), np.float64), ValueError, "out must be of float32, got float64"),
         (memoryview(np.empty((33, 33), np.float32)), TypeError, "out must be a NumPy array, got memoryview"),
         (np.empty((33, 33), ">f4"), ValueError, "out must be of float32, got >f4"),
-        (np.empty((33, 66), np.float32)[:, ::2], ValueError, "out must be C-contiguous and writable"),
+        (np.empty((33, 66), np.float32)[:, ::2], ValueError, "writable, got an array of other strides"),
         (np.broadcast_to(np.float32(0), (33, 33)), ValueError, "out must be C-contiguous and writable"),
+        (np.frombuffer(bytes(4 * 33 * 33), np.float32).reshape(33, 33), ValueError, "got a read-only array"),
     ],
 )
 def test_an_out_that_cannot_hold_the_answer_is_refused(out, error, message):

@@ -289,3 +289,8 @@ def test_no_light_in_the_window_cannot_be_scaled_to_a_peak():
     ring = lm.Pupil(lm.Wavefront(defocus=100.0), obscuration=0.9)
     with pytest.raises(ValueError, match="no light falls into the window"):
         lm.psf(ring, 3, 0.5, method=lm.Geometric(), normalize="peak")
+
+
+def test_an_array_of_other_numbers_is_refused_by_its_name():
+    with pytest.raises(TypeError, match=r"out\.dtype must be float32 or float64, got dtype\('int64'\)"):
+        lm.psf(lm.Pupil(), 9, 0.5, out=np.zeros((9, 9), np.int64))

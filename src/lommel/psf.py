@@ -130,7 +130,7 @@ def psf(
     (512, 512)
     """
     if out is not None and dtype is None:
-        dtype = question.array("out", out).dtype
+        dtype = validation.kind("out.dtype", question.array("out", out).dtype, np.float32, np.float64)
     imaged(pupil)  # first, for whoever mixes up the order
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}

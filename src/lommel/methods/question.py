@@ -140,7 +140,8 @@ def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
         raise ValueError(f"out must be of {dtype}, got {out.dtype}")
     flags = out.flags
     if not (flags.c_contiguous and flags.writeable):
-        raise ValueError("out must be C-contiguous and writable")
+        found = "a read-only array" if flags.c_contiguous else "an array of other strides"
+        raise ValueError(f"out must be C-contiguous and writable, got {found}")
     return out
 
 

@@ -151,9 +151,10 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
         exact = count(bounds, reach, error);
     }
     if (degrees > max_degrees || exact > 4 * max_degrees) {
-        throw LimitExceeded("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
-                            " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
-                            std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees) +
+        const bool series = degrees > max_degrees;
+        throw LimitExceeded(std::string("these aberrations take a ") + (series ? "Zernike series" : "quadrature") +
+                            " of degree " + std::to_string(series ? degrees : exact) + ", more than the limit of " +
+                            std::to_string(series ? max_degrees : 4 * max_degrees) +
                             ": less aberration or a smaller window takes fewer");
     }
     rule = DiskRule::get(exact);

@@ -83,7 +83,7 @@ class Apodization:
     @classmethod
     def gaussian(cls, g: float) -> Apodization:
         """Return ``exp(-g rho^2)``, `g` from 0 to 100; TypeError or ValueError otherwise."""
-        return _gaussian(validation.real("g", g, least=0.0, below=_LARGEST + 1e-9))
+        return _gaussian(validation.real("g", g, least=0.0, most=_LARGEST + 1e-9))
 
     @classmethod
     def cosine(cls, sine: float, power: float) -> Apodization:
@@ -238,4 +238,4 @@ def illumination(apodization: float | Apodization) -> Apodization:
     """Return the Apodization that a pupil was given, a number being g of a Gaussian; TypeError or ValueError."""
     if isinstance(apodization, Apodization):
         return apodization
-    return _gaussian(validation.real("apodization", apodization, least=0.0, below=_LARGEST + 1e-9))
+    return _gaussian(validation.real("apodization", apodization, least=0.0, most=_LARGEST + 1e-9))

@@ -30,12 +30,14 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     // sums over degrees for steps of v.
     static bool pays(const ZernikeField& field, const Tiles& tiles) {
         return pays(field.reach(), static_cast<double>(field.outer().orders), static_cast<double>(field.outer().degrees),
-                    static_cast<double>(tiles.height * tiles.width));
+                    static_cast<double>(tiles.height * tiles.width), field.obscured());
     }
-    static bool pays(double reach, double orders, double degrees, double pixels) {
-        return reach * degrees < 1e6 && work(reach, orders, pixels) < interpolation_worth() * orders * pixels;
+    // Of an obscured pupil that sum has both disks on every ring.
+    static bool pays(double reach, double orders, double degrees, double pixels, bool obscured) {
+        const double sums = (obscured ? 1.3 : 1.0) * orders * pixels;
+        return reach * degrees < 1e6 && work(reach, orders, pixels) < interpolation_worth() * sums;
     }
-    static double work(double reach, double orders, double pixels) { return 32.0 * pixels + 6.0 * orders * reach; }
+    static double work(double reach, double orders, double pixels) { return 28.0 * pixels + 6.0 * orders * reach; }
 
     // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
     void begin(const Tiles& tiles, double step, int threads) {

@@ -55,7 +55,7 @@ struct SeriesCost {
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
         const double orders = cost.orders_, wide = widths();
         const bool serve = circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
-        if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels)) {
+        if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels, area > 1e-18)) {
             // Taps, and their oversampling, are in number as the digits that are asked for.
             const double digits = std::log10(std::max(10.0, dim / tol));
             return cost.calls_ + 24000.0 +

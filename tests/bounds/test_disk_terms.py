@@ -339,9 +339,11 @@ def test_the_bound_of_an_image_is_made_of_these(normalize, side, step, obscurati
     stack = (terms.astype(np.int32), np.array([list(c.values())]), obscuration, np.zeros(1), middle, middle)
     assert _core.series_images(*stack, step, tol, 1, scale, images, numbers) == 0.0
     size = sum(abs(x) for x in c.values())
+    variance = sum(x * x / (n + 1) / (2 if m else 1) for (n, m), x in c.items())
+    dimmest = min(size + 1.0, 2.5 * math.sqrt(1.0 + variance))
     # Storing takes its part of the tolerance first.
     rest = tol - (_core.stored_bound(tol, False, False) - tol)
-    first = 0.1 * (0.4 * rest if normalize == "peak" else rest) * (1 - obscuration**2) / (size + 1.0)
+    first = 0.1 * (0.4 * rest if normalize == "peak" else rest) * (1 - obscuration**2) / dimmest
     reach, groups = step * middle * math.sqrt(2), (middle + 1) * (middle + 2) // 2
     expected = set()
     for error in (first, 0.1 * first):

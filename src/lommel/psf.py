@@ -130,7 +130,9 @@ def psf(
     (512, 512)
     """
     if out is not None and dtype is None:
-        dtype = validation.kind("out.dtype", question.array("out", out).dtype, np.float32, np.float64)
+        dtype = question.array("out", out).dtype
+        if dtype != np.float32 and dtype != np.float64:
+            validation.kind("out.dtype", dtype, np.float32, np.float64)  # says so by the name that was given
     imaged(pupil)  # first, for whoever mixes up the order
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}

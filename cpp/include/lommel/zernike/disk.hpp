@@ -80,7 +80,7 @@ struct DiskRule {
     explicit DiskRule(std::size_t exact);
 
     // Rounded up to what eight more rings allow, so that a little more aberration does not mean new tables.
-    static std::size_t rounded(std::size_t exact) { return (exact + 35) / 32 * 32 - 4; }
+    static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
     static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
     static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
 

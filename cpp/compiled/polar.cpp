@@ -6,6 +6,3 @@
 #define LOMMEL_DEFINES
 
 #include "lommel/zernike/polar_image.hpp"
-
-template void lommel::PolarImage::paint(double scale, float* image);
-template void lommel::PolarImage::paint(double scale, double* image);

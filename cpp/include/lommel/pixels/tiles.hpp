@@ -110,13 +110,20 @@ class Tiles {
         alignas(64) T squares[directions][side * side];
 
         // Of the pixels of a line of a tile, `values` [pixel][direction].
-        template <class V, class Real>
-        LOMMEL_INLINE void put(const Tile& tile, const Line& line, const Real (*values)[directions]) {
+        template <class Real>
+        void put(const Tile& tile, const Line& line, const Real (*values)[directions]) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { put(isa, tile, line, values); });
+        }
+
+       private:
+        template <class I, class Real>
+        LOMMEL_INLINE void put(I, const Tile& tile, const Line& line, const Real (*values)[directions]) {
             const std::size_t at = static_cast<std::size_t>(side * (line.a - tile.a) + line.b - tile.b),
                               count = static_cast<std::size_t>(line.count);
             std::size_t i = 0;
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)
-            if constexpr (std::is_same_v<T, float> && std::is_same_v<Real, float> && sizeof(V) <= 32) {
+            if constexpr (std::is_same_v<T, float> && std::is_same_v<Real, float>) {
+                using V = typename Vector<(I::lanes < 4 ? I::lanes : 4)>::floats;
                 for (; i + 4 <= count; i += 4) {
                     for (std::size_t first = 0; first < directions; first += sizeof(V) / sizeof(float)) {
                         V turned[4];

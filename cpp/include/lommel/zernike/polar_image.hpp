@@ -10,7 +10,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/reference.hpp"
 #include "lommel/pixels/tiles.hpp"
 #include "lommel/zernike/error_check.hpp"
 #include "lommel/zernike/polar_zones.hpp"
@@ -58,9 +60,25 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
 
     // Computes the image, I times `scale`.
     template <class T>
-    void paint(double scale, T* image);
+    void paint(double scale, T* image) {
+        parts_.assign(list_.size() * zones_.size(), PaintedPart());
+        parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
+            thread_local Tiles::Buffer<T> buffer;
+            tiles_->prefetch(list_[i], image);
+            const auto put = [&](const Tiles::Line& line, const auto* values) { buffer.put(list_[i], line, values); };
+            tile(i, scale, put, put);
+            tiles_->copy(list_[i], buffer, image);
+        });
+    }
 
    private:
+    // Takes the pixels of a line, [pixel][direction].
+    template <class Real>
+    using Made = Reference<void(const Tiles::Line& line, const Real (*values)[Tiles::directions])>;
+
+    // Computes those of a tile.
+    void tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles);
+
     // The taps of both kernels at eight at once.
     template <class V, class Real>
     static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out, std::size_t count = Taps<Real>::taps) {
@@ -102,9 +120,9 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     }
 
     // The pixels of a tile on some lines, in one zone.
-    template <std::size_t Between, std::size_t Around, class Real, class I, class T>
+    template <std::size_t Between, std::size_t Around, class Real, bool Rough = false, class I>
     LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
-                              double scale, Tiles::Buffer<T>& buffer, PaintedPart& part) const {
+                              double scale, const Made<Real>& made, PaintedPart& part) const {
         using V = std::conditional_t<sizeof(Real) == 8, typename I::pack, typename I::floats>;
         using Narrow = typename RowPack<I, Real>::type;
         using D = typename I::pack;
@@ -112,9 +130,8 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
                               packs = numbers / lanes;
         const PolarRows<Real>& rows = zone.rows(Real());
         // In what precision places are found.
-        constexpr bool rough = Between == 4;
-        using Where = std::conditional_t<rough, float, double>;
-        using W = std::conditional_t<rough, Narrow, D>;
+        using Where = std::conditional_t<Rough, float, double>;
+        using W = std::conditional_t<Rough, Narrow, D>;
         const Where per_row = static_cast<Where>(step_ / zone.style->step()),
                     per_angle = static_cast<Where>(static_cast<double>(zone.circle->points()) / 6.283185307179586477);
         // Places are those of the first taps.
@@ -130,9 +147,10 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
             look();
             const std::size_t here = static_cast<std::size_t>(line.count);
             alignas(64) Where x[2][at_once];
-            alignas(64) std::conditional_t<rough, std::int32_t, std::int64_t> place[2][at_once];
+            alignas(64) std::conditional_t<Rough, std::int32_t, std::int64_t> place[2][at_once];
             // Those around circles follow those between them.
-            constexpr std::size_t most = rough ? PairedTaps::taps / 2 : Taps<Real>::taps;
+            constexpr bool paired = Between == 4;
+            constexpr std::size_t most = paired ? PairedTaps::taps / 2 : Taps<Real>::taps;
             alignas(64) Real weights[at_once][2 * most], values[at_once][Tiles::directions];
             constexpr std::size_t wide = sizeof(W) / sizeof(Where);
             for (std::size_t i = 0; i < here; i += wide) {
@@ -151,13 +169,13 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
             nearest = std::min<std::int64_t>(nearest, place[0][0]);
             farthest = std::max<std::int64_t>(farthest, place[0][here - 1]);
             for (std::size_t i = 0; i < here; ++i) {
-                if constexpr (rough) {
+                if constexpr (paired) {
                     taps<Narrow>(zone.both, x[0][i], x[1][i], weights[i]);
-                } else if (std::is_same_v<Real, float> && zone.style->exact) {
+                } else if (!Rough && std::is_same_v<Real, float> && zone.style->exact) {
                     // Rounded once.
                     alignas(64) double exact[2][DoubleTaps::taps];
-                    taps<D>(zone.kernels->outer().doubles, x[0][i], exact[0], most);
-                    taps<D>(zone.circle->doubles, x[1][i], exact[1], most);
+                    taps<D>(zone.kernels->outer().doubles, static_cast<double>(x[0][i]), exact[0], most);
+                    taps<D>(zone.circle->doubles, static_cast<double>(x[1][i]), exact[1], most);
                     for (std::size_t k = 0; k < most; ++k) {
                         weights[i][k] = static_cast<Real>(exact[0][k]);
                         weights[i][most + k] = static_cast<Real>(exact[1][k]);
@@ -219,7 +237,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
                     }
                 }
             }
-            buffer.template put<Narrow>(tile, line, values);
+            made(line, values);
         }
         for (const Real top : tops) {
             part.top = std::max(part.top, static_cast<double>(top) / scale);
@@ -275,49 +293,44 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     PolarZones zones_;
 };
 
-template <class T>
-void PolarImage::paint(double scale, T* image) {
-    parts_.assign(list_.size() * zones_.size(), PaintedPart());
-    parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
-        thread_local Tiles::Buffer<T> buffer;
-        thread_local std::vector<Tiles::Line> lines;
-        tiles_->prefetch(list_[i], image);
-        for (std::size_t z = 0; z < zones_.size(); ++z) {
-            const PolarZone& zone = zones_[z];
-            lines.clear();
-            tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
-            if (!lines.empty()) {
-                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                    PaintedPart& part = parts_[i * zones_.size() + z];
-                    if (zone.style->around == 14) {
-                        pixels<14, 14, double>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->around == 12) {
-                        pixels<12, 12, double>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->doubles && zone.style->around == 10) {
-                        pixels<10, 10, double>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->doubles) {
-                        pixels<10, 8, double>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->around == 8) {
-                        pixels<8, 8, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->around == 6) {
-                        pixels<8, 6, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->between == 8) {
-                        pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else if (zone.style->between == 6) {
-                        pixels<6, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    } else {
-                        pixels<4, 3, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                    }
-                });
-            }
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void PolarImage::tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles) {
+    thread_local std::vector<Tiles::Line> lines;
+    for (std::size_t z = 0; z < zones_.size(); ++z) {
+        const PolarZone& zone = zones_[z];
+        lines.clear();
+        tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
+        if (!lines.empty()) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                PaintedPart& part = parts_[i * zones_.size() + z];
+                const Tiles::Tile& at = list_[i];
+                if (zone.style->around == 14) {
+                    pixels<14, 14, double>(isa, zone, at, lines, scale, doubles, part);
+                } else if (zone.style->around == 12) {
+                    pixels<12, 12, double>(isa, zone, at, lines, scale, doubles, part);
+                } else if (zone.style->doubles && zone.style->around == 10) {
+                    pixels<10, 10, double>(isa, zone, at, lines, scale, doubles, part);
+                } else if (zone.style->doubles) {
+                    pixels<10, 8, double>(isa, zone, at, lines, scale, doubles, part);
+                } else if (zone.style->around == 8) {
+                    pixels<8, 8, float>(isa, zone, at, lines, scale, singles, part);
+                } else if (zone.style->around == 6) {
+                    pixels<8, 6, float>(isa, zone, at, lines, scale, singles, part);
+                } else if (zone.style->between == 8) {
+                    pixels<8, 4, float>(isa, zone, at, lines, scale, singles, part);
+                } else if (!zone.style->rough) {
+                    pixels<6, 4, float>(isa, zone, at, lines, scale, singles, part);
+                } else if (zone.style->between == 6) {
+                    pixels<6, 4, float, true>(isa, zone, at, lines, scale, singles, part);
+                } else if (zone.style->around == 3) {
+                    pixels<4, 3, float, true>(isa, zone, at, lines, scale, singles, part);
+                } else {
+                    pixels<4, 2, float, true>(isa, zone, at, lines, scale, singles, part);
+                }
+            });
         }
-        tiles_->copy(list_[i], buffer, image);
-    });
+    }
 }
-
-#if defined(LOMMEL_COMPILED)
-extern template void PolarImage::paint(double scale, float* image);
-extern template void PolarImage::paint(double scale, double* image);
 #endif
 
 }  // namespace lommel

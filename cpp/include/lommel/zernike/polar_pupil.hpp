@@ -14,19 +14,19 @@
 namespace lommel {
 
 // Circles pi / oversampling apart, so many taps between them and between their angles; whether pixels are summed, and circles
-// transformed, in double precision.
+// transformed, in double precision; whether places are found, and degrees summed, in single precision.
 struct PolarStyle {
     double oversampling;
     std::size_t between, around;
-    bool doubles, exact;
+    bool doubles, exact, rough = false;
 
     double step() const { return 3.14159265358979323846 / oversampling; }
-    // Whether places are found, and degrees summed, in single precision.
-    bool rough() const { return between == 4; }
+    // Whether taps are those of PairedTaps.
+    bool paired() const { return between == 4; }
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
 // From the most exact one to that which costs least.
-inline constexpr std::array<PolarStyle, 12> polar_styles = {{{2.0, 14, 14, true, true},
+inline constexpr std::array<PolarStyle, 14> polar_styles = {{{2.0, 14, 14, true, true},
                                                              {2.0, 12, 12, true, true},
                                                              {3.0, 10, 10, true, true},
                                                              {2.0, 10, 10, true, true},
@@ -37,7 +37,9 @@ inline constexpr std::array<PolarStyle, 12> polar_styles = {{{2.0, 14, 14, true,
                                                              {1.5, 8, 6, false, false},
                                                              {1.5, 8, 4, false, false},
                                                              {1.5, 6, 4, false, false},
-                                                             {1.5, 4, 3, false, false}}};
+                                                             {1.5, 6, 4, false, false, true},
+                                                             {1.5, 4, 3, false, false, true},
+                                                             {1.5, 4, 2, false, false, true}}};
 
 // What a pupil is made of: its disk and, of the same phase, the one within that is dark.
 struct PolarPupil {
@@ -48,14 +50,12 @@ struct PolarPupil {
         Aligned<float> singles;
     };
     std::vector<Disk> disks;
-    double base;   // the error of U that its expansion has, and what roundings of places make of it
-    double rough;  // what those of single precision make
+    double base;  // the error of U that its expansion has, and what roundings of places make of it
 
     explicit PolarPupil(const ZernikeField& field)
         // A place between circles is off by less than 12 units, and one around them by less than 24 of a turn's angle; |U'| < 1/2
         // along any line.
-        : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)),
-          rough(16.0 * roundoff<float> * (field.reach() + 64.0)) {
+        : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
             add(field.inner(), field.obscuration(), -field.obscuration() * field.obscuration());
@@ -102,7 +102,7 @@ struct PolarKernels {
 // over every other degree, and what the table leaves out and, (n+1) F_n of it, is off by. Single precision rounds both factors.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
-                 chain = (style.rough() ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
+                 chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
     return 2.0 * std::abs(disk.weight) * (chain + PolarTable::rounding(each, degrees) + PolarTable::left_out);
 }
 
@@ -128,9 +128,9 @@ struct PolarTables {
     }
 };
 
-// Bound on the error of U between circles of so many orders with these errors: `left` is what orders left out can add.
+// Bound on the error of U up to v between circles of so many orders with these errors: `left` is what orders left out can add.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
-                          const PolarCircle& circle, std::size_t orders, double left, const PolarRowError& rows) {
+                          const PolarCircle& circle, std::size_t orders, double left, double v, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
     const double weights = kernel.weight * circle.weight,
                  // With two roundings before it.
@@ -138,11 +138,14 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
     // Exact circles have exact taps, rounded once.
-    const double between = style.exact ? kernel.doubles.error + pixel * kernel.weight : kernel.singles.error;
-    const double around = style.exact ? circle.doubles.error + pixel * circle.weight : circle.singles.error;
+    const auto off = [&](const GriddingTaps& taps) {
+        return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.rough.error : taps.singles.error;
+    };
+    const double between = off(kernel), around = off(circle);
     // Storing the circles, a product and a chain of sums for each kernel, and of I four roundings, which are half as much of U.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
-    const double base = pupil.base + (style.rough() ? pupil.rough : 0.0);
+    // What roundings of places in single precision make.
+    const double base = pupil.base + (style.rough ? 16.0 * roundoff<float> * (std::max(v, 0.0) + 64.0) : 0.0);
     // A complex number is at most sqrt(2) times the larger one of its parts.
     return (base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +
            weights * (circle.growth(orders) * rows.sums + transform * rows.sum) +

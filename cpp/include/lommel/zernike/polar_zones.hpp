@@ -31,7 +31,7 @@ struct PolarZone {
     std::size_t orders;
     std::shared_ptr<const PolarKernels> kernels;
     std::shared_ptr<const PolarCircle> circle;
-    PairedTaps both;            // where places are rough
+    PairedTaps both;            // of its kernels
     PolarRows<double> doubles;  // the circles: these or the others
     PolarRows<float> floats;
     std::vector<double> errors;  // of U, for each circle
@@ -64,15 +64,15 @@ class PolarZones {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
-    // The distance from which on a style does.
+    // The first look from which on a style does, from `end` backwards: beyond, a less exact one does.
     template <class Allowed>
-    static double start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, const PolarLooks& looks,
-                        const PolarOrders& orders, const Allowed& allowed) {
+    static std::size_t start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
+                             const PolarLooks& looks, const PolarOrders& orders, std::size_t end, const Allowed& allowed) {
         constexpr std::size_t block = PolarLooks::block;
         std::array<PolarRowError, block> rows;
         std::shared_ptr<const PolarCircle> here;
         std::size_t needed = 0;
-        for (std::size_t i = looks.v.size(); i-- > 0;) {
+        for (std::size_t i = end; i-- > 0;) {
             const double most = allowed(looks.brightest(looks.v[i], looks.v[i]));
             if (!here || i % block == block - 1) {
                 needed = orders.least(PolarBudget::orders * most, looks.v[i], kernels.growth);
@@ -87,12 +87,12 @@ class PolarZones {
                              nodes = v + static_cast<double>(pupil.disks[d].series->degrees) + 40.0;
                 row.sums += polar_rounding(pupil.disks[d], style, kernel, PolarTable::rounding(kernel.shares, nodes, v));
             }
-            if (polar_error(pupil, style, kernels, *here, needed, PolarBudget::orders * most, row) >
+            if (polar_error(pupil, style, kernels, *here, needed, PolarBudget::orders * most, looks.v[i], row) >
                 PolarBudget::promise * most) {
-                return i + 2 < looks.v.size() ? looks.v[i + 2] : 1e300;
+                return std::min(i + 2, end);
             }
         }
-        return 0.0;
+        return 0;
     }
 
     // Computes block i of the circles of a zone.
@@ -106,10 +106,11 @@ class PolarZones {
             rows.template fill<Sum>(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra,
                                     errors.data());
         });
+        const double row = static_cast<double>((zone.first + i) * PolarTable::block) - static_cast<double>(PolarTable::before);
         for (std::size_t k = 0; k < PolarTable::block; ++k) {
             errors[k].sums = tables.errors[zone.first + i];
-            zone.errors[first + k] =
-                polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.orders, zone.left, errors[k]);
+            zone.errors[first + k] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.orders, zone.left,
+                                                 zone.style->step() * (row + static_cast<double>(k)), errors[k]);
         }
     }
 
@@ -130,11 +131,12 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
     starts.back() = 1e300;
     // From the one that costs least to the first that does everywhere.
-    std::size_t most_exact = polar_styles.size();
+    std::size_t most_exact = polar_styles.size(), first = looks.v.size();
     do {
         const std::size_t s = --most_exact;
         kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
-        starts[s] = start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
+        first = start(pupil, polar_styles[s], *kernels[s], looks, orders, first, allowed);
+        starts[s] = first == looks.v.size() ? starts.back() : looks.v[first];
     } while (starts[most_exact] > near && most_exact > 0);
     if (starts[most_exact] > near) {
         return false;
@@ -166,8 +168,8 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
         zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
         zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
         zone.circle = circle(zone.orders, zone.style->around);
-        if (zone.style->rough()) {
-            zone.both = PairedTaps(zone.kernels->outer().singles, zone.circle->singles);
+        if (zone.style->paired()) {
+            zone.both = PairedTaps(zone.kernels->outer().rough, zone.circle->rough);
         }
         zone.left = orders.left(zone.orders, from, zone.kernels->growth);
         zone.errors.resize((zone.last - zone.first) * PolarTable::block);
@@ -199,7 +201,7 @@ LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
             fill<double, double>(pupil, tables[z], zone, zone.doubles, i);
         } else if (zone.style->exact) {
             fill<double, double>(pupil, tables[z], zone, zone.floats, i);
-        } else if (zone.style->rough()) {
+        } else if (zone.style->rough) {
             fill<float, float>(pupil, tables[z], zone, zone.floats, i);
         } else {
             fill<double, float>(pupil, tables[z], zone, zone.floats, i);

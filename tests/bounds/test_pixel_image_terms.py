@@ -214,7 +214,7 @@ def judged(lens: Lens, way: Pieces | Tabulated, error: float, singly: mp.mpf | N
     given = 2 * mp.sqrt(size) * e + e * e
     off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)
     by_cubics = singly is not None and isinstance(way, Pieces)
-    rough = way.singly(intensity, top, singly * size / 20, singly / 4) if by_cubics else mp.mpf(0)
+    rough = way.singly(intensity, top, mp.mpf("0.3") * singly * size, singly / 4) if by_cubics else mp.mpf(0)
     return Judged(way, table, v, e, size, top, off + rough, table.magnification * given, rough)
 
 

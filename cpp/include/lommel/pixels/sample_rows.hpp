@@ -119,9 +119,11 @@ class SampleRows {
                             lines.prepare(squares, padded, least, most, zone.slope, next.slope);
                             prepared = low;
                         }
+                        const double first = zone.slope * (least + square) + zone.shift,
+                                     other = next.slope * (least + square) + next.shift;
                         run.base = static_cast<std::ptrdiff_t>(Apart) *
-                                   lines.template split<Apart>(padded, zone.slope * (least + square) + zone.shift,
-                                                               next.slope * (least + square) + next.shift, at, x);
+                                   (high == low ? lines.template split<Apart, false>(padded, first, other, at, x)
+                                                : lines.template split<Apart, true>(padded, first, other, at, x));
                         take(run);
                         continue;
                     }
@@ -174,9 +176,9 @@ class SampleRows {
             }
         }
 
-        // From the places of the pixel nearest to the axis; returns the part from which they are counted, one before its own or two.
-        // None is less than that one's, nor more than `span` beyond, where it counts.
-        template <std::uint32_t Apart>
+        // From the places of the pixel nearest to the axis, by both zones or one; returns the part from which they are counted, one
+        // before its own or two. None is less than that one's, nor more than `span` beyond, where it counts.
+        template <std::uint32_t Apart, bool Both>
         LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::int32_t* at, float* x) const {
             static_assert(Apart == 4);
             const double base = std::floor(first) - 1.0;
@@ -186,7 +188,7 @@ class SampleRows {
             const int down = bits - 2;  // of four coefficients
             const float scale = static_cast<float>(1.0 / unit);
             for (std::size_t i = 0; i < padded; ++i) {
-                const std::uint32_t one = here[i] + from, two = next[i] + or_from, where = two < one ? two : one;
+                const std::uint32_t one = here[i] + from, two = Both ? next[i] + or_from : one, where = two < one ? two : one;
                 at[i] = static_cast<std::int32_t>((where >> down) & part);
                 x[i] = static_cast<float>(static_cast<std::int32_t>(where & behind)) * scale - 0.5f;
             }

@@ -86,7 +86,7 @@ class PixelRenderer {
     // What the tolerance is spent on, times what the largest value may be.
     struct Budget {
         // At first, on the table, and on U, which counts twice in I, times what the table makes of errors.
-        static constexpr double table = 0.25, field = 0.02, cubics = 0.05, places = 0.25;
+        static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
         // Where that did not do, on each of both; half of it where values are divided by their largest.
         static constexpr double each = 0.2;
         // Of coarse pixels, on rings that are left out, and on quadrature.

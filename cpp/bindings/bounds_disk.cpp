@@ -41,19 +41,19 @@ std::pair<Out<Real, 3>, double> row_fft(In<Real, 3> rows) {
 Named gridding_bounds(std::size_t taps, double oversampling, double step, Doubles1 x, Doubles1 omega) {
     const lommel::GriddingKernel kernel = lommel::GriddingKernel::of(taps, oversampling);
     const auto doubles = std::make_unique<lommel::DoubleTaps>(kernel);
-    const lommel::RoughTaps rough(kernel);
+    const lommel::CoarseTaps coarse(kernel);
     nb::list polynomials, few;  // from the highest power down, a row each
     for (const auto& row : doubles->at) {
         polynomials.append(std::vector<double>(row, row + taps));
     }
-    for (const auto& row : rough.at) {
-        few.append(std::vector<double>(row, row + std::min(taps, lommel::RoughTaps::taps)));
+    for (const auto& row : coarse.at) {
+        few.append(std::vector<double>(row, row + std::min(taps, lommel::CoarseTaps::taps)));
     }
     return named("beta"_a = kernel.beta(), "values"_a = each(x, kernel),
                  "transforms"_a = each(omega, [&](double w) { return kernel.transform(w); }),
                  "aliases"_a = each(omega, [&](double w) { return kernel.aliases(w); }), "aliasing"_a = kernel.aliasing(step),
                  "weight"_a = kernel.weight(), "chain"_a = kernel.chain(), "taps"_a = polynomials,
-                 "tap_error"_a = doubles->error, "rough_taps"_a = few, "rough_error"_a = rough.error);
+                 "tap_error"_a = doubles->error, "coarse_taps"_a = few, "coarse_error"_a = coarse.error);
 }
 
 Named zernike_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double reach, double error) {

@@ -129,15 +129,14 @@ def test_aliases_sum_to_no_more_than_their_bound(taps, oversampling):
 @pytest.mark.parametrize(("taps", "oversampling"), KERNELS)
 def test_polynomials_are_the_kernel_and_taps_weigh_no_more_than_their_bounds(taps, oversampling):
     found = _core.gridding_bounds(taps, oversampling, 1.0, NONE, NONE)
-    beta, kinds = found["beta"], ("tap", "rough") if taps <= 4 else ("tap",)
-    worst = dict.fromkeys(kinds, 0.0)
+    beta = found["beta"]
+    worst = dict.fromkeys([("taps", "tap_error"), *([("coarse_taps", "coarse_error")] if taps <= 4 else [])], 0.0)
     for t in np.linspace(0.0, 1.0, 23):
         exact = [float(shape(t + taps / 2 - 1 - i, taps, beta)) for i in range(taps)]
-        for kind in kinds:
-            polynomials = np.array(found["taps" if kind == "tap" else "rough_taps"])[::-1]
-            made = np.polynomial.polynomial.polyval(2.0 * t - 1.0, polynomials)
-            worst[kind] = max(worst[kind], float(np.abs(made - exact).sum()))
+        for names, largest in worst.items():
+            made = np.polynomial.polynomial.polyval(2.0 * t - 1.0, np.array(found[names[0]])[::-1])
+            worst[names] = max(largest, float(np.abs(made - exact).sum()))
         assert sum(exact) <= found["weight"]
         assert sum((taps - i) * tap for i, tap in enumerate(exact)) <= found["chain"]
-    for kind in kinds:
-        assert worst[kind] <= found[f"{kind}_error"] <= 1e4 * max(worst[kind], 1e-15)
+    for (_, error), largest in worst.items():
+        assert largest <= found[error] <= 1e4 * max(largest, 1e-15)

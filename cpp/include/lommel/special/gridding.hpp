@@ -193,19 +193,19 @@ struct TapPolynomials {
     }
 };
 using SingleTaps = TapPolynomials<float, 8, 8>;
-using RoughTaps = TapPolynomials<float, 5, 4>;  // of kernels of up to four taps, where little is asked of them
+using CoarseTaps = TapPolynomials<float, 5, 4>;  // of kernels of up to four taps, where little is asked of them
 using DoubleTaps = TapPolynomials<double, 11, 16>;
 template <class Real>
 using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
 
 // Up to four taps of each of two kernels, side by side.
 struct PairedTaps {
-    static constexpr std::size_t terms = RoughTaps::terms, taps = 8;
+    static constexpr std::size_t terms = CoarseTaps::terms, taps = 8;
     static constexpr std::uint32_t halves[taps] = {0, 0, 0, 0, 1, 1, 1, 1};
     alignas(64) float at[terms][taps];
 
     PairedTaps() = default;
-    PairedTaps(const RoughTaps& first, const RoughTaps& second) {
+    PairedTaps(const CoarseTaps& first, const CoarseTaps& second) {
         for (std::size_t k = 0; k < terms; ++k) {
             std::copy_n(first.at[k], taps / 2, at[k]);
             std::copy_n(second.at[k], taps / 2, at[k] + taps / 2);
@@ -217,12 +217,12 @@ struct PairedTaps {
 struct GriddingTaps {
     GriddingKernel kernel;
     double weight, chain;
-    RoughTaps rough;
+    CoarseTaps coarse;
     SingleTaps singles;
     DoubleTaps doubles;
 
     explicit GriddingTaps(const GriddingKernel& of)
-        : kernel(of), weight(of.weight()), chain(of.chain()), rough(of), singles(of), doubles(of) {}
+        : kernel(of), weight(of.weight()), chain(of.chain()), coarse(of), singles(of), doubles(of) {}
 
     const SingleTaps& taps(float) const { return singles; }
     const DoubleTaps& taps(double) const { return doubles; }

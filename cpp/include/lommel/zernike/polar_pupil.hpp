@@ -139,7 +139,7 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
     // Exact circles have exact taps, rounded once.
     const auto off = [&](const GriddingTaps& taps) {
-        return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.rough.error : taps.singles.error;
+        return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.coarse.error : taps.singles.error;
     };
     const double between = off(kernel), around = off(circle);
     // Storing the circles, a product and a chain of sums for each kernel, and of I four roundings, which are half as much of U.

@@ -169,7 +169,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
         zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
         zone.circle = circle(zone.orders, zone.style->around);
         if (zone.style->paired()) {
-            zone.both = PairedTaps(zone.kernels->outer().rough, zone.circle->rough);
+            zone.both = PairedTaps(zone.kernels->outer().coarse, zone.circle->coarse);
         }
         zone.left = orders.left(zone.orders, from, zone.kernels->growth);
         zone.errors.resize((zone.last - zone.first) * PolarTable::block);

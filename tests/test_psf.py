@@ -49,6 +49,21 @@ def test_an_image_is_symmetric_and_not_negative_and_holds_at_most_all_light(pupi
     assert values[row, column] == pytest.approx(image.strehl * image.scale * pupil.area**2)
 
 
+@pytest.mark.parametrize("pixel", [0.63, 0.9, (1.0, 0.3), 1.25, (0.3, 1.3)])
+def test_samples_up_to_the_wavelength_times_the_f_number_apart_sum_to_the_light(pixel):
+    pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 1.0}))
+    sampled, averaged = (
+        lm.psf(pupil, 401, pixel, integrate=integrate, tol=1e-8, dtype=np.str_("float64"))
+        for integrate in (False, True)
+    )
+    assert averaged.sum_is_light
+    assert sampled.undersampled
+    assert sampled.sum_is_light == (np.max(pixel) <= 1.0)
+    assert ("which sum to" in repr(sampled)) == (not sampled.sum_is_light)
+    stray = abs(sampled.values.sum() - averaged.values.sum())
+    assert stray < 1e-4 if sampled.sum_is_light else stray > 3e-3
+
+
 @given(pupils, st.integers(1, 12), st.integers(0, 4), fine_pixels)
 def test_a_larger_window_shows_the_same_values_and_more_light(pupil, half, more, pixel):
     small, large = (lm.psf(pupil, 2 * n + 1, pixel, dtype="float64") for n in (half, half + more))

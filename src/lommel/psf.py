@@ -68,11 +68,11 @@ def psf(
         circular apertures, ChordalGauss instead where it is likely to take less time for wavefronts that depend on
         the direction, NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is what was used.
     tol : float, optional
-        Tolerance relative to the peak, or to the largest value in the window if `normalize` is "peak"; by default
-        that of the method, or 1e-6 if no method is given.
+        Tolerance relative to the peak of the PSF, in the window or not, or to the largest value in the window if
+        `normalize` is "peak"; by default that of the method, or 1e-6 if no method is given.
     normalize : {"energy", "emitted", "strehl", "peak"}, default "energy"
         "energy": a value is the fraction of all light per pixel: averages over an infinite window sum to 1, and so do
-        samples of pixels no larger than lambda*N/2. "emitted", of an Objective: the same over the light that it would
+        samples of pixels no larger than lambda*N. "emitted", of an Objective: the same over the light that it would
         collect of the emitter far from the glass. "strehl": 1 is the peak of the same aperture without aberration.
         "peak": the largest value in the window is 1.
     dtype : float32 or float64, optional
@@ -156,8 +156,10 @@ class Plan:
 
     Parameters
     ----------
-    shape, pixel, method, tol, normalize, dtype, center, integrate, fill, blur, threads
+    shape, pixel, method, tol, normalize, center, integrate, fill, blur, threads
         As of :func:`psf`.
+    dtype : float32 or float64, optional
+        Type of the values, which `out` must have; by default float64 for tolerances below 1e-6 and float32 otherwise.
 
     Raises
     ------
@@ -462,7 +464,8 @@ class PSF(Measured, PSFLike):
     normalize : str
         "energy", "emitted", "strehl" or "peak", as of :func:`psf`.
     error_bound : float or None
-        Bound on the largest error relative to the peak, the largest of the stack; None if the method has none.
+        Bound on the largest error relative to the peak of the PSF, in the window or not ("peak": to the largest value
+        in the window), the largest of the stack; None if the method has none.
     scale : ndarray, shape ``pupil.shape``
         Factor by which the intensity was multiplied, which is 1 at the peak without obscuration and aberration.
     derivatives : dict of (str or (int, int)) to ndarray
@@ -518,7 +521,7 @@ class PSF(Measured, PSFLike):
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
         how += "".join(f", {type(blur).__name__}" for blur in self.blur)
-        if self.undersampled:
+        if not self.sum_is_light:
             sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
             how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
         return (

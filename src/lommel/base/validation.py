@@ -240,7 +240,8 @@ def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
         found: np.dtype[Any] = np.dtype(cast(DTypeLike, value))
     except Exception:  # NumPy has many for what is none
         found = np.dtype(object)
-    if value is None or isinstance(value, np.generic) or found not in options:  # a number has a type, and is none
+    number = isinstance(value, np.generic) and not isinstance(value, str)  # has a type, and is none
+    if value is None or number or found not in options:
         *others, last = map(str, options)
         raise TypeError(f"{name} must be {', '.join(others)} or {last}, got {shown(value)}")
     return found

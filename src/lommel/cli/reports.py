@@ -65,8 +65,8 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     parts: list[RenderableType] = ["", list_of(lines, title="PSF")]
     if facts["sum"] is not None:
         text = (
-            f"The values sum to {facts['sum']:.4g}, not to the light in the window: point samples this far apart "
-            "miss some of it. Use --integrate for pixel-integrated values."
+            f"The values sum to {facts['sum']:.4g}, not to the light in the window: point samples more than lambda*N "
+            "apart do not. Use --integrate for pixel-integrated values."
         )
         parts.append(Wrapped(text))
     if not enough:
@@ -207,8 +207,7 @@ def describe_mtf(instrument: Instrument, grid: PSFGridLike | None = None, channe
 
 def how_made(answer: PSFLike, seconds: float) -> Facts:
     """Return the description of the values and how they were computed, sums and peaks for each PSF of a stack."""
-    # Samples too far apart do not sum to the light in the window.
-    stray = answer.normalize == "energy" and answer.undersampled
+    stray = answer.normalize == "energy" and not answer.sum_is_light
     return {
         "method": answer.method.to_dict(),
         "sampling": answer.sampling,

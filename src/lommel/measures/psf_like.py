@@ -67,8 +67,17 @@ class PSFLike(Recorded):
 
     @property
     def undersampled(self) -> bool:
-        """Whether values are point-sampled at more than lambda*N/2 and do not sum to the light in the window."""
+        """Whether values are point-sampled at more than lambda*N/2, the Nyquist interval of an intensity."""
         return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
+
+    @property
+    def sum_is_light(self) -> bool:
+        """Whether values of all the plane sum to its light: averages over pixels, and samples at most lambda*N apart.
+
+        The Fourier transform of an intensity is 0 from the frequency 1 / (lambda*N) on, and a sum of samples adds its
+        values at multiples of 1 / pixel (Poisson's formula).
+        """
+        return self.grid.integrate or max(self.grid.pitch) <= (1.0 + 1e-9) * self.pupil.scale
 
     def positions(self) -> tuple[Array, Array]:
         """Return the positions of columns and rows, x and y from the axis, for each PSF of the flattened stack."""

@@ -51,7 +51,7 @@ def psf(psf: PSFLike) -> str:
     values = psf.values if whole else np.stack(seen)
     of = "" if whole else ", where looked at"
     told = of_pupils(psf.pupil) if 1 < all_of <= 64 else []
-    wide = "pixels are wider than λN/2: samples do not sum to the light"
+    wide = "pixels are wider than λN: samples do not sum to the light"
 
     def light() -> str:
         return _span(energy_per_pixel(psf).sum(axis=(-2, -1)), ".4g")
@@ -65,7 +65,7 @@ def psf(psf: PSFLike) -> str:
         ("method", type(psf.method).__name__),
         ("error bound", "none" if psf.error_bound is None else f"{psf.error_bound:.2g} of the peak"),
         ("pupil", _light(psf.pupil)),
-        ("note", wide if psf.undersampled else None),
+        ("note", None if psf.sum_is_light else wide),
     ]
 
     def picture() -> str:

@@ -111,6 +111,7 @@ LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups
 // The light within a circle, E(r) = int_0^r I s ds, as polynomials on panels, with what it may be off by.
 class EnergyWithin {
    public:
+    double width = 4.0;     // of panels, in v
     double rounding = 0.0;  // of any value
 
     // From I at Chebyshev points, so many a panel, up to `reach`. `swing` is half of what I may be.
@@ -132,10 +133,8 @@ class EnergyWithin {
         return offs_[2 * s] + 0.5 * offs_[2 * s + 1] * (r * r - inside * inside);
     }
 
-    static constexpr double width = 4.0;
-
    private:
-    std::size_t panel(double r) const { return std::min(panels_ - 1, static_cast<std::size_t>(r * (1.0 / width))); }
+    std::size_t panel(double r) const { return std::min(panels_ - 1, static_cast<std::size_t>(r / width)); }
 
     std::size_t panels_ = 1, count_ = 1;
     Doubles radii_, values_;
@@ -330,10 +329,12 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
     if (!near_.empty()) {
         reach = step * std::sqrt(reach);
         const double room = asked.sums * square;  // of an integral over a pixel
-        const std::size_t points =
-            fewest(6, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= asked.sums; });
         const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
         const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
+        // Narrow panels take more radii, and less for each node of an edge.
+        energy_.width = static_cast<double>(near_.size() * q) > 4.0 * reach ? 1.0 : 4.0;
+        const std::size_t points =
+            fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * energy_.width, n) <= asked.sums; });
         energy_.make(field_, phase, obscuration, reach, asked.field, points, swing, threads);
         nodes_.assign(q + 16, 0.0);  // what is beyond the last has no weight
         weights_.assign(q + 16, 0.0);

@@ -42,18 +42,19 @@ Named gridding_bounds(std::size_t taps, double oversampling, double step, Double
     const lommel::GriddingKernel kernel = lommel::GriddingKernel::of(taps, oversampling);
     const auto doubles = std::make_unique<lommel::DoubleTaps>(kernel);
     const lommel::CoarseTaps coarse(kernel);
-    nb::list polynomials, few;  // from the highest power down, a row each
-    for (const auto& row : doubles->at) {
-        polynomials.append(std::vector<double>(row, row + taps));
-    }
-    for (const auto& row : coarse.at) {
-        few.append(std::vector<double>(row, row + std::min(taps, lommel::CoarseTaps::taps)));
-    }
+    // From the highest power down, a row each.
+    const auto polynomials = [&](const auto& of) {
+        nb::list rows;
+        for (const auto& row : of.at) {
+            rows.append(std::vector<double>(row, row + std::min(taps, of.taps)));
+        }
+        return rows;
+    };
     return named("beta"_a = kernel.beta(), "values"_a = each(x, kernel),
                  "transforms"_a = each(omega, [&](double w) { return kernel.transform(w); }),
                  "aliases"_a = each(omega, [&](double w) { return kernel.aliases(w); }), "aliasing"_a = kernel.aliasing(step),
-                 "weight"_a = kernel.weight(), "chain"_a = kernel.chain(), "taps"_a = polynomials,
-                 "tap_error"_a = doubles->error, "coarse_taps"_a = few, "coarse_error"_a = coarse.error);
+                 "weight"_a = kernel.weight(), "chain"_a = kernel.chain(), "taps"_a = polynomials(*doubles),
+                 "tap_error"_a = doubles->error, "coarse_taps"_a = polynomials(coarse), "coarse_error"_a = coarse.error);
 }
 
 Named zernike_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double reach, double error) {

@@ -41,7 +41,7 @@ struct PixelRings : Radii {  // where I is wanted, in v
     };
     static constexpr std::size_t most_nodes = 900;  // of a ring: the products of Lagrange's polynomials stay in range
     static constexpr std::size_t most_weights = std::size_t{1} << 27;
-    static constexpr double near_weights = 32768.0;
+    static constexpr double near_weights = 32768.0;  // that a near cache holds
 
     struct Ring {
         RingNodes nodes;
@@ -303,7 +303,7 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
     const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
                             (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-    // Weights that no near cache holds take as long as four that it does.
+    // A weight beyond those that a near cache holds takes as long as four.
     const double of_one = static_cast<double>(whole.count) * values, far = std::max(0.0, of_one - near_weights);
     const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
     if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {

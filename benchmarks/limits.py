@@ -213,8 +213,8 @@ TARGETS = [
     ),
     Target(
         "occlusion, forward again at one depth map, the worst of five scenes",
-        "DepthBlur.forward without occlusion",
-        *(2, 1.5, "", False),
+        "scipy.signal.oaconvolve with one fixed 33²",
+        *(8, 4, "", False),
         depth.occluded,
     ),
     Target(

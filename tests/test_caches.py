@@ -188,7 +188,7 @@ def test_clearing_frees_what_is_kept_and_changes_no_bit():
 def test_the_last_two_tables_of_a_kind_are_kept_whatever_their_size():
     limit = 16 * 2**20  # of distances between which samples are interpolated
     lm.clear_caches()
-    lm.psf(lm.Pupil(), 2950, 40.0)
+    lm.psf(lm.Pupil(), 2950, 80.0)
     kept = engine.table_bytes()[0]
     lm.psf(lm.Pupil(), 33, 0.5, center=(16.2, 15.9))
     assert engine.table_bytes()[0] >= kept

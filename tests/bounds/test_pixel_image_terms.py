@@ -26,21 +26,44 @@ gaussians = st.one_of(st.just(0.0), st.floats(0.01, 5.0))
 obscurations = st.one_of(st.just(0.0), st.floats(0.05, 0.9))
 
 
+def chebyshev_points(count: int) -> np.ndarray:
+    return np.cos(np.pi * (np.arange(count)[::-1] + 0.5) / count)
+
+
+def by_slopes(half: mp.mpf, points: int, reach: mp.mpf) -> mp.mpf:
+    """Return what interpolation by r^2 over `half` each way is off by, from `reach` on."""
+    n = points - 1
+    squares = sum(
+        mp.factorial(n + j) / (mp.factorial(j) * mp.factorial(n - j)) / (4 * reach) ** j for j in range(points)
+    )
+    return 2 * half**points / mp.factorial(points) * squares
+
+
 class Pieces(NamedTuple):
-    """Samples by polynomials of degree 7 of the distance, or of its square, on pieces."""
+    """Samples by polynomials of the distance, or of its square, on pieces, and by shorter ones on parts of them."""
 
     window: Window
     level: int
 
     @property
+    def error(self) -> mp.mpf:
+        """What pieces, as parts magnify it, and parts may be off by, where squares begin: ten to one."""
+        return mp.mpf(10) ** -self.level / 2 / mp.mpf("1.1")
+
+    @property
     def width(self) -> mp.mpf:
-        """On which interpolation is off by half of 10^-level."""
-        return 2 * (mp.factorial(8) / 4 * mp.mpf(10) ** -self.level) ** (mp.mpf(1) / 8)
+        return 2 * (self.error / lebesgue(8) / by_slopes(mp.mpf(1), 16, mp.mpf(32))) ** (mp.mpf(1) / 16)
+
+    @property
+    def parts(self) -> int:
+        """Of a piece, in double precision."""
+        half = (self.error / 10 / by_slopes(mp.mpf(1), 8, mp.mpf(32))) ** (mp.mpf(1) / 8)
+        return 2 * int(mp.ceil(self.width / 4 / half))
 
     @property
     def equal(self) -> int:
-        """How many from the axis on have this width: the least power of two that reaches 32, and eight at least."""
-        return next(n for n in (2**k for k in range(3, 30)) if n * self.width >= 32)
+        """How many from the axis on have this width: the least even number that reaches 32."""
+        return 2 * int(mp.ceil(16 / self.width))
 
     def places(self, distances: np.ndarray) -> np.ndarray:
         """Return in which piece distances are: linear up to so many, then in squares from R to 2 R."""
@@ -55,43 +78,47 @@ class Pieces(NamedTuple):
         return np.where(found < self.equal, found, of_squares)
 
     def ends(self) -> tuple[int, int]:
-        """Return the first piece and the one after the last, both in eights."""
+        """Return the first piece and the one after the last, both even."""
         sides = (self.window.row, self.window.height), (self.window.column, self.window.width)
         within = [max(0.0, -c, c - n + 1) for c, n in sides]
         nearest = math.hypot(*within) * self.window.step
-        first, last = self.places(np.array([nearest, self.window.distances()[-1]])) / 8
-        return int(first) * 8, (int(last) + 1) * 8
+        first, last = self.places(np.array([nearest, self.window.distances()[-1]])) / 2
+        return int(first) * 2, (int(last) + 1) * 2
 
     def pays(self) -> bool:
         first, last = self.ends()
-        return 8 * (last - first) <= self.window.height * self.window.width + 1024
+        return 16 * (last - first) <= self.window.height * self.window.width + 1024
+
+    def distances(self, places: np.ndarray) -> np.ndarray:
+        """Return where pieces and parts of them are, as places() has them."""
+        found, begin, start = places * 1.0, float(self.equal), float(self.equal)
+        for _ in range(40):
+            within = (places >= start) & (places < start + 1.5 * begin)
+            found[within] = np.sqrt(begin**2 + 2 * begin * (places[within] - start))
+            start += 1.5 * begin
+            begin *= 2
+        return float(self.width) * found
 
     def radii(self) -> np.ndarray:
         """Return Chebyshev points of what pieces are equal in: of distances or of squares."""
-        points = np.cos(np.pi * (np.arange(8)[::-1] + 0.5) / 8)
-        found, start, begin = [], 0.0, 0.0
-        for piece in range(*self.ends()):
-            start, begin = 0.0, 0.0
-            end = float(self.equal)
-            while piece >= start + (1.0 if begin == 0 else 1.5) * (begin or end):
-                start, begin, end = start + (1.0 if begin == 0 else 1.5) * (begin or end), end, 2 * end
-            at = piece + 0.5 + 0.5 * points - start
-            found.append(at if begin == 0 else np.sqrt(begin**2 + 2 * begin * at))
-        return float(self.width) * np.ravel(found)
+        return self.distances(np.ravel(np.arange(*self.ends())[:, None] + (1 + chebyshev_points(16)) / 2))
 
     def series(self, profile: np.ndarray) -> np.ndarray:
-        points = np.cos(np.pi * (np.arange(8)[::-1] + 0.5) / 8)
-        return np.linalg.solve(np.polynomial.chebyshev.chebvander(points, 7), profile.reshape(-1, 8).T)
+        values = np.polynomial.chebyshev.chebvander(chebyshev_points(16), 15)
+        return np.linalg.solve(values, profile.reshape(-1, 16).T)
 
     def values(self, profile: np.ndarray) -> tuple[np.ndarray, mp.mpf]:
         y, x = np.arange(self.window.height) - self.window.row, np.arange(self.window.width) - self.window.column
         place = self.places(self.window.step * np.hypot(y[:, None], x)) - self.ends()[0]
-        each = np.floor(place).astype(int)
-        series = self.series(profile)[:, each]
-        return np.polynomial.chebyshev.chebval(2 * (place - each) - 1, series, tensor=False), mp.mpf(0)
+        part = np.floor(self.parts * place).astype(int)
+        powers = self.coefficients(profile, self.parts, 8).reshape(-1, 8)[part]
+        values = np.polynomial.polynomial.polyval(
+            self.parts * place - part - 0.5, np.moveaxis(powers, -1, 0), tensor=False
+        )
+        return values, mp.mpf(0)
 
-    def astray(self, parts: int, room: mp.mpf) -> float:
-        """Return what places as whole multiples of 2^-f of a part are off by, in parts: below `room` in v, or 0."""
+    def astray(self, parts: int, room: mp.mpf) -> tuple[float, int]:
+        """Return what places of so many pixels are off by, in parts: less than `room` in v, or 0."""
         scale = self.window.step / float(self.width)
         sides = (self.window.row, self.window.height), (self.window.column, self.window.width)
 
@@ -114,34 +141,61 @@ class Pieces(NamedTuple):
                         span = (most - least) * parts / (2 * zone)
                         worst = max(worst, 2.0 ** (max(7, math.floor(math.log2(1.5 * span + 4))) - 31))
             if worst * float(self.width) / parts < room:
-                return worst
-        return 0.0
+                return worst, together
+        return 0.0, 128
+
+    def bends(self, profile: np.ndarray, order: int, points: int) -> np.ndarray:
+        """Return a bound on a derivative of each piece, from what it is at so many points."""
+        derivative = np.polynomial.chebyshev.chebder(self.series(profile), order)
+        seen = np.abs(np.polynomial.chebyshev.chebval(chebyshev_points(points), derivative)).max(1)
+        return seen / np.cos(np.pi * (15 - order) / (2 * points))
+
+    def coefficients(self, profile: np.ndarray, parts: int, terms: int) -> np.ndarray:
+        """Return those of powers of the place in a part, from -1/2 to 1/2: [piece, part, power]."""
+        y = chebyshev_points(terms)
+        x = (2 * np.arange(parts)[:, None] + 1 + y) / parts - 1
+        values = np.polynomial.chebyshev.chebval(x, self.series(profile))
+        return values @ np.linalg.inv(np.vander(y, increasing=True).T) * 2.0 ** np.arange(terms)
 
     def singly(self, profile: np.ndarray, top: float, room: mp.mpf, places: mp.mpf) -> mp.mpf:
-        """Return what cubics in single precision add, off by about `room`, and the largest value by them."""
-        powers = np.abs([np.polynomial.chebyshev.cheb2poly(piece) for piece in self.series(profile).T])
-        bent = max(sum(math.comb(i, 4) * size for i, size in enumerate(piece)) for piece in powers)
-        parts = min(64, 2 * max(1, math.ceil((bent / (8 * float(room))) ** 0.25 / 2)))
-        taylor = [
-            [sum(math.comb(i, k) * size for i, size in enumerate(piece)) / parts**k for k in range(8)]
-            for piece in powers
-        ]
-        counts = [1, 6, 9, 12, 1 + 9, 1 + 12, 1 + 9, 1 + 12]
-        moved = 2 * self.astray(parts, places)
-        each = [float(SINGLE) * n + moved * k for k, n in enumerate(counts)]
-        largest = max(sum(n * size for n, size in zip(each, piece, strict=True)) for piece in taylor)
-        return mp.mpf(1.01 * largest) + SINGLE * mp.mpf(top) + mp.mpf(float(bent)) / (8 * parts**4)
+        """Return what cubics and lines, off by about `room`, add with their roundings, and the largest value."""
+        allowed, pieces = float(room), profile.reshape(-1, 16)
+        bent = self.bends(profile, 4, 16).max()
+        parts = min(64, 2 * max(1, math.ceil((bent / (192 * allowed)) ** 0.25 / 2)))
+        curves = self.bends(profile, 2, 32)
+        curved = curves > 4 * parts**2 * allowed
+        straight = len(curves) - int(np.argmax(curved[::-1])) if curved.any() else 0
+        astray, together = self.astray(parts, places)
+        first = self.ends()[0]
+        begins = self.distances(np.array([first + straight + 1e-4]))[0]
+        reach = begins + together * self.window.step
+        bends = min(len(pieces), int(self.places(np.array([reach]))[0] + 1e-4) + 1 - first)
+
+        def rough(some: np.ndarray, terms: int) -> float:
+            if some.size == 0:
+                return 0.0
+            powers = np.pad(np.abs(self.coefficients(some, parts, terms)).max((0, 1)), (0, 4 - terms))
+            rounded = float(SINGLE) * powers @ [1, 6 / 2, 9 / 4, 12 / 8]
+            return 1.01 * (rounded + astray * powers @ [0, 1, 2 / 2, 3 / 4])
+
+        return SINGLE * mp.mpf(top) + max(
+            mp.mpf(bent) / (192 * parts**4) + rough(pieces[:bends], 4),
+            mp.mpf(curves[straight:].max(initial=0.0)) / (4 * parts**2) + rough(pieces[straight:], 2),
+        )
 
     def table(self) -> Table:
-        points = np.cos(np.pi * (np.arange(8) + 0.5) / 8)
-        sizes = np.abs(np.linalg.inv(np.vander(points))).sum()
-        # The eighth derivative by r^2 from those by r: coefficients of Bessel's polynomials, r where squares begin.
-        reach = self.equal * self.width
-        squares = sum(
-            mp.factorial(7 + j) / (mp.factorial(j) * mp.factorial(7 - j)) / (4 * reach) ** j for j in range(8)
-        )
-        error = 2 * (self.width / 2) ** 8 / mp.factorial(8) * squares
-        return Table(error, lebesgue(8), mp.mpf(1), 64 * mp.mpf(sizes))
+        y, x = chebyshev_points(8), chebyshev_points(16)
+        places = (2 * np.arange(self.parts // 2)[:, None] + 1 + y) / self.parts
+        basis = np.linalg.inv(np.polynomial.chebyshev.chebvander(x, 15))
+        through = np.abs(np.polynomial.chebyshev.chebval(places, basis))
+        pairs = 2 * np.maximum(through, through[::-1])[:8].sum(0)
+        sizes = (pairs @ np.abs(np.linalg.inv(np.vander(y))).T).max(0).sum()
+        reach, half = self.equal * self.width, self.width / 2
+        error = lebesgue(8) * by_slopes(half, 16, reach) + by_slopes(half / self.parts, 8, reach)
+        # Of a polynomial of degree 15 the eighth derivative is largest at 1 for Chebyshev's (Markov).
+        steepest = np.polynomial.chebyshev.chebval(1.0, np.polynomial.chebyshev.chebder([0] * 15 + [1], 8))
+        bent = mp.mpf(steepest) / (2**7 * mp.factorial(8) * self.parts**8)
+        return Table(error, lebesgue(16), min(lebesgue(8), 1 + bent), 24 * mp.mpf(sizes))
 
 
 class Tabulated(NamedTuple):
@@ -204,7 +258,9 @@ class Judged(NamedTuple):
     singly: mp.mpf  # how much of the error, also of `top`, is that of single precision
 
 
-def judged(lens: Lens, way: Pieces | Tabulated, error: float, singly: mp.mpf | None = None) -> Judged:
+def judged(
+    lens: Lens, way: Pieces | Tabulated, error: float, singly: mp.mpf | None = None, *, divided: bool = False
+) -> Judged:
     """`singly`: by sums in single precision, to that tolerance."""
     v, table = way.radii(), way.table()
     u, e = lens.field(0, v, error)
@@ -214,7 +270,8 @@ def judged(lens: Lens, way: Pieces | Tabulated, error: float, singly: mp.mpf | N
     given = 2 * mp.sqrt(size) * e + e * e
     off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)
     by_cubics = singly is not None and isinstance(way, Pieces)
-    rough = way.singly(intensity, top, mp.mpf("0.3") * singly * size, singly / 4) if by_cubics else mp.mpf(0)
+    room = mp.mpf("0.15") if divided else mp.mpf("0.3")
+    rough = way.singly(intensity, top, room * singly * size, singly / 4) if by_cubics else mp.mpf(0)
     return Judged(way, table, v, e, size, top, off + rough, table.magnification * given, rough)
 
 
@@ -265,7 +322,7 @@ def attempted(lens: Lens, window: Window, tol: float, divided: bool, single: boo
     elsewhere, looked = mp.mpf(0), divided
     singly = single and way is Pieces and allowed >= mp.mpf("5e-7")
     while True:
-        found = judged(lens, way(window, level), error, allowed if singly else None)
+        found = judged(lens, way(window, level), error, allowed if singly else None, divided=divided)
         if (
             related(found.off, max(found.top - found.off, elsewhere), divided, single, way is Pieces) > tol
             and not looked
@@ -372,7 +429,8 @@ def test_the_bounds_of_a_large_image(window, tol):
     found, answer = rendered(lens, window, tol, False, False, [2]), answered(lens, window, tol, False, False)
     assert found is not None
     assert answer is not None
-    assert (answer.found.table.of_grid > 1) == window.integrate
+    assert isinstance(answer.found.way, Pieces) != window.integrate
+    assert answer.found.table.of_grid > 1
     assert found[0] == pytest.approx(float(answer.bound), rel=1e-9, abs=0.0)
     assert found[2][0] == pytest.approx(float(of_derivative(lens, window, 2, answer)), rel=1e-9, abs=0.0)
 

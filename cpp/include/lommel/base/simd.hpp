@@ -89,6 +89,14 @@ LOMMEL_INLINE V loaded(V v) {
 }
 template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
+#if defined(LOMMEL_X86) && !defined(__clang__)
+    // Of floats, which GCC compares and masks.
+    if constexpr (sizeof(V) > 16 && sizeof(a[0]) == sizeof(float)) {
+        V v;
+        asm("vmaxps %2, %1, %0" : "=v"(v) : "v"(a), "v"(b));
+        return v;
+    }
+#endif
     return a > b ? a : b;
 }
 template <class V>
@@ -146,7 +154,77 @@ LOMMEL_INLINE V from_bits(V x) {
     return x;
 }
 #if !defined(__clang__)
-// Four floats from c + at[0] on and, of eight, as many from c + at[4] on. By hand as in splat().
+LOMMEL_INLINE std::size_t low_place(std::uint64_t places) {
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return places >> 32;
+#else
+    return static_cast<std::uint32_t>(places);
+#endif
+}
+LOMMEL_INLINE std::size_t high_place(std::uint64_t places) {
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    return static_cast<std::uint32_t>(places);
+#else
+    return places >> 32;
+#endif
+}
+// Two floats from c + at[0] on and two from c + at[1] on; of eight, as many from c + at[4] and c + at[5] on. By hand as in splat().
+template <class V>
+LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
+    typedef double Two __attribute__((vector_size(16)));
+    const auto two = [&](std::size_t i) LOMMEL_INLINE_LAMBDA {  // their places, which are not negative, loaded at once
+        std::uint64_t places;
+        std::memcpy(&places, at + i, sizeof places);
+        typedef double Second __attribute__((aligned(4), may_alias));
+        double first;
+        std::memcpy(&first, c + low_place(places), sizeof first);
+        const Second& second = *reinterpret_cast<const Second*>(c + high_place(places));
+        Two both = {first, 0.0};
+#ifdef LOMMEL_X86
+        if constexpr (sizeof(V) > 16) {
+            asm("vmovhps %1, %0, %0" : "+x"(both) : "m"(second));
+            return both;
+        }
+#endif
+        both[1] = second;
+        return both;
+    };
+    V v;
+    const Two low = two(0);
+    if constexpr (sizeof(V) == 16) {
+        std::memcpy(&v, &low, sizeof v);
+    }
+#ifdef LOMMEL_X86
+    if constexpr (sizeof(V) == 32) {
+        const Two high = two(4);
+        asm("vinsertf128 $1, %2, %t1, %0" : "=x"(v) : "x"(low), "xm"(high));
+    }
+    if constexpr (sizeof(V) == 64) {
+        V more;
+        const Two high = two(4), third = two(8), fourth = two(12);
+        asm("vinsertf32x4 $1, %2, %t1, %t0" : "=v"(v) : "v"(low), "v"(high));
+        asm("vinsertf32x4 $1, %2, %t1, %t0" : "=v"(more) : "v"(third), "v"(fourth));
+        asm("vinsertf64x4 $1, %t1, %0, %0" : "+v"(v) : "v"(more));
+    }
+#endif
+    return v;
+}
+// Those of two such vectors that stand first and second in each pair.
+template <class V>
+LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
+    if constexpr (sizeof(V) == 16) {
+        typedef std::int32_t Order __attribute__((vector_size(16)));
+        first = __builtin_shuffle(a, b, Order{0, 2, 4, 6});
+        second = __builtin_shuffle(a, b, Order{1, 3, 5, 7});
+    }
+#ifdef LOMMEL_X86
+    if constexpr (sizeof(V) > 16) {
+        asm("vshufps $0x88, %2, %1, %0" : "=v"(first) : "v"(a), "v"(b));
+        asm("vshufps $0xdd, %2, %1, %0" : "=v"(second) : "v"(a), "v"(b));
+    }
+#endif
+}
+// Four floats from c + at[0] on and, of eight, as many from c + at[4] on.
 template <class V>
 LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
     V v;

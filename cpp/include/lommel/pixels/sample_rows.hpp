@@ -66,10 +66,12 @@ class SampleRows {
     static constexpr std::size_t most_lanes = 16;
 
     // Of pixels one beside the other in a row the part in which each is, less `base`, both times what parts are apart, and where in it,
-    // from -1/2 to 1/2. There is room behind them for whole vectors, in parts that are there.
+    // from -1/2 to 1/2. There is room behind them for whole vectors, in parts that are there. Those of a run that is `straight` are two
+    // apart.
     template <class Real>
     struct Run {
         std::size_t row, start, count;
+        bool straight;
         std::ptrdiff_t base;
         const std::int32_t* at;
         const Real* x;
@@ -81,6 +83,8 @@ class SampleRows {
     // Has places in whole multiples of a part over a power of two, for pixels in single precision, where they are off by about `room` in
     // v at most then; returns what they are off by at most, in parts.
     double by_integers(double room);
+    // Has runs of pixels in single precision straight where all are so many pieces from the axis; returns how far out others may be.
+    double straight_from(double pieces);
 
     // Hands over the pixels of rows [begin, end).
     template <class Real, std::uint32_t Apart, class Take>
@@ -91,11 +95,6 @@ class SampleRows {
         alignas(64) Real x[longest];
         Lines lines;
         Glance glance;
-        const auto split = [&](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
-            const double whole = (where + 0x1.8p52) - 0x1.8p52;  // the nearest
-            at[i] = static_cast<std::int32_t>(Apart) * static_cast<std::int32_t>(whole);
-            x[i] = static_cast<Real>(where - whole);
-        };
         // All rows of some columns in turn, so that most of the pieces of a row are those of the one before.
         for (std::size_t start = 0; start < window_.width; start += tile_) {
             const std::size_t here = std::min(tile_, window_.width - start), padded = (here + block - 1) / block * block;
@@ -103,27 +102,30 @@ class SampleRows {
                 squares[i] = squared(static_cast<double>(start + std::min(i, here - 1)) - window_.center_x);
             }
             const double least = *std::min_element(squares, squares + here), most = *std::max_element(squares, squares + here);
-            std::size_t low = 0, high = 0, prepared = 0;
+            std::size_t prepared = 0;
+            Row ahead = seen(begin, least, most, {});
             for (std::size_t row = begin; row < end; ++row) {
                 glance(4 * padded);
-                const double square = squared(static_cast<double>(row) - window_.center_y);
-                zone_of(least + square, low);
-                zone_of(most + square, high);
-                Run<Real> run{row, start, here, 0, at, x};
-                const Zone zone = zones_[low];
-                // The root and the lines of the zones touch each other, and the curve that they make bends one way: it is the least.
-                const Zone next = zones_[low + 1];
+                // While the pixels of this row are made, what the next one needs is on its way.
+                const Row seen_here = ahead;
+                ahead = seen(std::min(row + 1, end - 1), least, most, ahead);
+                const auto [square, low, high, first, other, straight] = seen_here;
+                const Zone &zone = zones_[low], &next = zones_[low + 1];
+                const std::uint32_t apart = straight ? 2 : Apart;
+                const auto split = [&, apart = apart](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
+                    const double whole = (where + 0x1.8p52) - 0x1.8p52;  // the nearest
+                    at[i] = static_cast<std::int32_t>(apart) * static_cast<std::int32_t>(whole);
+                    x[i] = static_cast<Real>(where - whole);
+                };
+                Run<Real> run{row, start, here, straight, 0, at, x};
                 if constexpr (std::is_same_v<Real, float>) {
                     if (integers_ && low > 0 && high <= low + 1) {
                         if (prepared != low) {
                             lines.prepare(squares, padded, least, most, zone.slope, next.slope);
                             prepared = low;
                         }
-                        const double first = zone.slope * (least + square) + zone.shift,
-                                     other = next.slope * (least + square) + next.shift;
-                        run.base = static_cast<std::ptrdiff_t>(Apart) *
-                                   (high == low ? lines.template split<Apart, false>(padded, first, other, at, x)
-                                                : lines.template split<Apart, true>(padded, first, other, at, x));
+                        run.base = high == low ? lines.template split<false>(padded, first, other, apart, at, x)
+                                               : lines.template split<true>(padded, first, other, apart, at, x);
                         take(run);
                         continue;
                     }
@@ -159,10 +161,32 @@ class SampleRows {
     }
 
    private:
+    // A row: the square of its distance, the zones of the nearest and of the farthest pixel, and the places of the nearest by the first
+    // of these and by the next. The root and the lines of the zones touch each other, and the curve that they make bends one way: it is
+    // the least.
+    struct Row {
+        double square = 0.0;
+        std::size_t low = 0, high = 0;
+        double first = 0.0, other = 0.0;
+        bool straight = false;
+    };
+    LOMMEL_INLINE Row seen(std::size_t row, double least, double most, Row before) const {
+        Row r = before;
+        r.square = squared(static_cast<double>(row) - window_.center_y);
+        zone_of(least + r.square, r.low);
+        zone_of(most + r.square, r.high);
+        const Zone &zone = zones_[r.low], &next = zones_[r.low + 1];
+        r.first = zone.slope * (least + r.square) + zone.shift;
+        r.other = next.slope * (least + r.square) + next.shift;
+        r.straight = least + r.square >= straight_;
+        return r;
+    }
+
     // Of some columns what their squares add to the places of two zones, as integers.
     struct Lines {
         alignas(64) std::uint32_t here[longest], next[longest];
         double span = 0.0, unit = 1.0;
+        float scale = 1.0f;
         int bits = 0;  // behind the point
 
         LOMMEL_INLINE void prepare(const double* squares, std::size_t padded, double least, double most, double slope,
@@ -170,6 +194,7 @@ class SampleRows {
             span = (most - least) * slope;
             bits = fraction_bits(span);
             unit = std::ldexp(1.0, bits);
+            scale = static_cast<float>(1.0 / unit);
             for (std::size_t i = 0; i < padded; ++i) {
                 here[i] = whole((squares[i] - least) * slope * unit);
                 next[i] = whole((squares[i] - least) * other_slope * unit);
@@ -177,22 +202,22 @@ class SampleRows {
         }
 
         // From the places of the pixel nearest to the axis, by both zones or one; returns the part from which they are counted, one
-        // before its own or two. None is less than that one's, nor more than `span` beyond, where it counts.
-        template <std::uint32_t Apart, bool Both>
-        LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::int32_t* at, float* x) const {
-            static_assert(Apart == 4);
+        // before its own or two, times what parts are apart, 2 or 4. None is less than that one's, nor more than `span` beyond, where it
+        // counts.
+        template <bool Both>
+        LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t apart,
+                                           std::int32_t* at, float* x) const {
             const double base = std::floor(first) - 1.0;
             const std::uint32_t from = whole((first - base + 0.5) * unit);
             const std::uint32_t or_from = whole((std::min(other, first + span) - base + 0.5) * unit);
-            const std::uint32_t part = ~(Apart - 1), behind = (std::uint32_t{1} << bits) - 1;
-            const int down = bits - 2;  // of four coefficients
-            const float scale = static_cast<float>(1.0 / unit);
+            const std::uint32_t part = ~(apart - 1), behind = (std::uint32_t{1} << bits) - 1;
+            const int down = apart == 2 ? bits - 1 : bits - 2;
             for (std::size_t i = 0; i < padded; ++i) {
                 const std::uint32_t one = here[i] + from, two = Both ? next[i] + or_from : one, where = two < one ? two : one;
                 at[i] = static_cast<std::int32_t>((where >> down) & part);
                 x[i] = static_cast<float>(static_cast<std::int32_t>(where & behind)) * scale - 0.5f;
             }
-            return static_cast<std::ptrdiff_t>(base);
+            return static_cast<std::ptrdiff_t>(apart) * static_cast<std::ptrdiff_t>(base);
         }
         static LOMMEL_INLINE std::uint32_t whole(double x) { return static_cast<std::uint32_t>(x + 0.5); }
     };
@@ -215,6 +240,7 @@ class SampleRows {
     Zones zones_;
     std::size_t tile_ = longest;
     bool integers_ = false;
+    double straight_ = HUGE_VAL;  // from here on, in squares of distances
 };
 
 #if defined(LOMMEL_DEFINES)
@@ -255,6 +281,11 @@ LOMMEL_ONCE double SampleRows::by_integers(double room) {
     }
     tile_ = longest;
     return 0.0;
+}
+
+LOMMEL_ONCE double SampleRows::straight_from(double pieces) {
+    straight_ = pieces * pieces;
+    return pieces + static_cast<double>(tile_) * pieces_;
 }
 #endif
 

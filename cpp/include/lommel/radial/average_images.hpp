@@ -85,7 +85,8 @@ class PixelRenderer {
 
     // What the tolerance is spent on, times what the largest value may be.
     struct Budget {
-        // At first, on the table, and on U, which counts twice in I, times what the table makes of errors.
+        // At first, on the table, and on U, which counts twice in I, times what the table makes of errors; on cubics half of it where values
+        // are divided by their largest.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
         // Where that did not do, on each of both; half of it where values are divided by their largest.
         static constexpr double each = 0.2;
@@ -110,6 +111,7 @@ class PixelRenderer {
         double scale = 1.0;
         T* image = nullptr;
         bool singly = false;  // by sums in single precision
+        double cubics = 0.0;  // what these may be off by, over the largest I
     };
     // Tolerances from which on samples are summed in single precision.
     static constexpr double single_enough = 5e-7;
@@ -179,10 +181,9 @@ class PixelRenderer {
         });
         double of_singles = 0.0;
         if constexpr (std::is_same_v<Table, SamplePieces> && sizeof(T) == sizeof(float)) {
-            f.top = painted.singly
-                        ? table.paint_singly(window, at_radii.data(), painted.scale, Budget::cubics * allowed_ * f.size,
-                                             Budget::places * allowed_, threads, painted.image, of_singles)
-                        : table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
+            f.top = painted.singly ? table.paint_singly(window, at_radii.data(), painted.scale, painted.cubics * f.size,
+                                                        Budget::places * allowed_, threads, painted.image, of_singles)
+                                   : table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
             made.penalty = 0.0;
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {
             f.top = table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
@@ -339,7 +340,8 @@ class PixelRenderer {
         Found<Table> f{};
         constexpr bool at_once = std::is_same_v<Table, SamplePieces>;
         Painted painted{normalize ? 1.0 : answer_.scales[pupil], answer_.images + pupil * pixels(),
-                        at_once && sizeof(T) == sizeof(float) && allowed_ >= single_enough};
+                        at_once && sizeof(T) == sizeof(float) && allowed_ >= single_enough,
+                        (normalize ? 0.5 : 1.0) * Budget::cubics * allowed_};
         const auto attempt = [&] {
             const auto measured = [&] {
                 f = measure<Table>(field, window, phase, asked, threads, at_radii, made, painted);

@@ -1,0 +1,244 @@
+// Polynomials through 16 Chebyshev points, cut into those of fewer terms on equal parts. docs/certificate.md, section 9.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+#include "lommel/base/aligned.hpp"
+#include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/special/chebyshev.hpp"
+
+namespace lommel {
+
+// What is linear in values at those points on [-1, 1] that rise, for some places x > 0: of the even part of the polynomial and of the
+// odd one, whose sum is that at x, and whose difference is that at -x, or the other way about.
+struct Halves {
+    static constexpr std::size_t points = 16, half = points / 2, together = 8;
+    std::size_t count, pitch;
+    Doubles even, odd;  // [point][output], of `pitch` outputs
+
+    explicit Halves(std::size_t outputs)
+        : count(outputs), pitch((outputs + together - 1) / together * together), even(half * pitch), odd(half * pitch) {}
+
+    // The even and the odd part of the values themselves, times a number.
+    struct Values {
+        double even[half], odd[half];
+        Values(const double* values, double by) {
+            for (std::size_t i = 0; i < half; ++i) {
+                const double above = values[half + i], below = values[half - 1 - i];
+                even[i] = by * (above + below);
+                odd[i] = by * (above - below);
+            }
+        }
+    };
+
+    // Hands over outputs from `start` on, as many as are `together`, of both parts.
+    template <class I, class Take>
+    LOMMEL_INLINE void each(I, const Values& values, const Take& take) const {
+        using V = typename I::pack;
+        constexpr std::size_t packs = together / I::lanes;
+        for (std::size_t start = 0; start < pitch; start += together) {
+            V sum[packs] = {}, other[packs] = {};
+            for (std::size_t i = 0; i < half; ++i) {
+                const V by = splat<V>(values.even[i]), or_by = splat<V>(values.odd[i]);
+                for (std::size_t p = 0; p < packs; ++p) {
+                    sum[p] = sum[p] + by * load<V>(even.data() + i * pitch + start + p * I::lanes);
+                    other[p] = other[p] + or_by * load<V>(odd.data() + i * pitch + start + p * I::lanes);
+                }
+            }
+            alignas(64) double both[2][together];
+            for (std::size_t p = 0; p < packs; ++p) {
+                store(both[0] + p * I::lanes, sum[p]);
+                store(both[1] + p * I::lanes, other[p]);
+            }
+            take(start, both[0], both[1]);
+        }
+    }
+
+    // The m-th derivatives at x of the even and of the odd part of what is 1 at one of the points above the middle, 0 at the others.
+    void derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const;
+};
+
+// Of so many equal parts of [-1, 1] the coefficients of the polynomial through `Terms` Chebyshev points of each, for places that go from
+// -1/2 to 1/2 in it.
+template <std::size_t Terms>
+struct Parts {
+    static constexpr std::size_t least = 2, most = 64;  // an even number
+    std::size_t parts;
+    double sizes = 0.0;  // of coefficients, as many times the largest value
+    Halves halves;       // [part above the middle, power]
+
+    explicit Parts(std::size_t count);
+
+    bool is(std::size_t count) const { return parts == count; }
+    std::size_t bytes() const { return sizeof(double) * (halves.even.size() + halves.odd.size()); }
+    // How far a polynomial that is 1 at most may be from those of its parts: by its derivative, which Markov's inequality bounds.
+    double bent() const {
+        const double degree = static_cast<double>(Halves::points - 1);
+        double size = 2.0;
+        for (std::size_t k = 0; k < Terms; ++k) {
+            const double n = static_cast<double>(k);
+            size *= (degree * degree - n * n) / ((2.0 * n + 1.0) * 2.0 * (n + 1.0) * static_cast<double>(parts));
+        }
+        return size;
+    }
+    static constexpr std::size_t most_bytes = std::size_t{1} << 20;
+    static std::shared_ptr<const Parts> get(std::size_t count) { return cache<Parts>.get(count); }
+
+    // Coefficients of all parts of a piece, [part][power]; raises what is the largest of each so far.
+    template <class I, class To>
+    LOMMEL_INLINE void cut(I isa, const Halves::Values& values, To* to, double* largest) const {
+        constexpr std::size_t lanes = std::min(I::lanes, Terms);
+        using V = typename Vector<lanes>::pack;
+        using Out = std::conditional_t<sizeof(To) == sizeof(double), V, typename Vector<lanes>::narrow>;
+        alignas(64) static constexpr double signs[8] = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
+        const V turned = load<V>(signs);
+        V top[Terms / lanes];
+        for (std::size_t p = 0; p < Terms / lanes; ++p) {
+            top[p] = load<V>(largest + p * lanes);
+        }
+        To *const above = to + parts / 2 * Terms, *const below = above - Terms;
+        halves.each(isa, values, [&](std::size_t start, const double* even, const double* odd) LOMMEL_INLINE_LAMBDA {
+            const std::size_t end = std::min(halves.count - start, Halves::together);
+            for (std::size_t at = 0; at < end; at += Terms) {
+                for (std::size_t p = 0; p < Terms / lanes; ++p) {
+                    const V e = load<V>(even + at + p * lanes), o = load<V>(odd + at + p * lanes);
+                    const V up = e + o, down = turned * (e - o);
+                    store(above + start + at + p * lanes, converted<Out>(up));
+                    store(below - (start + at) + p * lanes, converted<Out>(down));
+                    top[p] = larger(top[p], larger(larger(up, V{} - up), larger(down, V{} - down)));
+                }
+            }
+        });
+        for (std::size_t p = 0; p < Terms / lanes; ++p) {
+            store(largest + p * lanes, top[p]);
+        }
+    }
+};
+
+// How much the polynomial bends: bounds on its second derivative and on its fourth.
+struct Bends {
+    static constexpr std::size_t second = 32, fourth = 16;  // Chebyshev points at which they are taken
+    static_assert(second / 2 % Halves::together == 0 && fourth / 2 % Halves::together == 0);
+
+    struct Sizes {
+        double second, fourth;
+    };
+
+    Halves halves{(second + fourth) / 2};
+    Bends();
+
+    static const Bends& get() {
+        static const Bends& only = *new Bends;
+        return only;
+    }
+
+    template <class I>
+    LOMMEL_INLINE Sizes operator()(I isa, const Halves::Values& values) const {
+        double sizes[2][Halves::together] = {};
+        halves.each(isa, values, [&](std::size_t start, const double* even, const double* odd) LOMMEL_INLINE_LAMBDA {
+            double* const largest = sizes[start < second / 2 ? 0 : 1];
+            for (std::size_t i = 0; i < Halves::together; ++i) {
+                const double size = std::abs(even[i]) + std::abs(odd[i]);
+                largest[i] = size > largest[i] ? size : largest[i];
+            }
+        });
+        const auto most = [](const double (&all)[Halves::together]) {
+            return *std::max_element(std::begin(all), std::end(all));
+        };
+        return {most(sizes[0]), most(sizes[1])};
+    }
+};
+
+// With what values at n Chebyshev points, which rise, are taken to coefficients of 1, x, x^2, ...: [point][power].
+template <std::size_t Count>
+std::array<double, Count * Count> through_points() {
+    const ChebyshevToMonomials<Count, wide> taken;
+    std::array<double, Count * Count> made{};
+    for (std::size_t i = 0; i < Count; ++i) {
+        double values[Count] = {};
+        values[Count - 1 - i] = 1.0;  // of points that fall
+        taken(values, 1, made.data() + i * Count);
+    }
+    return made;
+}
+
+template <std::size_t Terms>
+Parts<Terms>::Parts(std::size_t count) : parts(count), halves(count / 2 * Terms) {
+    const auto powers = through_points<Terms>();
+    double each[Terms] = {};
+    for (std::size_t part = 0; part < parts / 2; ++part) {
+        double sums[Terms] = {};
+        for (std::size_t i = 0; i < Terms; ++i) {
+            const double y = chebyshev_point(Terms - 1 - i, Terms);
+            double even[Halves::half], odd[Halves::half];
+            halves.derivative(0, (static_cast<double>(2 * part) + 1.0 + y) / static_cast<double>(parts), even, odd);
+            for (std::size_t power = 0; power < Terms; ++power) {
+                const double by = powers[i * Terms + power] * std::exp2(static_cast<double>(power));
+                for (std::size_t point = 0; point < Halves::half; ++point) {
+                    const std::size_t at = point * halves.pitch + part * Terms + power;
+                    halves.even[at] += by * even[point];
+                    halves.odd[at] += by * odd[point];
+                    sums[power] += 2.0 * std::abs(powers[i * Terms + power]) * (std::abs(even[point]) + std::abs(odd[point]));
+                }
+            }
+        }
+        for (std::size_t power = 0; power < Terms; ++power) {
+            each[power] = std::max(each[power], sums[power]);
+        }
+    }
+    for (const double size : each) {
+        sizes += size;
+    }
+}
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const {
+    // T_k and its derivatives, by (T_{k + 1} + T_{k - 1})^(j) = 2 x T_k^(j) + 2 j T_k^(j - 1).
+    wide chebyshev[points][5] = {};
+    chebyshev[0][0] = 1;
+    chebyshev[1][0] = static_cast<wide>(x);
+    chebyshev[1][1] = 1;
+    for (std::size_t k = 2; k < points; ++k) {
+        for (std::size_t j = 0; j <= m; ++j) {
+            const wide lower = j == 0 ? wide{0} : 2 * static_cast<wide>(j) * chebyshev[k - 1][j - 1];
+            chebyshev[k][j] = 2 * static_cast<wide>(x) * chebyshev[k - 1][j] + lower - chebyshev[k - 2][j];
+        }
+    }
+    for (std::size_t i = 0; i < half; ++i) {
+        wide sums[2] = {};
+        for (std::size_t k = 0; k < points; ++k) {
+            const wide angle = std::acos(wide{-1}) * static_cast<wide>(k * (2 * (half - 1 - i) + 1)) / (2 * points);
+            sums[k % 2] += (k == 0 ? 1 : 2) * std::cos(angle) * chebyshev[k][m] / points;
+        }
+        evens[i] = static_cast<double>(sums[0]);
+        odds[i] = static_cast<double>(sums[1]);
+    }
+}
+
+LOMMEL_ONCE Bends::Bends() {
+    const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
+        // No polynomial of degree d is more than 1 / cos(pi d / 2 n) times what it is at n > d Chebyshev points (Ehlich and Zeller).
+        const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
+        const double by = 1.0 / std::cos(0.5 * std::acos(-1.0) * share);
+        for (std::size_t at = 0; at < count / 2; ++at) {
+            double even[Halves::half], odd[Halves::half];
+            halves.derivative(m, chebyshev_point(at, count), even, odd);
+            for (std::size_t point = 0; point < Halves::half; ++point) {
+                halves.even[point * halves.pitch + from + at] = by * even[point];
+                halves.odd[point * halves.pitch + from + at] = by * odd[point];
+            }
+        }
+    };
+    fill(0, 2, second);
+    fill(second / 2, 4, fourth);
+}
+#endif
+
+}  // namespace lommel

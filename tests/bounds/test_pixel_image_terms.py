@@ -373,7 +373,7 @@ WINDOWS = [
     Window(7, 4, 9.3, 1.6, 0.5, False),
     Window(9, 150, 20.3, -61.6, 0.9, False),
     Window(3, 310, -2.3, 140.2, 1.7, False),
-    Window(3, 2, 1.0, 1.0, 7.9, True),
+    Window(3, 2, 1.0, 1.0, 7.3, True),
 ]
 
 

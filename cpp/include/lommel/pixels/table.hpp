@@ -166,10 +166,11 @@ struct PixelRings : Radii {  // where I is wanted, in v
 struct PixelTable : PixelRings {
     PixelWindow window;
     int level;  // errors are about 10^-level; `error` says what they are
+    bool shared;  // by images made many together, for which weights are loaded once
     PixelGroups groups;
     std::size_t value_count = 0;
 
-    PixelTable(const PixelWindow& w, int digits, int threads);
+    PixelTable(const PixelWindow& w, int digits, int threads, bool many);
 
     // As of an AnywhereTable.
     double outermost() const { return rings.empty() ? reach() : rings.back().nodes.high; }
@@ -186,10 +187,10 @@ struct PixelTable : PixelRings {
                sizeof(std::int32_t) * (groups.index.size() + places.size());
     }
 
-    bool is(const PixelWindow& w, int digits, int) const { return window == w && level == digits; }
+    bool is(const PixelWindow& w, int digits, int, bool many) const { return window == w && level == digits && shared == many; }
     static constexpr std::size_t most_bytes = std::size_t{192} << 20;
-    static std::shared_ptr<const PixelTable> get(const PixelWindow& window, int level, int threads) {
-        return cache<PixelTable>.get(window, level, threads);
+    static std::shared_ptr<const PixelTable> get(const PixelWindow& window, int level, int threads, bool many = false) {
+        return cache<PixelTable>.get(window, level, threads, many);
     }
 
     // Values of `Together` windows from I at the radii, for rings [first, last); raises `penalties` to what evaluating
@@ -287,7 +288,8 @@ LOMMEL_ONCE void PixelRings::sum_ring(const double* coefficients, const double* 
                  LOMMEL_INLINE_LAMBDA { sum_harmonics(isa, RadialDegree{}, coefficients, harmonics, at, angle, values, out); });
 }
 
-LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads) : window(w), level(digits), groups(w) {
+LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads, bool many)
+    : window(w), level(digits), shared(many), groups(w) {
     const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
     const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
     const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
@@ -303,8 +305,8 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
     const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
                             (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-    // A weight beyond those that a near cache holds takes as long as four.
-    const double of_one = static_cast<double>(whole.count) * values, far = std::max(0.0, of_one - near_weights);
+    // A weight beyond those that a near cache holds takes as long as four, where it is loaded for each image.
+    const double of_one = static_cast<double>(whole.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
     const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
     if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
         at_pixels();

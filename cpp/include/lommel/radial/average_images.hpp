@@ -142,7 +142,7 @@ class PixelRenderer {
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {
             return SamplePieces::get(window, level);
         } else {
-            return PixelTable::get(window, level, threads_);
+            return PixelTable::get(window, level, threads_, Batch::fits(stack_));
         }
     }
 
@@ -219,14 +219,18 @@ class PixelRenderer {
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
     }
 
+    // Whether weights would be those of few pupils, and of pixels that share none.
+    bool few_share() const {
+        return !window_.folds() && pixels() <= CoarseAverages::crossed && stack_.count <= CoarseAverages::few;
+    }
+
     // Whether rings are so narrow against pixels that the light is better followed across edges: beside weights that are there
     // already only where few pixels take their rings.
     bool coarse(const Phase& phase) const {
-        if (!window_.integrate || answer_.derivatives > 0 || !stack_.amplitude.closed() ||
-            window_.step < CoarseAverages::least) {
+        if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least) {
             return false;
         }
-        if (window_.step >= CoarseAverages::always) {
+        if (window_.step >= CoarseAverages::always || few_share()) {
             return true;
         }
         const double room = coarse_attempt(phase, likely_value(phase)).rings;
@@ -238,8 +242,11 @@ class PixelRenderer {
     // Whether a stack is so large that weights for its window cost less than following the light of each of its pupils: by products
     // of each, counted, not measured, of which those of weights take a tenth of the time.
     bool table_pays() const {
-        if (window_.step < CoarseAverages::always || !coarse(stack_[0])) {
+        if (!coarse(stack_[0])) {
             return true;
+        }
+        if (window_.step < CoarseAverages::always) {
+            return !few_share();
         }
         const double side = static_cast<double>(std::max(window_.height, window_.width)), gauss = 0.8 * window_.step + 10.0;
         const double reach = 0.71 * side * window_.step, nodes = reach < 900.0 ? reach : 1.5 * window_.step + 30.0;
@@ -301,7 +308,8 @@ class PixelRenderer {
     void render(std::size_t pupil, int threads) {
         if (coarse(stack_[pupil])) {
             try {
-                return render_coarse(pupil, threads);
+                render_coarse(pupil, threads);
+                return differentiate(pupil, threads);
             } catch (const ToleranceNotMet&) {
                 // Differences of light within circles round more than weights do.
             }
@@ -418,6 +426,21 @@ class PixelRenderer {
         const T* from = kept.data();  // of this thread, whoever paints
         for_rows(groups.rows.distances.size(), width, threads,
                  [&](std::size_t first, std::size_t last) { groups.paint(from, first, last, image); });
+    }
+
+    // Derivatives by weights, of an image made without.
+    void differentiate(std::size_t pupil, int threads) {
+        if (answer_.derivatives > 0) {
+            Field field;
+            Doubles at_radii;
+            WindowValues made;
+            const PixelWindow window = windows_[pupil];
+            const Attempt asked = first_attempt(stack_[pupil]);
+            const auto f = measure<PixelTable>(field, window, stack_[pupil], asked, threads, at_radii, made);
+            for (std::size_t d = 0; d < answer_.derivatives; ++d) {
+                differentiate(pupil, d, window, field, f, asked.error, threads);
+            }
+        }
     }
 
     // dI/dc_k, averaged as I is: it is of exponential type 2 like I.

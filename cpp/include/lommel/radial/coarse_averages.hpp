@@ -111,8 +111,8 @@ LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups
 // The light within a circle, E(r) = int_0^r I s ds, as polynomials on panels, with what it may be off by.
 class EnergyWithin {
    public:
-    double width = 4.0;     // of panels, in v
-    double rounding = 0.0;  // of any value
+    static constexpr double width = 2.0;  // of panels, in v
+    double rounding = 0.0;                // of any value
 
     // From I at Chebyshev points, so many a panel, up to `reach`. `swing` is half of what I may be.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double asked, std::size_t points,
@@ -122,7 +122,8 @@ class EnergyWithin {
         double light = 0.0, turn = 0.0, off = 0.0;
     };
     // The sums over the nodes of an edge at x, from `start` on, in pixels of `step`: of E x / r^2; of x / r^2, about the angle
-    // that it is seen at; and of what the errors of E come to.
+    // that it is seen at; and what the errors of E come to. Nodes are as many as are summed together, or more. Bound by loads.
+    static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
 
@@ -134,16 +135,31 @@ class EnergyWithin {
     }
 
    private:
+    static void rows_summed(const double* matrix, const double* factors, std::size_t rows, std::size_t columns, double* sums);
     std::size_t panel(double r) const { return std::min(panels_ - 1, static_cast<std::size_t>(r / width)); }
 
     std::size_t panels_ = 1, count_ = 1;
     Doubles radii_, values_;
-    std::vector<Doubles> transforms_;  // of so many values at Chebyshev points to coefficients, once made
-    std::vector<double> places_, mean_, moment_;  // scratch
-    std::vector<double> energies_, offs_;  // [panel][coefficient of T_k]; [panel](at its beginning, of I within)
+    std::vector<Doubles> transforms_;  // of so many values at Chebyshev points to coefficients, once made: [point][coefficient]
+    std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // scratch
+    std::vector<double> energies_, offs_;  // [panel][power of the place in it]; [panel](at its beginning, of I within)
 };
 
 #if defined(LOMMEL_DEFINES)
+// Sums over rows of a matrix, each times a factor.
+LOMMEL_ONCE void EnergyWithin::rows_summed(const double* matrix, const double* factors, std::size_t rows, std::size_t columns,
+                                           double* sums) {
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        std::fill_n(sums, columns, 0.0);
+        for (std::size_t i = 0; i < rows; ++i) {
+            const double *const row = matrix + i * columns, factor = factors[i];
+            for (std::size_t k = 0; k < columns; ++k) {
+                sums[k] += factor * row[k];
+            }
+        }
+    });
+}
+
 LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obscuration, double reach, double asked,
                                     std::size_t points, double swing, int threads) {
     panels_ = static_cast<std::size_t>(std::ceil(reach / width)) + 1;
@@ -170,7 +186,13 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     transforms_.resize(std::max(transforms_.size(), points + 1));
     Doubles& transform = transforms_[points];
     if (transform.size() == 0) {
-        transform = cosine_transform(points);
+        const Doubles by_coefficient = cosine_transform(points);  // of points that fall
+        transform.resize(points * points);
+        for (std::size_t k = 0; k < points; ++k) {
+            for (std::size_t j = 0; j < points; ++j) {
+                transform[(points - 1 - j) * points + k] = by_coefficient[k * points + j];
+            }
+        }
     }
     const double n = static_cast<double>(points), spread = lebesgue(points),
                  between = swing * interpolation_error(0.5 * width, points);
@@ -180,23 +202,30 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     double inside = 0.0;
     mean_.resize(points);
     moment_.resize(points + 3);
+    series_.resize(count_);
+    monomials_.assign(count_ * count_, 0.0);  // of T_k: [k][power]
+    sizes_.assign(count_, 0.0);  // of what they, evaluated, are rounded by
+    for (std::size_t k = 0; k < count_; ++k) {
+        for (std::size_t power = k % 2; power <= k; power += 2) {
+            const double risen = k > 1 && power > 0 ? 2.0 * monomials_[(k - 1) * count_ + power - 1] : 0.0;
+            monomials_[k * count_ + power] = k < 2 ? 1.0 : risen - monomials_[(k - 2) * count_ + power];
+            sizes_[k] += std::abs(monomials_[k * count_ + power]) *
+                         (2.0 * static_cast<double>(power) + static_cast<double>(points) + 8.0);
+        }
+    }
     for (std::size_t s = 0; s < panels_; ++s) {
         const double* const values = values_.data() + s * points;
         const double middle = 0.5 * width * static_cast<double>(2 * s + 1), end = middle + 0.5 * width;
-        std::fill(mean_.begin(), mean_.end(), 0.0);
-        for (std::size_t k = 0; k < points; ++k) {
-            for (std::size_t j = 0; j < points; ++j) {
-                mean_[k] += transform[k * points + j] * values[points - 1 - j];
-            }
-        }
+        rows_summed(transform.data(), values, points, points, mean_.data());
         double* const energy = &energies_[s * count_];
         const double before = inside;
-        inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), energy);
+        inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
         // Of E: from its coefficients and of places, that of I on the panel being at most `tall`.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
+        rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
         for (std::size_t k = 0; k < count_; ++k) {
-            evaluating += (1.5 * static_cast<double>((k + 1) * (k + 2)) + 8.0) * std::abs(energy[k]);
+            evaluating += sizes_[k] * std::abs(series_[k]);
         }
         rounding = std::max(rounding, unit_roundoff * evaluating);
         const double given = spread * intensity_error(std::sqrt(top), bound),
@@ -208,40 +237,37 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
 
 LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start, double step, const std::vector<double>& nodes,
                                                          const std::vector<double>& weights) const {
-    constexpr std::size_t together = 16;  // chains of Clenshaw's recurrence
     Crossed sum;
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
         const double places = step * (1.0 / width), farthest = static_cast<double>(panels_ - 1);
-        const double *const energies = energies_.data(), *const offs = offs_.data();
-        const std::int64_t count = static_cast<std::int64_t>(count_);
         for (std::size_t first = 0; first < nodes.size(); first += together) {
-            double at[together], share[together], after[together] = {}, here[together] = {}, off[together];
-            std::int64_t from[together];
+            double at[together], share[together], made[together];
+            std::int32_t panel[together];
             for (std::size_t i = 0; i < together; ++i) {
                 const double t = start + nodes[first + i], square = std::max(1e-300, x * x + t * t),
                              r = std::sqrt(square) * places;
-                const double panel = std::min(farthest, r);
-                const std::int64_t s = static_cast<std::int64_t>(static_cast<std::int32_t>(panel));
-                const double inside = static_cast<double>(static_cast<std::int32_t>(panel));
-                from[i] = s * count;
-                at[i] = 2.0 * (r - inside) - 1.0;
+                panel[i] = static_cast<std::int32_t>(std::min(farthest, r));
+                at[i] = 2.0 * (r - static_cast<double>(panel[i])) - 1.0;
                 share[i] = weights[first + i] * x / square;
-                off[i] = offs[2 * s] + (0.5 * width * width) * offs[2 * s + 1] * std::max(0.0, r * r - inside * inside);
             }
-            for (std::int64_t k = count - 1; k > 0; --k) {
+            const double* from[together];
+            for (std::size_t i = 0; i < together; ++i) {
+                from[i] = energies_.data() + static_cast<std::size_t>(panel[i]) * count_;
+                made[i] = from[i][count_ - 1];
+            }
+            for (std::size_t k = count_ - 1; k-- > 0;) {
                 for (std::size_t i = 0; i < together; ++i) {
-                    const double before = 2.0 * at[i] * here[i] - after[i] + energies[from[i] + k];
-                    after[i] = here[i];
-                    here[i] = before;
+                    made[i] = made[i] * at[i] + from[i][k];
                 }
             }
             for (std::size_t i = 0; i < together; ++i) {
-                sum.light += share[i] * (at[i] * here[i] - after[i] + energies[from[i]]);
+                sum.light += share[i] * made[i];
                 sum.turn += share[i];
-                sum.off += std::abs(share[i]) * off[i];
             }
         }
     });
+    const double end = start + 1.0, y = std::max(start * start, end * end);
+    sum.off = std::abs(sum.turn) * off(step * std::sqrt(x * x + y));
     return sum;
 }
 #endif
@@ -256,11 +282,13 @@ class CoarseAverages {
     double off() const { return std::max(by_rings, error); }
 
     static constexpr double always = 20.0;  // v a pixel, from which on this pays
+    // Pixels of so many pupils for which it does where weights share nothing; nijboer_zernike.py has them, too.
+    static constexpr std::size_t crossed = 5000, few = 8;
 #if defined(__wasm__)
     // The live page has one image of a window, whose weights no other image would share.
     static constexpr double least = 3.0, most_near = 1e9;
 #else
-    static constexpr double least = 8.0;         // v a pixel, from which on this may pay
+    static constexpr double least = 7.4;         // v a pixel, from which on this may pay; nijboer_zernike.py has it, too
     static constexpr double most_near = 4000.0;  // pixels with rings where it may
 #endif
 
@@ -331,19 +359,18 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
         const double room = asked.sums * square;  // of an integral over a pixel
         const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
         const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
-        // Narrow panels take more radii, and less for each node of an edge.
-        energy_.width = static_cast<double>(near_.size() * q) > 4.0 * reach ? 1.0 : 4.0;
         const std::size_t points =
-            fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * energy_.width, n) <= asked.sums; });
+            fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= asked.sums; });
         energy_.make(field_, phase, obscuration, reach, asked.field, points, swing, threads);
-        nodes_.assign(q + 16, 0.0);  // what is beyond the last has no weight
-        weights_.assign(q + 16, 0.0);
+        constexpr std::size_t together = EnergyWithin::together;
+        nodes_.assign(q + together, 0.0);  // what is beyond the last has no weight
+        weights_.assign(q + together, 0.0);
         gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
         for (std::size_t j = 0; j < q; ++j) {
             nodes_[j] = 0.5 * (1.0 + nodes_[j]);
             weights_[j] *= 0.5;
         }
-        nodes_.resize((q + 15) / 16 * 16);
+        nodes_.resize((q + together - 1) / together * together);
         const std::size_t sides = static_cast<std::size_t>(
             std::lower_bound(coarse.edges.begin(), coarse.edges.end(), reach / step * (1.0 + 1e-12)) - coarse.edges.begin());
         crossed_.assign(sides * sides, {0.0, -1e300, 0.0});

@@ -149,9 +149,9 @@ struct SamplePieces : Radii {  // where I is wanted, in v
                     float* const there = to + (run.row - begin) * folded.part.width + run.start;
                     const bool whole = run.count % SampleRows::most_lanes == 0;
                     if (run.straight) {
-                        lines_at(isa, straights + run.base, run.at, run.x, run.count, whole ? there : made, tops);
+                        values_at<2>(isa, straights + run.base, run.at, run.x, run.count, whole ? there : made, tops);
                     } else {
-                        cubics_at(isa, scaled + run.base, run.at, run.x, run.count, whole ? there : made, tops);
+                        values_at<4>(isa, scaled + run.base, run.at, run.x, run.count, whole ? there : made, tops);
                     }
                     if (!whole) {
                         std::copy_n(made, run.count, there);
@@ -244,21 +244,28 @@ struct SamplePieces : Radii {  // where I is wanted, in v
     }
 
     SampleRows::Zones zones(double parts) const;
-    // Of a vector of pixels at once, whose coefficients are loaded side by side and turned; those behind the last of them are as the
-    // last. Raises what is the largest so far in each lane.
-    template <class I>
-    static LOMMEL_INLINE void cubics_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
+    // By cubics or lines: of a vector of pixels at once, whose coefficients are loaded side by side and turned; those behind the last of
+    // them are as the last. Raises what is the largest so far in each lane.
+    template <std::size_t Terms, class I>
+    static LOMMEL_INLINE void values_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
                                         float* tops) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)
         using V = typename Vector<I::lanes>::floats;
         constexpr std::size_t lanes = sizeof(V) / sizeof(float);
         V top = load<V>(tops);
         for (std::size_t i = 0; i < count; i += lanes) {
-            const V a = fours<V>(c, at + i), b = fours<V>(c, at + i + 1), d = fours<V>(c, at + i + 2),
-                    e = fours<V>(c, at + i + 3);
-            V from[4];
-            turned_fours(a, b, d, e, from);
-            const V t = load<V>(x + i), made = ((from[3] * t + from[2]) * t + from[1]) * t + from[0];
+            V from[Terms];
+            if constexpr (Terms == 2) {
+                turned_pairs(pairs<V>(c, at + i), pairs<V>(c, at + i + 2), from[0], from[1]);
+            } else {
+                const V a = fours<V>(c, at + i), b = fours<V>(c, at + i + 1), d = fours<V>(c, at + i + 2),
+                        e = fours<V>(c, at + i + 3);
+                turned_fours(a, b, d, e, from);
+            }
+            V made = from[Terms - 1];
+            for (std::size_t k = Terms - 1; k-- > 0;) {
+                made = made * load<V>(x + i) + from[k];
+            }
             const V positive = larger(V{}, made);
             top = larger(top, positive);
             store(to + i, positive);
@@ -266,30 +273,12 @@ struct SamplePieces : Radii {  // where I is wanted, in v
         store(tops, top);
 #else
         for (std::size_t i = 0; i < count; ++i) {
-            const float *const from = c + at[i], t = x[i];
-            to[i] = std::max(0.0f, ((from[3] * t + from[2]) * t + from[1]) * t + from[0]);
-            tops[i % SampleRows::most_lanes] = std::max(tops[i % SampleRows::most_lanes], to[i]);
-        }
-#endif
-    }
-    template <class I>
-    static LOMMEL_INLINE void lines_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
-                                       float* tops) {
-#if defined(LOMMEL_VECTORS) && !defined(__clang__)
-        using V = typename Vector<I::lanes>::floats;
-        constexpr std::size_t lanes = sizeof(V) / sizeof(float);
-        V top = load<V>(tops);
-        for (std::size_t i = 0; i < count; i += lanes) {
-            V value, slope;
-            turned_pairs(pairs<V>(c, at + i), pairs<V>(c, at + i + 2), value, slope);
-            const V positive = larger(V{}, value + load<V>(x + i) * slope);
-            top = larger(top, positive);
-            store(to + i, positive);
-        }
-        store(tops, top);
-#else
-        for (std::size_t i = 0; i < count; ++i) {
-            to[i] = std::max(0.0f, c[at[i]] + x[i] * c[at[i] + 1]);
+            const float* const from = c + at[i];
+            float made = from[Terms - 1];
+            for (std::size_t k = Terms - 1; k-- > 0;) {
+                made = made * x[i] + from[k];
+            }
+            to[i] = std::max(0.0f, made);
             tops[i % SampleRows::most_lanes] = std::max(tops[i % SampleRows::most_lanes], to[i]);
         }
 #endif

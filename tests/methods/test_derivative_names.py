@@ -45,6 +45,10 @@ def test_what_is_no_name_is_refused(names, error, told):
         checked(names, "of")
 
 
+def test_names_may_be_strings_of_numpy():
+    assert [type(name) for name in checked([np.str_("row"), "defocus"])] == [str, str]
+
+
 def test_derivatives_have_the_names_that_were_asked_for():
     names = [(3, 1), "noll 8", "ansi  7", [2, 2], "defocus", "defocus", (np.int64(2), np.int64(-2))]
     answer = lm.psf(lm.Pupil(COMA), 9, 0.5, derivatives=names)

@@ -76,7 +76,7 @@ def _texts_checked(argument: str, names: tuple[object, ...], texts: tuple[str, .
 def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
     found: Name
     if isinstance(name, str) and (name in texts or _INDEXED.fullmatch(name)):
-        found, term = name, term_of(name)
+        found, term = str(name), term_of(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
         try:
             found = term = _pair(*name) if type(name[0]) is int is type(name[1]) else zernike.term(name, "nm")

@@ -138,8 +138,9 @@ def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Ima
 # core takes them where the axis is in the window, up to so far from it in v, and where about so many products do for
 # their weights (AverageRings in average_rings.hpp).
 _WORTH, _WIDEST, _FEW, _FARTHEST, _MOST_WORK = 8, 12.6, 40000, 2000.0, 2e7
-# Nor does light that crosses the edges of so many pixels, from so wide on (CoarseAverages in coarse_averages.hpp).
-_CROSSED, _NARROWEST = 5000, 7.4
+# Nor do light that crosses the edges of so many pixels, from so wide on (CoarseAverages in coarse_averages.hpp), and
+# weights that are made by about so many products.
+_CROSSED, _NARROWEST, _LIGHT_WORK = 5000, 7.4, 2e5
 
 
 def _filters(pupil: Pupil, grid: Grid) -> bool:
@@ -147,10 +148,10 @@ def _filters(pupil: Pupil, grid: Grid) -> bool:
     few = grid.integrate and not (grid.stack or math.prod(pupil.shape) > _WORTH)
     if not few or grid.mirrored or grid.step(pupil) > _WIDEST:
         return False
-    crossed = len(pupil.illumination.powers) < 2 and math.prod(grid.shape) <= _CROSSED
-    if crossed and grid.step(pupil) >= _NARROWEST:
-        return False
     (y, x), (height, width), step = grid.axis, grid.shape, grid.step(pupil)
+    crossed = len(pupil.illumination.powers) < 2 and height * width <= _CROSSED
+    if (crossed and step >= _NARROWEST) or height * width * (0.8 * step + 8) ** 2 <= _LIGHT_WORK:
+        return False
     within = 0.0 <= y <= height - 1 and 0.0 <= x <= width - 1
     far = math.ceil(math.hypot(max(y, height - 1 - y), max(x, width - 1 - x))) * step
     work = (far / 12 + 1) * 16 * (1.2 * step + 3) * (0.8 * step + 8) ** 2 * (1.5 * step + 27)

@@ -69,7 +69,7 @@ struct Halves {
 // -1/2 to 1/2 in it.
 template <std::size_t Terms>
 struct Parts {
-    static constexpr std::size_t least = 2, most = 64;  // an even number
+    static constexpr std::size_t most = 64;  // as any, an even number
     std::size_t parts;
     double sizes = 0.0;  // of coefficients, as many times the largest value
     Halves halves;       // [part above the middle, power]

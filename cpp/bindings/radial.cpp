@@ -53,6 +53,16 @@ double render(In<double, 2> coefficients, double obscuration, In<double, 1> ampl
     return images_of(stack, windows, tol, threads, answer);
 }
 
+// Whether averages of a stack, or their derivatives alone, had best be those of finer samples.
+bool filters_pay(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, std::size_t height, std::size_t width,
+                 double row, double column, double step, double tol, bool derivatives) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
+    require_request(step, tol, 1);
+    const lommel::PixelWindows window = window_of(height, width, row, column, step, true);
+    const lommel::PixelRenderer<double> renderer(stack, window, tol, 1, {});
+    return derivatives ? renderer.filters_pay_for_derivatives() : renderer.filters_pay();
+}
+
 // What is asked of pupils, one stack after the other, whose phases alone tell them apart: all else is checked once.
 class RadialPlan {
    public:
@@ -65,7 +75,8 @@ class RadialPlan {
         require(kind == 'f' || kind == 'd', "kind must be f or d");
     }
 
-    // The largest bound on errors, below 0 where the tolerance cannot be met; nothing where the arrays are none of these.
+    // The largest bound on errors, below 0 where the tolerance cannot be met; nothing where the arrays are none of these or finer samples
+    // do better.
     std::optional<double> render(nb::handle coefficients, nb::handle images, nb::handle scales) const {
         return kind_ == 'f' ? rendered<float>(coefficients, images, scales) : rendered<double>(coefficients, images, scales);
     }
@@ -91,6 +102,9 @@ class RadialPlan {
             std::accumulate(phases.shape(), phases.shape() + axes, Py_ssize_t{1}, std::multiplies<>()));
         const auto terms = static_cast<std::size_t>(phases.shape()[axes]);
         const lommel::Stack asked = stack_of(phases.data(), pupils, terms, obscuration_, amplitude_);
+        if (window_.integrate && lommel::PixelRenderer<T>(asked, window_, tol_, threads_, {}).filters_pay()) {
+            return {};
+        }
         std::vector<double> numbers(3 * pupils);
         double *const bounds = numbers.data(), *const peaks = bounds + pupils, *const own = peaks + pupils;
         const auto answered = [&](double* factors) -> std::optional<double> {
@@ -152,6 +166,9 @@ void bindings::define_radial(nb::module_& m) {
               "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
               "derivative_bounds"_a.noconvert().none() = nb::none(), "The same, each around an axis of its own.");
     });
+    m.def("filters_pay", &filters_pay, "coefficients"_a, "obscuration"_a, "amplitude"_a, "height"_a, "width"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "tol"_a, "derivatives"_a,
+          "Whether averages of a stack, or their derivatives alone, had best be those of finer samples.");
     nb::class_<RadialPlan>(m, "RadialPlan", "Images of pupils, one stack after the other, that differ in their phase alone.")
         .def(nb::init<double, In<double, 1>, std::size_t, std::size_t, double, double, double, bool, double, int, double,
                       char>(),
@@ -160,7 +177,9 @@ void bindings::define_radial(nb::module_& m) {
         .def(
             "render", &RadialPlan::render, "coefficients"_a, "images"_a, "scales"_a.none() = nb::none(),
             "Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be "
-            "met, or None where the arrays do not match or are not of the types, the order and the access that this takes.");
+            "met, or None where the arrays do not match or are not of the types, the order and the access that this takes, or "
+            "where "
+            "averages had best be those of finer samples.");
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "threads"_a = 1,

@@ -98,6 +98,11 @@ def render(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, Non
 def render(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], centers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], step: float, integrate: bool, tol: float, threads: int, scale: float, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], numbers: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')], powers: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)] | None = None, derivative_images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None, None), order='C', device='cpu')] | None = None, derivative_bounds: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')] | None = None) -> float:
     """The same, each around an axis of its own."""
 
+def filters_pay(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], height: int, width: int, center_y: float, center_x: float, step: float, tol: float, derivatives: bool) -> bool:
+    """
+    Whether averages of a stack, or their derivatives alone, had best be those of finer samples.
+    """
+
 class RadialPlan:
     """
     Images of pupils, one stack after the other, that differ in their phase alone.
@@ -107,7 +112,7 @@ class RadialPlan:
 
     def render(self, coefficients: object, images: object, scales: object | None = None) -> float | None:
         """
-        Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be met, or None where the arrays do not match or are not of the types, the order and the access that this takes.
+        Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be met, or None where the arrays do not match or are not of the types, the order and the access that this takes, or where averages had best be those of finer samples.
         """
 
 def field(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], tol: float) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]]:

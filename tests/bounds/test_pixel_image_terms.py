@@ -419,8 +419,8 @@ def test_the_bound_of_a_derivative(window, phase, gaussian, obscuration, power, 
 @pytest.mark.parametrize(
     "window",
     [
-        Window(140, 120, 60.0, -2.3, 0.8, True),
-        Window(80, 70, 12.3, -4.6, 1.7, True),
+        Window(140, 120, 60.0, 2.0, 0.8, True),
+        Window(80, 70, 12.5, 4.0, 1.7, True),
         Window(300, 300, 150.2, 150.4, 0.4, False),
     ],
 )

@@ -107,12 +107,19 @@ def radial_images(
     return Images(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
+def filters_pay(stack: RadialStack, window: Window, tol: float, *, derivatives: bool = False) -> bool:
+    """Return whether averages of a stack, or their derivatives alone, had best be those of finer samples."""
+    pay: Callable[..., bool] = _core.filters_pay
+    return pay(*stack, *window.shape, *window.center, window.step, tol, derivatives)
+
+
 def radial_plan(
     stack: RadialStack, shape: tuple[int, ...], window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
 ) -> Callable[[Array, Pixels], tuple[Array, float] | None]:
     """Return what writes images of a stack as :func:`radial_images`, and returns their scales and largest bound.
 
-    It returns None, with nothing written, where the arrays do not match; of `stack` all but its terms counts.
+    It returns None, with nothing written, where the arrays do not match, or :func:`filters_pay`; of `stack` all but
+    its terms counts.
     """
     (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
     height, width = window.shape

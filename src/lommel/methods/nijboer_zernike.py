@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -17,6 +16,7 @@ from lommel.core.engine import (
     RadialStack,
     Window,
     far_averages,
+    filters_pay,
     product,
     radial_fields,
     radial_images,
@@ -97,7 +97,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation for further radial pupils around one axis; see :meth:`Method.plan`."""
-        if not pupil.radial or grid.stack or pupil.illumination.error or _filters(pupil, grid):
+        if not pupil.radial or grid.stack or pupil.illumination.error:
             return None
         window = window_of(pupil, grid)
         ask = radial_plan(radial_stack(pupil), pupil.shape, window, self.tol, wanted, integrate=grid.integrate)
@@ -113,13 +113,18 @@ class NijboerZernike(FieldMethod["Pupil"]):
         if wanted.terms:
             raise ValueError("derivatives by Zernike terms are not available from NijboerZernike; use ChordalGauss")
         if pupil.radial:
-            if _filters(pupil, grid):
+            stack, window = radial_stack(pupil), window_of(pupil, grid)
+            averaged = grid.integrate and not grid.stack
+            if averaged and filters_pay(stack, window, self.tol):
                 try:
                     return disk_images(_radial_samples, pupil, grid, self.tol, wanted)
                 except ToleranceError:
                     pass  # filters magnify the errors of samples
-            window = window_of(pupil, grid)
-            return radial_images(radial_stack(pupil), window, self.tol, wanted, integrate=grid.integrate)
+            elif averaged and wanted.powers and filters_pay(stack, window, self.tol, derivatives=True):
+                values = radial_images(stack, window, self.tol, wanted._replace(powers=()), integrate=True)
+                sampled = disk_images(_radial_samples, pupil, grid, self.tol, wanted._replace(out=None))
+                return values._replace(slopes=sampled.slopes)
+            return radial_images(stack, window, self.tol, wanted, integrate=grid.integrate)
         if wanted.powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
         return disk_images(_series_samples, pupil, grid, self.tol, wanted)
@@ -131,31 +136,6 @@ def _radial_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Ima
 
 def _series_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     return series_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
-
-
-# Weights for pixels around an axis anywhere take as long as about so many images by filtered samples, of pixels up to
-# so wide in v. Polynomials of rings for all axes take no longer than filtered samples of so many pixels. The
-# core takes them where the axis is in the window, up to so far from it in v, and where about so many products do for
-# their weights (AverageRings in average_rings.hpp).
-_WORTH, _WIDEST, _FEW, _FARTHEST, _MOST_WORK = 8, 12.6, 40000, 2000.0, 2e7
-# Nor do light that crosses the edges of so many pixels, from so wide on (CoarseAverages in coarse_averages.hpp), and
-# weights that are made by about so many products.
-_CROSSED, _NARROWEST, _LIGHT_WORK = 5000, 7.4, 2e5
-
-
-def _filters(pupil: Pupil, grid: Grid) -> bool:
-    """Return whether averages of a radial pupil had best be those of finer samples."""
-    few = grid.integrate and not (grid.stack or math.prod(pupil.shape) > _WORTH)
-    if not few or grid.mirrored or grid.step(pupil) > _WIDEST:
-        return False
-    (y, x), (height, width), step = grid.axis, grid.shape, grid.step(pupil)
-    crossed = len(pupil.illumination.powers) < 2 and height * width <= _CROSSED
-    if (crossed and step >= _NARROWEST) or height * width * (0.8 * step + 8) ** 2 <= _LIGHT_WORK:
-        return False
-    within = 0.0 <= y <= height - 1 and 0.0 <= x <= width - 1
-    far = math.ceil(math.hypot(max(y, height - 1 - y), max(x, width - 1 - x))) * step
-    work = (far / 12 + 1) * 16 * (1.2 * step + 3) * (0.8 * step + 8) ** 2 * (1.5 * step + 27)
-    return not within or height * width > _FEW or far > _FARTHEST or work > _MOST_WORK
 
 
 def radial_stack(pupil: Pupil) -> RadialStack:

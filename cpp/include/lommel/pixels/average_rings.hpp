@@ -21,7 +21,7 @@ struct AverageRings : PixelRings {
     // Beyond, I at all the radii takes longer than what else there is.
     static constexpr double most_reach = 2000.0;
     // About so many products make the weights: rings, angles and points of each, and places in a pixel and nodes for these. More would
-    // cost as much as many images by other ways, as nijboer_zernike.py has it, too.
+    // cost as much as many images by other ways.
     static double work(double pitch, double reach) {
         const double places = 0.8 * pitch + 8.0;
         return (reach / 12.0 + 1.0) * 16.0 * (1.2 * pitch + 3.0) * places * places * (1.5 * pitch + 27.0);

@@ -35,6 +35,14 @@ struct PixelWindow {
         ends[0] = std::hypot(near(center_y, height), near(center_x, width));
         ends[1] = std::hypot(far(center_y, height), far(center_x, width));
     }
+    // How many pixels at most are nearer than so many pixels to the axis.
+    double within(double away) const {
+        const auto along = [&](double center, std::size_t side) {
+            const double last = static_cast<double>(side - 1);
+            return std::max(0.0, std::min(last, center + away) - std::max(0.0, center - away) + 1.0);
+        };
+        return along(center_y, height) * along(center_x, width);
+    }
     // As render.hpp has it.
     FoldedSide rows() const { return {height, center_y}; }
     FoldedSide columns() const { return {width, center_x}; }

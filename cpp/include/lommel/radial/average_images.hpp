@@ -64,14 +64,20 @@ class PixelRenderer {
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
+    // Whether averages had best be those of finer samples, which nothing that is here does with less.
+    bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
+    // Whether derivatives had: of averages by the light that crosses edges, they take weights.
+    bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
+
     void run() {
+        light_ = coarse(Box(stack_).worst(stack_.amplitude));
         // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2; an
         // older one 400 for averages of 128^2 by rings.
         const double pixel = of_rings() ? 2e-2 : 2e-3;
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
         const bool batch =
-            answer_.derivatives == 0 && Batch::fits(stack_) && table_pays() && (window_.integrate || pixels() <= most_sampled);
+            answer_.derivatives == 0 && Batch::fits(stack_) && !light_ && (window_.integrate || pixels() <= most_sampled);
         // A table of one window serves no pupil with another axis.
         const bool one_axis = windows_.centers == nullptr;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : one_axis && render_batch<PixelTable>()))) {
@@ -81,6 +87,12 @@ class PixelRenderer {
 
    private:
     static constexpr int last_level = 15;
+    // Filters serve pixels up to so many v wide. Where they cannot be short, the light that crosses edges takes less; else where no more
+    // pixels take rings than so many times the fourth power of their pitch: samples of a pixel grow as its square, and filters, too.
+    static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
+    // Weights for few pixels, made by about so many products, take less; and so do those of derivatives, of so many pixels.
+    static constexpr double light_work = 2e5;
+    static constexpr std::size_t most_weighed = 5000;
     static constexpr std::size_t most_sampled = 8192;  // pixels of a batch: beyond, its table costs more than it saves
 
     // What the tolerance is spent on, times what the largest value may be.
@@ -91,7 +103,7 @@ class PixelRenderer {
         // Where that did not do, on each of both; half of it where values are divided by their largest.
         static constexpr double each = 0.2;
         // Of coarse pixels, on rings that are left out, and on quadrature.
-        static constexpr double rings = 0.4, sums = 0.05;
+        static constexpr double rings = 0.6, sums = 0.05;
         static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };
 
@@ -124,7 +136,8 @@ class PixelRenderer {
     bool any_axis(double farthest) const {
         double ends[2];
         window_.reach(ends);
-        const bool few = window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= 8 && pixels() <= 40000;
+        const bool few =
+            window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= CoarseAverages::few && pixels() <= 40000;
         return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= farthest;
     }
     bool anywhere() const { return any_axis(AnywhereTable::most_reach); }
@@ -142,7 +155,11 @@ class PixelRenderer {
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {
             return SamplePieces::get(window, level);
         } else {
-            return PixelTable::get(window, level, threads_, Batch::fits(stack_));
+            const auto together = Batch::fits(stack_) ? PixelTable::get(window, level, threads_, true) : nullptr;
+            if (together && together->serves_together()) {
+                return together;
+            }
+            return PixelTable::get(window, level, threads_);
         }
     }
 
@@ -220,37 +237,58 @@ class PixelRenderer {
     }
 
     // Whether weights would be those of few pupils, and of pixels that share none.
-    bool few_share() const {
-        return !window_.folds() && pixels() <= CoarseAverages::crossed && stack_.count <= CoarseAverages::few;
+    bool few_share() const { return !window_.folds() && stack_.count <= CoarseAverages::few; }
+    // Whether pixels may be averaged from finer samples by filters.
+    bool filters_serve() const {
+        return window_.integrate && few_share() && windows_.centers == nullptr && window_.step <= widest_filtered;
     }
 
-    // Whether rings are so narrow against pixels that the light is better followed across edges: beside weights that are there
-    // already only where few pixels take their rings.
-    bool coarse(const Phase& phase) const {
-        if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least) {
+    // Whether weights for this axis are made by few products.
+    bool weights_are_few() const {
+        const double places = 0.8 * window_.step + 8.0;
+        return static_cast<double>(pixels()) * places * places <= light_work;
+    }
+    // Whether averages may be the light that crosses edges: of coarse pixels, or where tables have to be as exact as they can.
+    bool crossings_serve(const Phase& phase) const {
+        if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        if (window_.step >= CoarseAverages::always || few_share()) {
-            return true;
-        }
-        const double room = coarse_attempt(phase, likely_value(phase)).rings;
-        const double reach =
-            CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
-        return reach * reach < CoarseAverages::most_near;
+        return window_.step >= CoarseAverages::least || first_attempt(phase).level == last_level;
     }
-
-    // Whether a stack is so large that weights for its window cost less than following the light of each of its pupils: by products
-    // of each, counted, not measured, of which those of weights take a tenth of the time.
-    bool table_pays() const {
-        if (!coarse(stack_[0])) {
-            return true;
+    // About from where on pixels do without rings, in pixels.
+    double ringed(const Phase& phase) const {
+        const double room = coarse_attempt(phase, likely_value(phase)).rings;
+        return CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
+    }
+    // Whether rings are so narrow against pixels that the light is better followed across edges. Weights that others may share take less
+    // again: one pupil leaves it at that only where few pixels take their rings, a stack where its products, counted, not measured, are
+    // less than a share of those that make weights.
+    bool coarse(const Phase& phase) const {
+        const bool serve = crossings_serve(phase);
+        if (!serve || few_share() || (stack_.count == 1 && window_.step >= CoarseAverages::always)) {
+            return serve;
         }
-        if (window_.step < CoarseAverages::always) {
-            return !few_share();
+        const double reach = ringed(phase);
+        if (stack_.count == 1) {
+            return reach * reach < CoarseAverages::most_near;
         }
         const double side = static_cast<double>(std::max(window_.height, window_.width)), gauss = 0.8 * window_.step + 10.0;
-        const double reach = 0.71 * side * window_.step, nodes = reach < 900.0 ? reach : 1.5 * window_.step + 30.0;
-        return static_cast<double>(stack_.count) * 40.0 * (window_.step + 20.0) > nodes * gauss * gauss;
+        const double weights = static_cast<double>(pixels()) * std::min(0.71 * side * window_.step, 900.0) * gauss * gauss;
+        const double light = static_cast<double>(stack_.count) * window_.within(reach) * 40.0 * (window_.step + 20.0);
+        return light < CoarseAverages::of_weights * weights;
+    }
+    // Whether that takes less than filters, for all pupils.
+    bool light_pays() const {
+        const double most = beside_filters * std::pow(window_.step, 4.0);
+        for (std::size_t pupil = 0; pupil < stack_.count; ++pupil) {
+            const Phase phase = stack_[pupil];
+            const bool near =
+                tol_ >= least_filtered && static_cast<double>(pixels()) > most && window_.within(ringed(phase)) > most;
+            if (near || !crossings_serve(phase)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     CoarseAverages::Attempt coarse_attempt(const Phase& phase, double value) const {
@@ -306,13 +344,8 @@ class PixelRenderer {
     }
 
     void render(std::size_t pupil, int threads) {
-        if (coarse(stack_[pupil])) {
-            try {
-                render_coarse(pupil, threads);
-                return differentiate(pupil, threads);
-            } catch (const ToleranceNotMet&) {
-                // Differences of light within circles round more than weights do.
-            }
+        if (light_ && rendered_coarse(pupil, threads)) {
+            return;
         }
         if (!window_.integrate && SamplePieces::pays(windows_[pupil], first_attempt(stack_[pupil]).level)) {
             try {
@@ -324,14 +357,29 @@ class PixelRenderer {
         if (!window_.integrate && windows_.centers == nullptr && window_.folds()) {
             return Renderer<T>(stack_, window_, tol_, threads, answer_).render(pupil, threads);
         }
+        const bool rings = of_rings();
         try {
-            if (of_rings()) {
+            if (rings) {
                 return render_by<AverageRings>(pupil, threads);
             }
         } catch (const ToleranceNotMet&) {
             // Roundings of long polynomials are more than those of weights for every pixel.
         }
+        const bool many = rings || (window_.integrate && few_share() && !weights_are_few());
+        if (!light_ && many && stack_.amplitude.closed() && rendered_coarse(pupil, threads)) {
+            return;
+        }
         render_by<PixelTable>(pupil, threads);
+    }
+    // Returns false where differences of light within circles round more than weights do.
+    bool rendered_coarse(std::size_t pupil, int threads) {
+        try {
+            render_coarse(pupil, threads);
+        } catch (const ToleranceNotMet&) {
+            return false;
+        }
+        differentiate(pupil, threads);
+        return true;
     }
 
     template <class Table>
@@ -481,7 +529,7 @@ class PixelRenderer {
         bool plain = false;  // I at the radii are the pixels
         std::size_t values = pixels();
         if constexpr (std::is_same_v<Table, PixelTable>) {
-            if (table.rings.size() > 1) {
+            if (!table.serves_together()) {
                 return false;
             }
             plain = table.rings.empty();
@@ -521,6 +569,7 @@ class PixelRenderer {
     PixelWindows windows_;
     PixelWindow window_;  // the first
     double tol_, allowed_;  // the latter before values are stored
+    bool light_ = false;    // whether averages of the stack are the light that crosses edges, one by one
     int threads_;
     Answer<T> answer_;
 };

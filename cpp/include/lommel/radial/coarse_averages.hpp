@@ -282,13 +282,14 @@ class CoarseAverages {
     double off() const { return std::max(by_rings, error); }
 
     static constexpr double always = 20.0;  // v a pixel, from which on this pays
-    // Pixels of so many pupils for which it does where weights share nothing; nijboer_zernike.py has them, too.
-    static constexpr std::size_t crossed = 5000, few = 8;
+    static constexpr double least_exact = 3.0;  // v a pixel, from which on it may where much is asked
+    static constexpr double of_weights = 0.25;  // of what weights take that stacks share
+    static constexpr std::size_t few = 8;  // pupils, for which it does where weights share nothing
 #if defined(__wasm__)
     // The live page has one image of a window, whose weights no other image would share.
     static constexpr double least = 3.0, most_near = 1e9;
 #else
-    static constexpr double least = 7.4;         // v a pixel, from which on this may pay; nijboer_zernike.py has it, too
+    static constexpr double least = 7.4;         // v a pixel, from which on this may pay
     static constexpr double most_near = 4000.0;  // pixels with rings where it may
 #endif
 
@@ -296,11 +297,11 @@ class CoarseAverages {
         double rings, field, sums;  // asked: of averages, of U, of averages
     };
 
-    // The error of averages over pixels at a distance of r at least whose rings are left out: their edges are seen at angles of
-    // step / r at most; around a pixel that holds the axis, at least 2 r wide, both parts count pi / 2 times at most. And from where
-    // on it is below what is asked.
+    // The error of averages over pixels at a distance of r at least whose rings are left out. The two edges that are seen from the
+    // axis turn by step sqrt(2) / r at most, and the others back; around a pixel that holds the axis, at least 2 r wide, both parts
+    // count pi / 2 times what a turn of step / r makes of them. And from where on it is below what is asked.
     static double left_out(const EnergyTail& tail, double step, double r) {
-        return 4.0 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
+        return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
     static double without_rings(const EnergyTail& tail, double step, double asked) {
         double low = 1.0, high = 1e8;

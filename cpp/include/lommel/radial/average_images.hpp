@@ -280,11 +280,10 @@ class PixelRenderer {
     // Whether that takes less than filters, for all pupils.
     bool light_pays() const {
         const double most = beside_filters * std::pow(window_.step, 4.0);
+        const bool many = tol_ >= least_filtered && static_cast<double>(pixels()) > most;
         for (std::size_t pupil = 0; pupil < stack_.count; ++pupil) {
             const Phase phase = stack_[pupil];
-            const bool near =
-                tol_ >= least_filtered && static_cast<double>(pixels()) > most && window_.within(ringed(phase)) > most;
-            if (near || !crossings_serve(phase)) {
+            if (!crossings_serve(phase) || (many && window_.within(ringed(phase)) > most)) {
                 return false;
             }
         }

@@ -96,6 +96,7 @@ def test_averages_over_coarse_pixels_are_within_their_bound(seed):
         (80, 5.0, (40.3, 39.8), 60.0, 1e-9),  # no weights are as exact
         (33, 6.0, (16.3, 15.8), 60.0, 1e-9),
         (33, 6.0, (16.3, 15.8), 5.0, 1e-11),
+        (3, 90.0, (1.1, 0.9), 0.3, 1e-2),  # nor does the pixel with the axis have rings
     ],
 )
 def test_averages_of_many_pixels_are_within_their_bound_and_those_of_a_plan(side, step, center, defocus, tol):
@@ -125,6 +126,21 @@ def test_derivatives_of_many_coarse_pixels_leave_the_values_and_are_those_of_few
         )
         off = (many.derivative_bounds["defocus"] + corner.derivative_bounds["defocus"]) * peak
         assert np.abs(many.derivatives["defocus"][10:40, 30:60] - corner.derivatives["defocus"]).max() <= off
+
+
+def test_what_u_is_off_by_counts_where_no_pixel_holds_the_axis_too():
+    """An error of I all over a pixel is one of its average."""
+    pupil, options = lm.Pupil(lm.Wavefront(3.0)), {"method": lm.NijboerZernike(1e-6), **OPTIONS}
+    around = lm.psf(pupil, 5, 3.0, center=(2.2, 1.9), **options)
+    beside = lm.psf(pupil, 5, 3.0, center=(2.2, 5.9), **options)
+    assert beside.error_bound > 0.5 * around.error_bound
+
+
+def test_no_table_is_made_that_would_have_to_be_as_exact_as_it_can():
+    lm.clear_caches()
+    method = lm.NijboerZernike(1e-9)
+    lm.psf(lm.Pupil(lm.Wavefront(60.0)), 33, 6.0 / math.pi, center=(16.3, 15.8), method=method, threads=1, **OPTIONS)
+    assert _core.cached_bytes()[0] < 1_000_000
 
 
 @pytest.mark.parametrize(("count", "kept"), [(4, False), (12, False), (400, True)])

@@ -34,9 +34,7 @@ class EnergyTail {
                     if (i == j) {
                         means_[n] += product[n].real();
                     } else {
-                        const double size = 2.0 * std::abs(product[n]) / apart;
-                        rings_[n] += size;
-                        further_[n] += 2.0 * static_cast<double>(n + 2) * size / apart;
+                        rings_[n] += 2.0 * std::abs(product[n]) / apart;
                     }
                 }
             }
@@ -49,7 +47,7 @@ class EnergyTail {
     double rings(double r) const {
         double sum = 0.0, size = 0.0, power = 1.0;
         for (std::size_t n = 0; n < 2 * powers; ++n, power /= r) {
-            sum += (rings_[n] + std::min(rings_[n], further_[n] / r)) * power / (r * r);
+            sum += rings_[n] * power / (r * r);
             for (std::size_t i = 0; i < wave_count_ && n < powers; ++i) {
                 size += std::abs(waves_[i].parts[n]) * power;
             }
@@ -197,7 +195,7 @@ class EnergyTail {
     std::array<Wave, 4> waves_{};
     std::array<Left, 4 * terms> left_{};
     std::size_t wave_count_ = 0, left_count_ = 0;
-    std::array<double, 2 * powers> means_{}, rings_{}, further_{};
+    std::array<double, 2 * powers> means_{}, rings_{};
     std::array<double, orders> at_edges_{}, inside_{};
 };
 

@@ -113,21 +113,28 @@ class NijboerZernike(FieldMethod["Pupil"]):
         if wanted.terms:
             raise ValueError("derivatives by Zernike terms are not available from NijboerZernike; use ChordalGauss")
         if pupil.radial:
-            stack, window = radial_stack(pupil), window_of(pupil, grid)
-            averaged = grid.integrate and not grid.stack
-            if averaged and filters_pay(stack, window, self.tol):
+            return self._radial_images(pupil, grid, wanted)
+        if wanted.powers:
+            raise ValueError("derivatives are available of radially symmetric pupils only")
+        return disk_images(_series_samples, pupil, grid, self.tol, wanted)
+
+    def _radial_images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+        stack, window = radial_stack(pupil), window_of(pupil, grid)
+
+        def images(wanted: Wanted, *, sampled: bool) -> Images:
+            if sampled:
                 try:
                     return disk_images(_radial_samples, pupil, grid, self.tol, wanted)
                 except ToleranceError:
                     pass  # filters magnify the errors of samples
-            elif averaged and wanted.powers and filters_pay(stack, window, self.tol, derivatives=True):
-                values = radial_images(stack, window, self.tol, wanted._replace(powers=()), integrate=True)
-                sampled = disk_images(_radial_samples, pupil, grid, self.tol, wanted._replace(out=None))
-                return values._replace(slopes=sampled.slopes)
             return radial_images(stack, window, self.tol, wanted, integrate=grid.integrate)
-        if wanted.powers:
-            raise ValueError("derivatives are available of radially symmetric pupils only")
-        return disk_images(_series_samples, pupil, grid, self.tol, wanted)
+
+        averaged = grid.integrate and not grid.stack
+        sampled = averaged and filters_pay(stack, window, self.tol)
+        if averaged and wanted.powers and (sampled or filters_pay(stack, window, self.tol, derivatives=True)):
+            values = images(wanted._replace(powers=()), sampled=sampled)
+            return values._replace(slopes=images(wanted._replace(out=None), sampled=True).slopes)
+        return images(wanted, sampled=sampled)
 
 
 def _radial_samples(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:

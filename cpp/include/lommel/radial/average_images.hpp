@@ -81,12 +81,17 @@ class PixelRenderer {
         // A table of one window serves no pupil with another axis.
         const bool one_axis = windows_.centers == nullptr;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : one_axis && render_batch<PixelTable>()))) {
+            if (window_.integrate && !light_) {
+                for (std::size_t pupil = 0; pupil < stack_.count; ++pupil) {
+                    level_ = first_attempt(stack_[pupil]).level;  // the largest yet
+                }
+            }
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
         }
     }
 
    private:
-    static constexpr int last_level = 15;
+    static constexpr int last_level = 15, exact_level = 14;
     // Filters serve pixels up to so many v wide. Where they cannot be short, the light that crosses edges takes less; else where no more
     // pixels take rings than so many times the fourth power of their pitch: samples of a pixel grow as its square, and filters, too.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
@@ -173,7 +178,8 @@ class PixelRenderer {
         const double value = likely_value(phase), half = 0.5 * aperture_.area * aperture_.area;
         const double digits = std::ceil(-std::log10(Budget::table * allowed_ * value / half));
         const double field = Budget::field * allowed_ * value / likely_peak(phase, stack_.obscuration);
-        return {std::max(field, RadialBudget::least), static_cast<int>(std::max(3.0, std::min(digits, double(last_level))))};
+        return {std::max(field, RadialBudget::least),
+                std::max(level_, static_cast<int>(std::max(3.0, std::min(digits, double(last_level)))))};
     }
 
     template <class Table>
@@ -243,39 +249,31 @@ class PixelRenderer {
         return window_.integrate && few_share() && windows_.centers == nullptr && window_.step <= widest_filtered;
     }
 
-    // Whether weights for this axis are made by few products.
+    // Whether weights for this axis are made by few products for each pupil.
     bool weights_are_few() const {
         const double places = 0.8 * window_.step + 8.0;
-        return static_cast<double>(pixels()) * places * places <= light_work;
+        return static_cast<double>(pixels()) * places * places <= light_work * static_cast<double>(stack_.count);
     }
     // Whether averages may be the light that crosses edges: of coarse pixels, or where tables have to be as exact as they can.
     bool crossings_serve(const Phase& phase) const {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        return window_.step >= CoarseAverages::least || first_attempt(phase).level == last_level;
+        return window_.step >= CoarseAverages::least || first_attempt(phase).level >= exact_level;
     }
     // About from where on pixels do without rings, in pixels.
     double ringed(const Phase& phase) const {
         const double room = coarse_attempt(phase, likely_value(phase)).rings;
         return CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
     }
-    // Whether rings are so narrow against pixels that the light is better followed across edges. Weights that others may share take less
-    // again: one pupil leaves it at that only where few pixels take their rings, a stack where its products, counted, not measured, are
-    // less than a share of those that make weights.
+    // Whether averages had better be the light that crosses edges than by weights, which a stack shares: those of a pixel take as long
+    // as the light of so many, measured.
     bool coarse(const Phase& phase) const {
-        const bool serve = crossings_serve(phase);
-        if (!serve || few_share() || (stack_.count == 1 && window_.step >= CoarseAverages::always)) {
-            return serve;
+        if (!crossings_serve(phase) || stack_.count == 1) {
+            return crossings_serve(phase);
         }
-        const double reach = ringed(phase);
-        if (stack_.count == 1) {
-            return reach * reach < CoarseAverages::most_near;
-        }
-        const double side = static_cast<double>(std::max(window_.height, window_.width)), gauss = 0.8 * window_.step + 10.0;
-        const double weights = static_cast<double>(pixels()) * std::min(0.71 * side * window_.step, 900.0) * gauss * gauss;
-        const double light = static_cast<double>(stack_.count) * window_.within(reach) * 40.0 * (window_.step + 20.0);
-        return light < CoarseAverages::of_weights * weights;
+        const double weights = static_cast<double>(pixels()) * (20.0 + 0.25 * window_.step * window_.step);
+        return static_cast<double>(stack_.count) * window_.within(ringed(phase)) < CoarseAverages::of_weights * weights;
     }
     // Whether that takes less than filters, for all pupils.
     bool light_pays() const {
@@ -568,6 +566,7 @@ class PixelRenderer {
     PixelWindows windows_;
     PixelWindow window_;  // the first
     double tol_, allowed_;  // the latter before values are stored
+    int level_ = 0;         // of tables that a stack shares, at least
     bool light_ = false;    // whether averages of the stack are the light that crosses edges, one by one
     int threads_;
     Answer<T> answer_;

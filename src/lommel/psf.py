@@ -102,7 +102,8 @@ def psf(
         by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified`, `ChordalDebye` or, with
         aberrations, `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and "wavelength" (the
         stage, all indices, the pixel in metres and path differences of aberrations as they are); "row", "column"; and
-        Zernike terms. The last, and with aberrations the wavelength, by `ChordalDebye` in small windows only.
+        Zernike terms. The last, and with aberrations the wavelength, by `ChordalDebye` in small windows only. `tol`
+        is that of the values; ``PSF.derivative_bounds`` says what derivatives are off by.
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         C-contiguous, writable array for the values.
     threads : int, optional
@@ -465,7 +466,8 @@ class PSF(Measured, PSFLike):
         "energy", "emitted", "strehl" or "peak", as of :func:`psf`.
     error_bound : float or None
         Bound on the largest error relative to the peak of the PSF, in the window or not ("peak": to the largest value
-        in the window), the largest of the stack; None if the method has none.
+        in the window), the largest of the stack; None if the method has none. The peak of a pixel-integrated PSF is
+        the largest average over a pixel.
     scale : ndarray, shape ``pupil.shape``
         Factor by which the intensity was multiplied, which is 1 at the peak without obscuration and aberration.
     derivatives : dict of (str or (int, int)) to ndarray

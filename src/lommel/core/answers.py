@@ -28,13 +28,11 @@ class ToleranceError(ArithmeticError):
 
 def not_met(tol: float, bound: float, what: str, where: str = "in double precision") -> ToleranceError:
     """Return what a method with a proven bound on its error over `what` raises where that stays above `tol`."""
-    size = f"bounded by {bound:.2g} of {what}" if bound < 1.0 else f"which may be larger than {what}"
+    size = f"{bound:.2g} of {what}" if bound < 1.0 else f"as large as {what}"
     # Two digits, with room for what grows with the tolerance.
     enough = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
     advice = f"; give tol={enough:g}" if tol < enough < 1.0 else ""
-    error = ToleranceError(
-        f"tol={tol:g} cannot be met {where}: the error, {size}, is not proven to be smaller{advice}"
-    )
+    error = ToleranceError(f"tol={tol:g} cannot be met {where}: the error may be {size}, for all that is proven{advice}")
     error.bound = bound
     return error
 

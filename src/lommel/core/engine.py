@@ -145,7 +145,7 @@ def radial_plan(
 
 
 def _over(wanted: Wanted) -> str:
-    return "the largest value in the window" if wanted.scale is None else "the peak"
+    return 'the largest value in the window, as normalize="peak" takes it' if wanted.scale is None else "the peak"
 
 
 def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:

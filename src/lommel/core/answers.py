@@ -32,7 +32,9 @@ def not_met(tol: float, bound: float, what: str, where: str = "in double precisi
     # Two digits, with room for what grows with the tolerance.
     enough = _rounded_up(2.0 * bound) if 1e-300 < bound < 0.05 else 1.0
     advice = f"; give tol={enough:g}" if tol < enough < 1.0 else ""
-    error = ToleranceError(f"tol={tol:g} cannot be met {where}: the error may be {size}, for all that is proven{advice}")
+    error = ToleranceError(
+        f"tol={tol:g} cannot be met {where}: the error may be {size}, for all that is proven{advice}"
+    )
     error.bound = bound
     return error
 

@@ -177,9 +177,8 @@ void bindings::define_radial(nb::module_& m) {
         .def(
             "render", &RadialPlan::render, "coefficients"_a, "images"_a, "scales"_a.none() = nb::none(),
             "Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be "
-            "met, or None where the arrays do not match or are not of the types, the order and the access that this takes, or "
-            "where "
-            "averages had best be those of finer samples.");
+            "met, or None where the arrays do not match or are not of the types, the order and the access that this takes, and "
+            "where averages had best be those of finer samples.");
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "threads"_a = 1,

@@ -112,7 +112,7 @@ class RadialPlan:
 
     def render(self, coefficients: object, images: object, scales: object | None = None) -> float | None:
         """
-        Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be met, or None where the arrays do not match or are not of the types, the order and the access that this takes, or where averages had best be those of finer samples.
+        Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be met, or None where the arrays do not match or are not of the types, the order and the access that this takes, and where averages had best be those of finer samples.
         """
 
 def field(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], tol: float) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]]:

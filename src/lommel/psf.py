@@ -103,7 +103,8 @@ def psf(
         aberrations, `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and "wavelength" (the
         stage, all indices, the pixel in metres and path differences of aberrations as they are); "row", "column"; and
         Zernike terms. The last, and with aberrations the wavelength, by `ChordalDebye` in small windows only. `tol`
-        is that of the values; ``PSF.derivative_bounds`` says what derivatives are off by.
+        is that of the values, which may differ from those without derivatives within their bound;
+        ``PSF.derivative_bounds`` says what derivatives are off by.
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         C-contiguous, writable array for the values.
     threads : int, optional

@@ -98,6 +98,7 @@ class PixelRenderer {
     // Weights for few pixels, made by about so many products, take less; and so do those of derivatives, of so many pixels.
     static constexpr double light_work = 2e5;
     static constexpr std::size_t most_weighed = 5000;
+    static constexpr std::size_t most_tabled = 40000;  // pixels, whose weights take memory and seconds
     static constexpr std::size_t most_sampled = 8192;  // pixels of a batch: beyond, its table costs more than it saves
 
     // What the tolerance is spent on, times what the largest value may be.
@@ -141,8 +142,8 @@ class PixelRenderer {
     bool any_axis(double farthest) const {
         double ends[2];
         window_.reach(ends);
-        const bool few =
-            window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= CoarseAverages::few && pixels() <= 40000;
+        const bool few = window_.integrate && !window_.folds() && ends[0] == 0.0 && stack_.count <= CoarseAverages::few &&
+                         pixels() <= most_tabled;
         return (windows_.centers != nullptr || few) && windows_.farthest * window_.step <= farthest;
     }
     bool anywhere() const { return any_axis(AnywhereTable::most_reach); }
@@ -269,8 +270,9 @@ class PixelRenderer {
     // Whether averages had better be the light that crosses edges than by weights, which a stack shares: those of a pixel take as long
     // as the light of so many, measured.
     bool coarse(const Phase& phase) const {
-        if (!crossings_serve(phase) || stack_.count == 1) {
-            return crossings_serve(phase);
+        const bool serve = crossings_serve(phase);
+        if (!serve || stack_.count == 1 || pixels() > most_tabled) {
+            return serve;
         }
         const double weights = static_cast<double>(pixels()) * (20.0 + 0.25 * window_.step * window_.step);
         return static_cast<double>(stack_.count) * window_.within(ringed(phase)) < CoarseAverages::of_weights * weights;

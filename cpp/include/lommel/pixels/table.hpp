@@ -172,10 +172,6 @@ struct PixelTable : PixelRings {
 
     PixelTable(const PixelWindow& w, int digits, int threads, bool many);
 
-    // The nodes for a window as one ring, its pixels so far from the axis in v.
-    static RingNodes whole(double side, double least, double most, int level) {
-        return {least, most, side * 0.70710678118654752, Budget::window * std::pow(10.0, -level)};
-    }
     bool serves_together() const { return rings.size() <= 1 && count > 0; }
 
     // As of an AnywhereTable.
@@ -305,20 +301,20 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     // `radial_degree` coefficients do, the window as one ring, or I at the pixels.
     const double within = of_nodes_within(allowed);
     const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
-    const RingNodes all = whole(w.side(), least, most, level);
+    const RingNodes whole(least, most, slack, Budget::window * allowed);
     const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
     const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
     const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
     const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
                             (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
     // A weight beyond those that a near cache holds takes as long as four, where it is loaded for each image.
-    const double of_one = static_cast<double>(all.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
-    const double by_one = 64.0 * static_cast<double>(all.count) + of_one * sum + 3.0 * far;
+    const double of_one = static_cast<double>(whole.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
+    const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
     if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
         at_pixels();
         return;
     }
-    const bool one = by_one <= by_rings && all.count <= most_nodes;
+    const bool one = by_one <= by_rings && whole.count <= most_nodes;
     if (many && !one) {
         groups.v = groups.cosine = {};
         return;

@@ -22,6 +22,7 @@ from hypothesis import HealthCheck, Phase, settings
 
 import lommel as lm
 
+pytest_plugins = ["tiers"]
 mpl.use("Agg")
 
 # Nothing that is collected (tests, their modules, the libraries that these import) goes before the end: to look for
@@ -35,8 +36,12 @@ os.fsync = lambda descriptor: None
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-# No deadline: shared machines stall. HYPOTHESIS_PROFILE=thorough searches longer.
-settings.register_profile("quick", deadline=None, max_examples=40, suppress_health_check=[HealthCheck.too_slow])
+# No deadline: shared machines stall. Searches have the same cases in every run, except for `pytest --thorough`, whose
+# finds become examples of their tests. HYPOTHESIS_PROFILE=thorough searches longer.
+settings.register_profile(
+    "quick", deadline=None, max_examples=40, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.register_profile("random", settings.get_profile("quick"), derandomize=False)
 settings.register_profile("thorough", deadline=None, max_examples=1000)
 # Where it only matters whether a test fails (tests/mutants).
 settings.register_profile("brief", settings.get_profile("quick"), phases=[Phase.explicit, Phase.generate])
@@ -44,7 +49,8 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
 
 ROOT = Path(__file__).resolve().parent.parent
 TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COLUMNS", "LINES")
-RESIDENT = {"before": 2**29}  # bytes
+MEMORY = 900 * 2**20  # bytes, in a process that runs tests
+RESIDENT = {"after": 0}
 DESCRIBED: dict[bytes, object] = {}
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
 
@@ -126,14 +132,17 @@ def described_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(lens_report, "describe_lens", kept)
 
 
-@pytest.fixture(scope="module", autouse=True)
+@pytest.fixture(autouse=True)
 def little_memory() -> Iterator[None]:
-    """Free what the package keeps, and cycles of large arrays, where memory has grown by half a GiB."""
+    """Free what packages keep, and cycles of large arrays, where a process has grown past `MEMORY`."""
     yield
-    if resident() > RESIDENT["before"] + 2**29:
-        lm.clear_caches()
+    # What is left after that, such as compiled code, is not looked for again at once.
+    if resident() > max(MEMORY, RESIDENT["after"] + MEMORY // 4):
+        if "jax" in sys.modules:
+            sys.modules["jax"].clear_caches()
         gc.collect()
-        RESIDENT["before"] = resident()
+        lm.clear_caches()
+        RESIDENT["after"] = resident()
 
 
 def resident() -> int:

@@ -1,0 +1,188 @@
+"""Two tiers of tests, as options of pytest: ``--quick`` for each change, ``--thorough`` nightly and before a release.
+
+`tests/slow_tests.txt` lists the tests that take more than `SLOW` seconds of a processor. ``--quick`` leaves them out,
+except for a few that the hash of the commit draws: the same ones in each run of a commit, others in the next commit.
+``--slow`` runs those that ``--quick`` leaves out. ``--thorough`` runs all tests and seeds random searches anew, by a
+seed that it prints and that ``--thorough SEED`` takes. ``--measure`` writes the list; ``--quick --measure`` after it
+adds tests that pay for what slow tests prepared, such as a fixture of their module.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import os
+import random
+import subprocess
+import time
+from collections import defaultdict
+from collections.abc import Iterator
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from hypothesis import settings
+
+ROOT = Path(__file__).resolve().parents[2]
+LIST = ROOT / "tests" / "slow_tests.txt"
+SLOW = 0.2  # seconds of a processor
+DRAWN = 0.01  # the share of slow tests that is in the quick tier
+# Tests of the live page in a browser, whatever they take: they need what a contributor may not have.
+ELSEWHERE = ("tests/live/",)
+# Their first import is no cost of the test that happens to come first.
+COMMON = ("astropy.io.fits", "click", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")
+HEADER = """# Tests that take more than 0.2 s of a processor, with the seconds that they took; a function stands for
+# all of its cases. Written by `pytest --measure`; see tests/shared/tiers.py.
+"""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add the options of both tiers."""
+    group = parser.getgroup("tiers")
+    group.addoption("--quick", action="store_true", help="leave out the tests of tests/slow_tests.txt, but for a few")
+    group.addoption("--slow", action="store_true", help="run what --quick leaves out alone")
+    group.addoption(
+        "--thorough",
+        nargs="?",
+        type=int,
+        const=-1,
+        metavar="SEED",
+        help="search at random, from a seed that is printed",
+    )
+    group.addoption("--measure", action="store_true", help="write the costs of tests to tests/slow_tests.txt")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_configure(config: pytest.Config) -> None:
+    """Choose how random searches are seeded, before Hypothesis looks at its options."""
+    config.addinivalue_line(
+        "markers", "theorem: checks mathematics of the certificate that no line of the package computes"
+    )
+    if config.option.thorough is not None:
+        if config.option.thorough < 0:  # in the first process only: those of pytest-xdist are handed its options
+            config.option.thorough = random.SystemRandom().randrange(2**32)
+        config.option.hypothesis_seed = config.option.thorough
+        settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "random"))
+    if config.option.measure:
+        config.pluginmanager.register(Costs(), "costs")
+
+
+def pytest_report_header(config: pytest.Config) -> list[str]:
+    """Say which tests run, and the seed to find a failure with again."""
+    told = []
+    if config.option.quick:
+        told += [f"quick tests, and some of the {len(slow_tests())} slow ones in {LIST.name}, drawn by {commit()}"]
+    if config.option.thorough is not None:
+        told += [f"random search: repeat it by --thorough {config.option.thorough}"]
+    return told
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out the tests of the other tier."""
+    if config.option.quick != config.option.slow:
+        share = 0.0 if config.option.measure else DRAWN
+        kept = [item for item in items if is_quick(item, share) == config.option.quick]
+        config.hook.pytest_deselected(items=[item for item in items if is_quick(item, share) != config.option.quick])
+        items[:] = kept
+
+
+def is_quick(test: pytest.Item, share: float) -> bool:
+    """Return whether a test is of the quick tier: not listed, or of the `share` of listed ones that is drawn."""
+    name = test.nodeid
+    if name.startswith(ELSEWHERE) or test.get_closest_marker("theorem"):
+        return False
+    drawn = int.from_bytes(hashlib.sha256(f"{commit()} {name}".encode()).digest()[:8]) / 2**64
+    return drawn < share or not {name, name.partition("[")[0]} & slow_tests().keys()
+
+
+@cache
+def slow_tests() -> dict[str, float]:
+    """Return the list: names of tests or of functions, each with its seconds."""
+    lines = LIST.read_text(encoding="utf-8").splitlines() if LIST.exists() else []
+    rows = (line.split(maxsplit=1) for line in lines if line and not line.startswith("#"))
+    return {name: float(cost) for cost, name in rows}
+
+
+@cache
+def commit() -> str:
+    """Return the hash of the commit that is checked out; sources without one have their own name."""
+    asked = ["git", "rev-parse", "--short=12", "HEAD"]
+    try:
+        done = subprocess.run(asked, cwd=ROOT, capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return "no commit"
+    return done.stdout.strip()
+
+
+class Costs:
+    """Measures the tests that run, and writes the list of slow ones."""
+
+    def __init__(self) -> None:
+        self.measured: dict[str, float] = {}
+        self.start = 0.0
+
+    def pytest_runtestloop(self) -> None:
+        """Import what many tests use, so that it is no cost of the first."""
+        for name in COMMON:
+            import_module(name)
+
+    @pytest.hookimpl(wrapper=True, tryfirst=True)
+    def pytest_runtest_setup(self) -> Iterator[None]:
+        """Note the time of processors before a test and what it uses."""
+        self.start = processor_time()
+        return (yield)
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_makereport(self, item: pytest.Item, call: pytest.CallInfo[None]) -> Iterator[None]:
+        """Hand the cost of a test to the first process, as a property of its last report."""
+        if call.when == "teardown":
+            item.user_properties.append(("cost", processor_time() - self.start))
+        return (yield)
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Collect the costs of tests, in whatever process they ran."""
+        if report.when == "teardown":
+            self.measured[report.nodeid] = dict(report.user_properties)["cost"]
+
+    def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        """Write the list, in the first process."""
+        if not hasattr(session.config, "workerinput"):
+            LIST.write_text(HEADER + "".join(lines(self.measured, slow_tests())), encoding="utf-8")
+
+
+def processor_time() -> float:
+    """Return the seconds of processors that this process and its children that ended have taken."""
+    used = os.times()
+    return time.process_time() + used.children_user + used.children_system
+
+
+def lines(measured: dict[str, float], before: dict[str, float]) -> list[str]:
+    """Return the lines of the list: of measured tests, and of listed ones that did not run but are there."""
+    cases = defaultdict(list)
+    for test in measured:
+        cases[test.partition("[")[0]].append(test)
+    slow = {
+        name: cost for name, cost in before.items() if name not in measured and name not in cases and is_there(name)
+    }
+    for function, tests in cases.items():
+        costs = {test: round(measured[test], 1) for test in tests if measured[test] > SLOW}
+        if len(costs) == len(tests) > 1:
+            slow[function] = round(sum(costs.values()) / len(costs), 1)
+        else:
+            slow |= costs
+    return [f"{cost:5.1f} {name}\n" for name, cost in sorted(slow.items())]
+
+
+def is_there(name: str) -> bool:
+    """Return whether the file of a test has its function."""
+    file, _, function = name.partition("[")[0].partition("::")
+    return function.rpartition("::")[2] in functions(file)
+
+
+@cache
+def functions(file: str) -> frozenset[str]:
+    """Return the names of the functions in a file of tests."""
+    path = ROOT / file
+    tree = ast.parse(path.read_text(encoding="utf-8")) if path.is_file() else ast.Module([], [])
+    return frozenset(node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef))

@@ -23,6 +23,20 @@ def largest_difference(one: lm.Wavefront, two: lm.Wavefront) -> float:
     return max([0.0, *(float(np.abs(c).max()) for c in (one - two).to_zernike().values())])
 
 
+def test_samples_on_the_rim_belong_to_the_pupil():
+    """Of maps, and of fits to them."""
+    wavefront = lm.Wavefront.zernike({(2, 2): 0.3, (3, 1): 0.2})
+    opd = lm.opd_map(wavefront, 5, unit="radians", radius=2.0)
+    rim = [(0, 2), (2, 0), (2, 4), (4, 2)]
+    assert np.argwhere(np.isnan(opd)).tolist() == [
+        [y, x] for y in range(5) for x in range(5) if math.hypot(y - 2, x - 2) > 2.0
+    ]
+    angles = np.array([math.atan2(y - 2, x - 2) for y, x in rim])
+    assert opd[tuple(np.transpose(rim))] == pytest.approx(wavefront.phase(np.ones(4), angles), rel=1e-14)
+    opd[0, 2] += 1.0
+    assert lm.fit_opd(opd, degree=2, unit="radians", radius=2.0).rms > 0.2
+
+
 @given(
     st.dictionaries(st.sampled_from(TERMS), number, max_size=10),
     st.sampled_from(["radians", "waves", "metres"]),

@@ -107,45 +107,11 @@ class Compositor {
    public:
     // Of an image whose values are `down` and `right` apart, or of none.
     Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image, std::ptrdiff_t down,
-               std::ptrdiff_t right)
-        : bank_(bank), layered_(layered), scene_(layered.scene), threads_(threads), image_(image), down_(down), right_(right),
-          margin_(Spreader<T>::margin(bank.widest)), mixture_(bank), tall_(std::max(least_rows, 2 * bank.widest)),
-          broad_(std::max(least_columns, 2 * margin_)), rows_((scene_.height + tall_ - 1) / tall_),
-          columns_((scene_.width + broad_ - 1) / broad_), parts_((tall_ + most_rows - 1) / most_rows),
-          masks_(rows_ * columns_ * parts_ * part_columns()), most_(rows_ * columns_) {
-        mark();
-    }
+               std::ptrdiff_t right);
 
     // Adds layers `from` to `to`. What pixels see is found on the way unless it is `known`; it is `beyond()` and the total 0 before
     // the first layer.
-    void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made) {
-        const std::size_t size = (scene_.height + 2 * bank_.widest) * across();
-        Aligned<T> white(known ? 0 : size, T(0)), light(image_ ? size : 0, T(0));
-        const Checkerboard tiles(rows_, columns_);
-        look_at(made);
-        for (std::size_t layer = from; layer < to; ++layer) {
-            if (!choose(layer)) {
-                continue;
-            }
-            tiles.each(threads_, [&](std::size_t row, std::size_t column) {
-                if (chosen_[row * columns_ + column]) {
-                    spread(row, column, layer, known, white.data(), light.data());
-                }
-            });
-            if (layered_.mirrored) {
-                for (Aligned<T>* const room : {&white, &light}) {
-                    if (!room->empty()) {
-                        fold(room->data());
-                    }
-                }
-            }
-            parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
-                if (touched_[tile]) {
-                    compose(tile / columns_, tile % columns_, level(layer), known, white.data(), light.data(), made);
-                }
-            });
-        }
-    }
+    void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made);
 
     // A layer as it is counted from the middle: what is seen of layers is then rounded less.
     T level(std::size_t layer) const { return static_cast<T>(static_cast<std::ptrdiff_t>(layer) - middle()); }
@@ -467,6 +433,48 @@ class Compositor {
     std::vector<unsigned char> chosen_, touched_;
     std::size_t box_top_ = 0, box_left_ = 0, box_bottom_ = 0, box_right_ = 0;  // tiles around the chosen ones
 };
+
+// Not in the class: members that are written there are inline, and compiled by every unit that calls them.
+template <class T>
+Compositor<T>::Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image,
+                          std::ptrdiff_t down, std::ptrdiff_t right)
+    : bank_(bank), layered_(layered), scene_(layered.scene), threads_(threads), image_(image), down_(down), right_(right),
+      margin_(Spreader<T>::margin(bank.widest)), mixture_(bank), tall_(std::max(least_rows, 2 * bank.widest)),
+      broad_(std::max(least_columns, 2 * margin_)), rows_((scene_.height + tall_ - 1) / tall_),
+      columns_((scene_.width + broad_ - 1) / broad_), parts_((tall_ + most_rows - 1) / most_rows),
+      masks_(rows_ * columns_ * parts_ * part_columns()), most_(rows_ * columns_) {
+    mark();
+}
+
+template <class T>
+void Compositor<T>::operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made) {
+    const std::size_t size = (scene_.height + 2 * bank_.widest) * across();
+    Aligned<T> white(known ? 0 : size, T(0)), light(image_ ? size : 0, T(0));
+    const Checkerboard tiles(rows_, columns_);
+    look_at(made);
+    for (std::size_t layer = from; layer < to; ++layer) {
+        if (!choose(layer)) {
+            continue;
+        }
+        tiles.each(threads_, [&](std::size_t row, std::size_t column) {
+            if (chosen_[row * columns_ + column]) {
+                spread(row, column, layer, known, white.data(), light.data());
+            }
+        });
+        if (layered_.mirrored) {
+            for (Aligned<T>* const room : {&white, &light}) {
+                if (!room->empty()) {
+                    fold(room->data());
+                }
+            }
+        }
+        parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
+            if (touched_[tile]) {
+                compose(tile / columns_, tile % columns_, level(layer), known, white.data(), light.data(), made);
+            }
+        });
+    }
+}
 
 #if defined(LOMMEL_COMPILED)
 extern template class Compositor<float>;

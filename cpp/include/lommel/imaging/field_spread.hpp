@@ -47,16 +47,10 @@ class FieldSpreader {
     static constexpr std::size_t step = 16;  // that sizes of windows are multiples of; values that are loaded beyond a row
 
     // out += sum over pixels of value times window, [height + side - 1][width + side - 1 + step]; values are of the scene.
-    void forward(const T* values, T* out) const {
-        const Checkerboard strips((scene_.height + tall_ - 1) / tall_, 1);
-        strips.each(threads_, [&](std::size_t strip, std::size_t) { run(strip, values, static_cast<const T*>(nullptr), out); });
-    }
+    void forward(const T* values, T* out) const;
 
     // The transpose: each pixel takes the sum of window times `image`, which has the size of forward's output.
-    void adjoint(const T* image, T* out) const {
-        parallel_for((scene_.height + tall_ - 1) / tall_, threads_,
-                     [&](std::size_t, std::size_t strip) { run(strip, static_cast<const T*>(nullptr), image, out); });
-    }
+    void adjoint(const T* image, T* out) const;
 
    private:
     static constexpr std::size_t least_rows = 32;
@@ -266,6 +260,19 @@ class FieldSpreader {
     int threads_;
     std::size_t wide_, tall_;
 };
+
+// Not in the class: members that are written there are inline, and compiled by every unit that calls them.
+template <class T>
+void FieldSpreader<T>::forward(const T* values, T* out) const {
+    const Checkerboard strips((scene_.height + tall_ - 1) / tall_, 1);
+    strips.each(threads_, [&](std::size_t strip, std::size_t) { run(strip, values, static_cast<const T*>(nullptr), out); });
+}
+
+template <class T>
+void FieldSpreader<T>::adjoint(const T* image, T* out) const {
+    parallel_for((scene_.height + tall_ - 1) / tall_, threads_,
+                 [&](std::size_t, std::size_t strip) { run(strip, static_cast<const T*>(nullptr), image, out); });
+}
 
 #if defined(LOMMEL_COMPILED)
 extern template class FieldSpreader<float>;

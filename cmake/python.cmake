@@ -13,40 +13,75 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 find_package(nanobind CONFIG REQUIRED)
 
-# One file a room, of which the compiler does again only what has changed, and what several of them would compile (see
-# cpp/include/lommel/base/once.hpp). Those that take longest come first, so that none is left over at the end.
-file(GLOB rooms CONFIGURE_DEPENDS cpp/bindings/*.cpp cpp/compiled/*.cpp)
-set(longest compiled/polar.cpp compiled/layers.cpp bindings/zernike.cpp compiled/spread_single.cpp compiled/composite_single.cpp bindings/bounds_disk.cpp
-            bindings/radial.cpp)
-list(TRANSFORM longest PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/")
-list(REMOVE_ITEM rooms ${longest})
-list(PREPEND rooms ${longest})
+# Compiler options and the exported symbol, for all that is linked into a module.
+function(set_core_options target)
+  target_link_libraries(${target} PRIVATE lommel)
+  target_compile_definitions(${target} PRIVATE LOMMEL_COMPILED)
+  set_target_properties(
+    ${target}
+    PROPERTIES UNITY_BUILD OFF
+               CXX_STANDARD 17
+               CXX_STANDARD_REQUIRED ON
+               CXX_EXTENSIONS OFF
+               CXX_VISIBILITY_PRESET hidden
+               POSITION_INDEPENDENT_CODE ON)
+  # No -ffast-math: the error bounds assume IEEE arithmetic. Fused multiply-adds, where a kernel is compiled for
+  # them, round once instead of twice and are within the bounds. -fno-math-errno: nobody reads errno, and loops with square
+  # roots become vectors. -falign-functions: how fast a loop is must not depend on what is linked before it (a tenth, measured).
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /W4 /fp:precise)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra -ffp-contract=fast -fno-math-errno -falign-functions=64
+                                             -fno-stack-protector -ffunction-sections -fdata-sections)
+  endif()
+  # Templates of the standard library are visible by default: to look up their long names is a quarter of loading the core.
+  get_target_property(kind ${target} TYPE)
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND kind STREQUAL "MODULE_LIBRARY")
+    set(exports "${CMAKE_CURRENT_SOURCE_DIR}/cmake/exports.map")
+    target_link_options(${target} PRIVATE "-Wl,--version-script=${exports}")
+    set_target_properties(${target} PROPERTIES LINK_DEPENDS "${exports}")
+  endif()
+endfunction()
+
+# The numerics, compiled once for both modules; see cpp/include/lommel/base/once.hpp. What takes longest comes first, so that none
+# is left over at the end.
+file(GLOB compiled CONFIGURE_DEPENDS cpp/compiled/*.cpp)
+set(longest polar chordal layers radial spread_single composite_single)
+list(TRANSFORM longest PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/compiled/")
+list(TRANSFORM longest APPEND .cpp)
+list(REMOVE_ITEM compiled ${longest})
+add_library(lommel_compiled OBJECT ${longest} ${compiled})
+set_core_options(lommel_compiled)
+
 # Of nanobind's own files, whose time goes into the same headers, several are compiled as one.
 set(CMAKE_UNITY_BUILD ON)
 # STABLE_ABI takes effect from Python 3.12 on, FREE_THREADED in Pythons without a global lock: nothing in the core relies
 # on that. NOMINSIZE keeps -O3 rather than nanobind's -Os.
-nanobind_add_module(_core STABLE_ABI FREE_THREADED NB_STATIC NOMINSIZE NB_SUPPRESS_WARNINGS ${rooms})
-target_link_libraries(_core PRIVATE lommel)
-target_compile_definitions(_core PRIVATE LOMMEL_COMPILED)
-set_target_properties(_core PROPERTIES UNITY_BUILD OFF CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
-
-# No -ffast-math: the error bounds assume IEEE arithmetic. Fused multiply-adds, where a kernel is compiled for
-# them, round once instead of twice and are within the bounds. -fno-math-errno: nobody reads errno, and loops with square
-# roots become vectors. -falign-functions: how fast a loop is must not depend on what is linked before it (a tenth, measured).
-if(MSVC)
-  target_compile_options(_core PRIVATE /W4 /fp:precise)
-else()
-  target_compile_options(_core PRIVATE -Wall -Wextra -ffp-contract=fast -fno-math-errno -falign-functions=64)
-endif()
-
-# Templates of the standard library are visible by default: to look up their long names is a quarter of loading the core.
-if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
-  set(exports "${CMAKE_CURRENT_SOURCE_DIR}/cmake/exports.map")
-  target_link_options(_core PRIVATE "-Wl,--version-script=${exports}")
-  set_target_properties(_core PROPERTIES LINK_DEPENDS "${exports}")
-endif()
-
+set(module_options STABLE_ABI FREE_THREADED NB_STATIC NOMINSIZE NB_SUPPRESS_WARNINGS)
+file(GLOB bindings CONFIGURE_DEPENDS cpp/bindings/*.cpp)
+set(test_bindings ${bindings})
+list(FILTER bindings EXCLUDE REGEX "/tests_[a-z]*\\.cpp$")
+list(FILTER test_bindings INCLUDE REGEX "/(tests_[a-z]*|process)\\.cpp$")
+nanobind_add_module(_core ${module_options} ${bindings} $<TARGET_OBJECTS:lommel_compiled>)
+set_core_options(_core)
 install(TARGETS _core LIBRARY DESTINATION lommel)
+
+# What tests alone call, in a module of its own that is neither built nor installed by default. The target core_tests does both
+# in the environment of this Python; with LOMMEL_TESTS it is a part of the package.
+option(LOMMEL_TESTS "Build and install the module of functions that only tests call as well" OFF)
+if(NOT LOMMEL_TESTS)
+  set(excluded EXCLUDE_FROM_ALL)
+endif()
+nanobind_add_module(_core_tests ${module_options} ${test_bindings} $<TARGET_OBJECTS:lommel_compiled>)
+set_core_options(_core_tests)
+install(TARGETS _core_tests LIBRARY DESTINATION lommel COMPONENT tests ${excluded})
+if(NOT LOMMEL_TESTS)
+  set_target_properties(_core_tests PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()
+add_custom_target(
+  core_tests
+  COMMAND "${CMAKE_COMMAND}" --install "${CMAKE_CURRENT_BINARY_DIR}" --component tests --prefix "${Python_SITEARCH}"
+  DEPENDS _core_tests)
 
 # The examples stand at the top of the sources, where an editable installation finds them; wheels have them within.
 if(NOT SKBUILD_STATE STREQUAL "editable")

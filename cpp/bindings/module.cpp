@@ -1,86 +1,9 @@
 // The Python module. The bindings check shapes and release the GIL; all arithmetic is in the headers.
-#include <algorithm>
-#include <iterator>
-#include <string>
-#include <utility>
-
-#include "lommel/base/cache.hpp"
-#include "lommel/base/fork.hpp"
-#include "lommel/base/simd.hpp"
-#include "lommel/limits.hpp"
-
 #include "python.hpp"
-
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 using namespace bindings;
 
-namespace {
-
-// The one thread that Python runs the handlers of signals in; in a child it is the one that called fork().
-struct MainThread final : lommel::ForkAware {
-    unsigned long id = 0;
-
-   private:
-    void after_fork(bool in_child) override {
-        if (in_child) {
-            id = PyThread_get_thread_ident();
-        }
-    }
-};
-MainThread& main_thread = *new MainThread;
-
-// Who imports this where nobody imported `threading`, which takes as long as loading this module, is the only thread.
-unsigned long this_or_main_thread() {
-    const nb::object threads = nb::steal(PyImport_GetModule(nb::str("threading").ptr()));
-    return threads.is_valid() ? nb::cast<unsigned long>(threads.attr("main_thread")().attr("ident"))
-                              : PyThread_get_thread_ident();
-}
-
-bool signalled() {
-    const nb::gil_scoped_acquire gil;
-    return PyErr_CheckSignals() != 0;
-}
-
-constexpr const char* levels[] = {"portable", "avx2", "avx512"};  // in the order of lommel::Level
-
-const char* instructions() { return levels[static_cast<int>(lommel::processor_level())]; }
-
-void limit_instructions(const std::string& level) {
-    const auto found = std::find(std::begin(levels), std::end(levels), level);
-    require(found != std::end(levels), "level must be portable, avx2 or avx512");
-    lommel::level_limit() = static_cast<lommel::Level>(found - std::begin(levels));
-}
-
-void clear_caches() {
-    released([] {
-        lommel::Shared::clear_all();
-#if defined(__GLIBC__)
-        malloc_trim(0);  // which otherwise keeps what was freed
-#endif
-    });
-}
-
-}  // namespace
-
-lommel::Watch::Ask bindings::ask_python() { return PyThread_get_thread_ident() == main_thread.id ? &signalled : nullptr; }
-
 NB_MODULE(_core, m) {
-    // Python keeps what its users hold to the end of the process, plans among it, and that is no fault here.
-    nb::set_leak_warnings(false);
-    main_thread.id = this_or_main_thread();
-    // Of a call that was stopped the exception is set, by the handler that raised it. A phase or a window too large is a
-    // ValueError of its own: the next method is tried after it, but not after a fault of the code.
-    nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
-        try {
-            std::rethrow_exception(thrown);
-        } catch (const lommel::Stopped&) {
-        } catch (const lommel::LimitExceeded& failure) {
-            PyErr_SetString(nb::module_::import_("lommel.core.answers").attr("Declined").ptr(), failure.what());
-        }
-    });
     m.doc() = "Compiled core of lommel: the spectral engine, Bessel sequences, rendering, Huygens' sum.";
     define_special(m);
     define_pixels(m);
@@ -93,12 +16,5 @@ NB_MODULE(_core, m) {
     define_estimation(m);
     define_localize(m);
     define_stratified(m);
-    define_radial_bounds(m);
-    define_disk_bounds(m);
-    m.def(
-        "cached_bytes", [] { return std::make_pair(lommel::Shared::bytes_kept(), lommel::Shared::bytes_limit()); },
-        "Bytes of the tables that calls share, and the sum of the limits of all kinds.");
-    m.def("clear_caches", &clear_caches, "Drop the tables that calls share, and return the memory to the system.");
-    m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
-    m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
+    define_process(m);
 }

@@ -5,7 +5,6 @@
 
 #include "lommel/pixels/filter.hpp"
 #include "lommel/pixels/render.hpp"
-#include "lommel/pixels/shift.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_values.hpp"
 #include "lommel/radial/images.hpp"
@@ -105,38 +104,6 @@ void average_samples(In<T, 3> samples, In<double, 2> weights, std::size_t stride
     });
 }
 
-// What moves averages as the axis moves: orders, degree, and the terms of its error.
-using Shift = std::tuple<std::size_t, std::size_t, double, double, double, double, std::vector<double>>;
-
-std::shared_ptr<const lommel::ShiftTable> shift_table(double pitch, double farthest, int level) {
-    require(pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AnywhereTable::most_reach, "pixels within reach");
-    return lommel::ShiftTable::get(lommel::AnywhereTable::get(pitch, true, farthest, level_of(level, 1)));
-}
-
-Shift shift_bounds(double pitch, double farthest, int level) {
-    const auto table = shift_table(pitch, farthest, level);
-    return {table->harmonics,
-            table->degree,
-            table->error,
-            table->of_grid,
-            table->rounding,
-            table->pixels->growth(),
-            {table->penalty.begin(), table->penalty.end()}};
-}
-
-double shift_values(In<double, 1> profile, double center_y, double center_x, double pitch, double farthest, int level,
-                    Out<double, 3> out) {
-    const auto table = shift_table(pitch, farthest, level);
-    require(profile.shape(0) == table->pixels->count && out.shape(0) == 2, "the profile at the radii, and two images");
-    const lommel::PixelWindow window = window_of(out.shape(1), out.shape(2), center_y, center_x, pitch, true);
-    const std::size_t count = window.height * window.width;
-    lommel::Doubles scratch, down(count + lommel::widest_step), across(count + lommel::widest_step);
-    const double penalty = table->values(window, profile.data(), scratch, down.data(), across.data());
-    std::copy_n(down.data(), count, out.data());
-    std::copy_n(across.data(), count, out.data() + count);
-    return penalty;
-}
-
 }  // namespace
 
 void bindings::define_pixels(nb::module_& m) {
@@ -161,17 +128,6 @@ void bindings::define_pixels(nb::module_& m) {
               "single precision up to `dark` are summed "
               "in it.");
     });
-    m.def(
-        "shift_bounds", &shift_bounds, "pitch"_a, "farthest"_a, "level"_a,
-        "Of what averages change by as the axis moves by a pixel: angles, degree, error, of_grid, rounding, what the error of "
-        "v I' is over that of I, and the roundings that each coefficient takes part in.");
-    m.def("shift_values", &shift_values, "profile"_a, "center_y"_a, "center_x"_a, "pitch"_a, "farthest"_a, "level"_a,
-          "out"_a.noconvert(),
-          "That change, down and across, from I at the radii of anywhere_bounds(); returns further roundings.");
-    m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
-          "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");
     m.def("gauss_error", &lommel::gauss_error, "side"_a, "points"_a,
           "Bound on averaging it over a square by points x points of Gauss and Legendre, over half its range.");
-    m.def("harmonics_error", &lommel::harmonics_error, "side"_a, "angles"_a,
-          "Bound on interpolating the average over a square at so many angles, over half the range.");
 }

@@ -36,8 +36,9 @@ void define_imaging(nb::module_& m);
 void define_estimation(nb::module_& m);
 void define_localize(nb::module_& m);
 void define_stratified(nb::module_& m);
-void define_radial_bounds(nb::module_& m);
-void define_disk_bounds(nb::module_& m);
+
+// Errors, signals, instructions and caches, as every module of the core needs them.
+void define_process(nb::module_& m);
 
 template <class T, std::size_t N>
 using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;

@@ -3,7 +3,6 @@
 
 #include "lommel/special/bessel.hpp"
 #include "lommel/special/fft.hpp"
-#include "lommel/special/fresnel.hpp"
 #include "lommel/special/legendre.hpp"
 
 #include "python.hpp"
@@ -44,18 +43,6 @@ std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
     return {nodes, weights};
 }
 
-Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
-    auto out = new_array<complex, 1>({s.shape(0)});
-    released([&] {
-        const auto fresnel = lommel::FresnelAuxiliary::get();
-        for (std::size_t i = 0; i < s.shape(0); ++i) {
-            require(s.data()[i] >= 0.0, "s must be at least 0");
-            out.data()[i] = fresnel->at(s.data()[i]);
-        }
-    });
-    return out;
-}
-
 }  // namespace
 
 void bindings::define_special(nb::module_& m) {
@@ -64,5 +51,4 @@ void bindings::define_special(nb::module_& m) {
     m.def("legendre_transforms", &legendre_transforms, "v"_a, "terms"_a,
           "2 (-1)^n J_{2n+1}(v) / v for n < terms, at each v >= 0.");
     m.def("gauss_legendre", &gauss_legendre, "n"_a, "Nodes and weights on [-1, 1].");
-    m.def("fresnel_auxiliary", &fresnel_auxiliary, "s"_a, "exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0.");
 }

@@ -21,9 +21,6 @@ def legendre_transforms(v: Annotated[NDArray[numpy.float64], dict(shape=(None,),
 def gauss_legendre(n: int) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]]:
     """Nodes and weights on [-1, 1]."""
 
-def fresnel_auxiliary(s: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.complex128], dict(shape=(None,), order='C', device='cpu')]:
-    """exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0."""
-
 def distinct_radii(rows: int, cols: int) -> tuple[Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu')], Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu')]]:
     """
     Distinct squared radii of a quadrant, rising, and the rank of every pixel's.
@@ -57,29 +54,9 @@ def average_samples(samples: Annotated[NDArray[numpy.float64], dict(shape=(None,
     Averages over pixels from finer samples, raised to `lowest`, by a filter along both axes: of each of some pixels side by side that are `stride` samples wide together, the weights of the samples from the first one on. Samples of single precision up to `dark` are summed in it.
     """
 
-def shift_bounds(pitch: float, farthest: float, level: int) -> tuple[int, int, float, float, float, float, list[float]]:
-    """
-    Of what averages change by as the axis moves by a pixel: angles, degree, error, of_grid, rounding, what the error of v I' is over that of I, and the roundings that each coefficient takes part in.
-    """
-
-def shift_values(profile: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, pitch: float, farthest: float, level: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> float:
-    """
-    That change, down and across, from I at the radii of anywhere_bounds(); returns further roundings.
-    """
-
-def interpolation_error(half: float, points: int) -> float:
-    """
-    Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.
-    """
-
 def gauss_error(side: float, points: int) -> float:
     """
     Bound on averaging it over a square by points x points of Gauss and Legendre, over half its range.
-    """
-
-def harmonics_error(side: float, angles: int) -> float:
-    """
-    Bound on interpolating the average over a square at so many angles, over half the range.
     """
 
 @overload
@@ -401,142 +378,6 @@ def layered_profiles(rho: Annotated[NDArray[numpy.float64], dict(shape=(None,), 
     """
     The orders of the azimuth of the intensity at rising v, and what their sum is off by.
     """
-
-def amplitude_bounds(powers: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], cosh: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, raised: float, area: float) -> dict[str, object]:
-    """
-    Of the amplitude exp(-(g_0 + g_1 t + ...)), to a power and on an inner disk.
-    """
-
-def series_bounds(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, reach: float, error: float) -> dict[str, object]:
-    """
-    Terms and nodes of the series of t^power A exp(i Phi) up to v = reach, and bounds on what they leave.
-    """
-
-def ellipse_bounds(pupils: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, terms: int, nodes: int) -> dict[str, object]:
-    """
-    Bounds on U beyond so many terms and nodes, for one pupil or for all between two.
-    """
-
-def window_bounds(count: int, reach: float) -> dict[str, object]:
-    """
-    Bounds on U beyond so many Legendre terms, or degrees on the disk, whatever the pupil, up to v = reach.
-    """
-
-def piece_bounds(width: int, piece: int, terms: int, parity: int) -> dict[str, object]:
-    """
-    A piece of the table of Bessel functions, the error of its interpolation and the size of its coefficients.
-    """
-
-def field_bound(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, obscuration: float, reach: float, error: float) -> float:
-    """Bound on the error of U, all terms together."""
-
-def field_values(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, obscuration: float, radii: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], error: float) -> dict[str, object]:
-    """The same at radii that rise, and U there."""
-
-def intensity_bounds(peak: float, error: float) -> dict[str, object]:
-    """
-    Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.
-    """
-
-def stored_bound(relative: float, single: bool, twice: bool) -> float:
-    """Bound on the error of values over their peak when they are stored."""
-
-def tail_bounds(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, r: float) -> dict[str, object]:
-    """
-    The mean of I times r^3 far from the axis, and bounds on what is left out of the light beyond r and of I.
-    """
-
-def peaks(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, tol: float) -> dict[str, object]:
-    """
-    The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.
-    """
-
-def anywhere_bounds(pitch: float, averages: bool, farthest: float, level: int) -> dict[str, object]:
-    """
-    Degree, harmonics and radii of windows around any axis, and bounds on what they leave and magnify.
-    """
-
-def anywhere_values(profile: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, pitch: float, averages: bool, farthest: float, level: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
-    """
-    The pixels of one, and the units of roundoff that their sums may be off by.
-    """
-
-def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int) -> dict[str, object]:
-    """
-    Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.
-    """
-
-def ring_bounds(pitch: float, farthest: float, level: int) -> dict[str, object]:
-    """
-    Rings of a window whose pixels average around any axis, and bounds on what they leave and magnify.
-    """
-
-def disk_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], count: int) -> dict[str, object]:
-    """
-    Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.
-    """
-
-def zernike_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float) -> dict[str, object]:
-    """
-    Degrees, orders and rule of a Zernike series, and bounds on what they leave.
-    """
-
-def sampled_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], curve: int) -> dict[str, object]:
-    """
-    The logarithm of the mean of a pupil function on a curve, by samples, and what it may be more.
-    """
-
-def zernike_field_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
-    """
-    Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.
-    """
-
-def row_fft(rows: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], float]:
-    """
-    Their transforms but for the last pass, and the bound on an error over the sum of the magnitudes.
-    """
-
-def row_fft_single(rows: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], float]:
-    """The same in single precision."""
-
-def gridding_bounds(taps: int, oversampling: float, step: float, x: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], omega: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> dict[str, object]:
-    """
-    A kernel that interpolates between equal steps, its transform, and bounds on what it does.
-    """
-
-def single_rounding(orders: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: int, coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> float:
-    """Bound on what single precision does to U on a ring."""
-
-def disk_stack(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, row: float, column: float, step: float, moved: bool) -> dict[str, object]:
-    """
-    A wavefront on the whole disk and on the obscured one, and what roundings do to U on the way.
-    """
-
-def chordal_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], low: float, high: float) -> dict[str, object]:
-    """
-    Bounds on the error in U of the chordal Gauss rule for v from low to high along x.
-    """
-
-def chordal_line(nodes: bool, curve: int, exponent: float, size: int, error: float, degree: int = 0) -> dict[str, object]:
-    """
-    The bound by one curve on the error in U of a sum over chords, or over nodes, of that size; and the size for an error. Of U, or of the field of P times a term of some degree.
-    """
-
-def chordal_rounding(chords: int, nodes: int, terms: int, degree: int = 0) -> dict[str, object]:
-    """
-    What the sums of the chordal rule round, and what single precision adds; and what a factor of some degree adds to either.
-    """
-
-def turned_waves(turns: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[float]:
-    """Cosine and sine, in floats, of each multiple of 2^-32 turns."""
-
-def chordal_mean(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], curve: int, nodes: bool, window: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], lone: bool) -> dict[str, object]:
-    """
-    Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and what it may be beyond that; the window is left, right, top and bottom in v; vectors are of samples for a lone pupil.
-    """
-
-def tilted_stack(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], row: float, column: float, step: float) -> dict[str, object]:
-    """A wavefront whose axis is moved by a tilt, and what that loses."""
 
 def cached_bytes() -> tuple[int, int]:
     """

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.special import j0
 
-from lommel import _core
+from core_tests import _core_tests
 from pixel_tables import averages, fewest, gauss, harmonics, interpolation, lebesgue
 
 UNIT = mp.mpf(2) ** -53
@@ -30,7 +30,7 @@ def questions(count: int):
 
 def test_what_a_table_leaves_and_magnifies():
     for pitch, averaged, farthest, level in questions(60):
-        made: dict[str, Any] = _core.anywhere_bounds(pitch, averaged, farthest, level)
+        made: dict[str, Any] = _core_tests.anywhere_bounds(pitch, averaged, farthest, level)
         reach, a, allowed = farthest * pitch, pitch if averaged else 0.0, mp.mpf(10) ** -level
         j, k, radii = made["harmonics"], made["degree"], np.array(made["radii"])
         n, far = len(radii), reach + a / math.sqrt(2)
@@ -60,17 +60,17 @@ def test_what_a_table_leaves_and_magnifies():
 
 @pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
 def test_windows_of_a_function_of_the_same_type_are_within_it(level):
-    _core.limit_instructions(level)
+    _core_tests.limit_instructions(level)
     try:
         rng = np.random.default_rng(5)
         for pitch, averaged, farthest, digits in questions(50):
             side = max(1, int(farthest / 1.5))
-            made: dict[str, Any] = _core.anywhere_bounds(pitch, averaged, farthest, digits)
+            made: dict[str, Any] = _core_tests.anywhere_bounds(pitch, averaged, farthest, digits)
             center = (side - 1) * rng.uniform(0.45, 0.55, 2)
             out = np.empty((side, side))
             kappa = rng.uniform(0.5, 2.0)
             profile = j0(kappa * np.array(made["radii"]))
-            units = _core.anywhere_values(profile, *center, pitch, averaged, farthest, digits, out)
+            units = _core_tests.anywhere_values(profile, *center, pitch, averaged, farthest, digits, out)
             y, x = (pitch * (np.arange(side) - c) for c in center)
             place = np.meshgrid(y, x, indexing="ij")
             exact = averages(place[1], place[0], pitch if averaged else 0.0, kappa)
@@ -79,7 +79,7 @@ def test_windows_of_a_function_of_the_same_type_are_within_it(level):
             )
             assert np.abs(out - exact).max() <= most + 20 * float(UNIT) * farthest * pitch
     finally:
-        _core.limit_instructions("avx512")
+        _core_tests.limit_instructions("avx512")
 
 
 def test_a_tilt_to_an_axis_and_what_it_loses():
@@ -88,7 +88,7 @@ def test_a_tilt_to_an_axis_and_what_it_loses():
         given, center, axis = rng.uniform(-30, 30, 2), rng.uniform(-90, 90, 2), rng.uniform(-90, 90, 2)
         step = 10.0 ** rng.uniform(-2, 1)
         terms = np.array([(1, -1), (1, 1)])
-        made: dict[str, Any] = _core.tilted_stack(terms, given, center, *axis, step)
+        made: dict[str, Any] = _core_tests.tilted_stack(terms, given, center, *axis, step)
         lost = mp.mpf(0)
         for tilt, to, at, found in zip(given, center, axis, made["tilts"], strict=True):
             way = (mp.mpf(to) - mp.mpf(at)) * mp.mpf(step)

@@ -12,12 +12,13 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from core_tests import _core_tests
 from log_amplitudes import log_amplitude
 from lommel import _core
 
 UNIT = mp.mpf(2) ** -53
 # At 1, of the numbers that tables are made with; where these are doubles, that is counted.
-SPACING = mp.mpf(_core.window_bounds(1, 1.0)["spacing"])
+SPACING = mp.mpf(_core_tests.window_bounds(1, 1.0)["spacing"])
 WIDER = SPACING < 2 * UNIT
 CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(k) / 63) for k in range(64)]
 LIST = [(1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (4, 0), (5, -3)]
@@ -97,7 +98,7 @@ def coarse(terms: list[tuple[int, int]], c: list[float], far: mp.mpf) -> mp.mpf:
 @few
 @given(coefficients, lights, st.floats(-40, 10), st.floats(0, 60))
 def test_what_bounds_both_sums_on_every_curve_and_rounding(c, light, low, width):
-    found = _core.chordal_bounds(TERMS, np.array(c), np.array(light), low, low + width)
+    found = _core_tests.chordal_bounds(TERMS, np.array(c), np.array(light), low, low + width)
     expected = exponents(c, light, low, low + width)
     for name in ("chords", "nodes"):
         # sinh is cut off where no bound is of use.
@@ -118,7 +119,7 @@ def test_what_bounds_both_sums_on_every_curve_and_rounding(c, light, low, width)
 # Close to its first size the factor of the sum over chords matters.
 @example(False, 20, math.log(1e-3) + 0.5, 40, 1e-3)
 def test_the_error_by_one_curve_and_what_is_enough_for_it(nodes, curve, exponent, size, error):
-    found = _core.chordal_line(nodes, curve, exponent, size, error)
+    found = _core_tests.chordal_line(nodes, curve, exponent, size, error)
     assert same(found["bound"], error_of(nodes, curve, mp.mpf(exponent), size))
     enough = int(found["enough"])
     assert enough > 1024 or error_of(nodes, curve, mp.mpf(exponent), enough) <= error * (1 + 1e-12)
@@ -128,7 +129,7 @@ def test_the_error_by_one_curve_and_what_is_enough_for_it(nodes, curve, exponent
 
 @pytest.mark.parametrize(("chords", "nodes", "terms"), [(8, 8, 1), (52, 40, 15), (500, 1000, 300)])
 def test_the_rounding_of_sums(chords, nodes, terms):
-    found = _core.chordal_rounding(chords, nodes, terms)
+    found = _core_tests.chordal_rounding(chords, nodes, terms)
     assert same(found["double"], rounding_of_sums(chords, nodes))
     single = mp.mpf(2) ** -24 * (30 + mp.mpf(3) / 8 * chords + mp.mpf(nodes) / 2) + mp.mpf("7.4e-10") * (terms + 4)
     assert same(found["single"], single)
@@ -142,10 +143,10 @@ def test_waves_of_turns_are_within_five_roundings_to_float():
     angle = turns.astype(np.float64) * (2 * math.pi / 2**32)
     for level in ("avx512", "avx2", "portable"):
         try:
-            _core.limit_instructions(level)
-            cosine, sine = np.array(_core.turned_waves(turns)).reshape(-1, 2).T
+            _core_tests.limit_instructions(level)
+            cosine, sine = np.array(_core_tests.turned_waves(turns)).reshape(-1, 2).T
         finally:
-            _core.limit_instructions("avx512")
+            _core_tests.limit_instructions("avx512")
         worst = np.hypot(cosine - np.cos(angle), sine - np.sin(angle)).max() * 2.0**24
         assert 1.0 < worst < 5.0
 
@@ -153,7 +154,7 @@ def test_waves_of_turns_are_within_five_roundings_to_float():
 @few
 @given(coefficients)
 def test_the_variance_that_the_first_error_rests_on(c):
-    found = _core.chordal_bounds(TERMS, np.array(c), np.zeros(1), 0.0, 1.0)["variance"]
+    found = _core_tests.chordal_bounds(TERMS, np.array(c), np.zeros(1), 0.0, 1.0)["variance"]
     expected = sum(
         mp.mpf(value) ** 2 / ((n + 1) * (1 if m == 0 else 2)) for value, (n, m) in zip(c, LIST, strict=True) if n > 1
     )
@@ -212,7 +213,7 @@ class Disk:
             curve = likely[kind][0]
             window = np.array([self.low, self.high, 0.0, 0.0])
             given = np.array(self.terms, np.int64), np.array(self.phase), curve, kind == "nodes", window, True
-            found = _core.chordal_mean(*given)
+            found = _core_tests.chordal_mean(*given)
             exponent = self.still[kind][curve] + found["mean"] + found["margin"]
             if 0.5 * (exponent - math.log(error)) / b[curve] < plain[kind][1]:
                 self.lines[kind] = curve, exponent
@@ -285,7 +286,7 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
     peak = 1.0 / scales[0] if divided else images.max()
     assert peaks[0] == pytest.approx(peak, rel=1e-12)
     low, high, area = -column * step, (7 - column) * step, obscuration**2
-    stack = _core.disk_stack(TERMS, np.array(c), obscuration, 0.0, column, step, moved=False)
+    stack = _core_tests.disk_stack(TERMS, np.array(c), obscuration, 0.0, column, step, moved=False)
     terms = stack["terms"]
     lost = float(stack["lost"][0])
     assert (lost > 0) == (obscuration > 0 and any(c))
@@ -304,7 +305,10 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
         candidates = candidates + area * inner.errors(asked, 0.4 / area)
     candidates = np.unique(candidates[candidates < math.sqrt(peak)])
     name = "normalized" if divided else "relative"
-    expected = [_core.stored_bound(_core.intensity_bounds(peak, float(e))[name], False, divided) for e in candidates]
+    expected = [
+        _core_tests.stored_bound(_core_tests.intensity_bounds(peak, float(e))[name], False, divided)
+        for e in candidates
+    ]
     assert np.abs(np.array(expected) / bounds[0] - 1).min() < 1e-9
     assert bounds[0] <= tol
 
@@ -318,7 +322,7 @@ def test_the_bound_of_an_image_in_single_precision_has_its_rounding(c, tol, divi
     disk, places = (np.array([c]), obscuration, np.array(light)), (0.0 if divided else 1.0, images, numbers)
     assert _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, 3.0, step, tol, 1, *places) == 0.0
     low, high, area = -3 * step, 4 * step, obscuration**2
-    stack = _core.disk_stack(TERMS, np.array(c), obscuration, 0.0, 3.0, step, moved=False)
+    stack = _core_tests.disk_stack(TERMS, np.array(c), obscuration, 0.0, 3.0, step, moved=False)
     terms = stack["terms"]
     first = first_error(terms, stack["outer"], light, obscuration, tol)
     outer = Disk(terms, stack["outer"], light, low, high)
@@ -335,7 +339,7 @@ def test_the_bound_of_an_image_in_single_precision_has_its_rounding(c, tol, divi
         inner.choose(first, 5)
         error += area * inner.errors(asked, 0.4 / area, single=True)[0]
     name = "normalized" if divided else "relative"
-    expected = _core.stored_bound(_core.intensity_bounds(peaks[0], float(error))[name], True, divided)
+    expected = _core_tests.stored_bound(_core_tests.intensity_bounds(peaks[0], float(error))[name], True, divided)
     assert bounds[0] == pytest.approx(expected, rel=1e-9)
 
 
@@ -419,13 +423,13 @@ def test_the_sampled_mean_is_that_of_the_whole_curve_at_the_worst_corner(lone, n
     given = np.array(SAMPLED), edge, curve, nodes, np.array(box), lone
     for level in ("avx512", "avx2", "portable"):
         try:
-            _core.limit_instructions(level)
-            found = _core.chordal_mean(*given)
+            _core_tests.limit_instructions(level)
+            found = _core_tests.chordal_mean(*given)
         finally:
-            _core.limit_instructions("avx512")
+            _core_tests.limit_instructions("avx512")
         # Chords above the exponential, at most 1.0615 of it.
         assert expected - 1e-4 <= found["mean"] <= expected + math.log(1.0616)
-    bound = _core.chordal_bounds(np.array(SAMPLED), edge, np.zeros(1), *box[:2])
+    bound = _core_tests.chordal_bounds(np.array(SAMPLED), edge, np.zeros(1), *box[:2])
     rise = max(abs(box[2]), abs(box[3]))
     reach = math.hypot(max(abs(box[0] - edge[0]), abs(box[1] - edge[0])), rise)
     far = max(abs(box[0] - edge[0]), abs(box[1] - edge[0]))
@@ -455,7 +459,7 @@ def test_the_sampled_mean_and_its_margin_are_above_the_mean_anywhere_in_the_wind
         means = [
             math.log((weight * np.exp(-phase + v * x.imag + w * y.imag)).sum() / weight.sum()) for v, w in inside
         ]
-        found = _core.chordal_mean(np.array(SAMPLED), edge, curve, nodes, np.array(box), True)
+        found = _core_tests.chordal_mean(np.array(SAMPLED), edge, curve, nodes, np.array(box), True)
         assert max(means) <= found["mean"] + found["margin"]
         # What sums over few chords have more than integrals included.
         assert found["mean"] <= max(means) + 0.6

@@ -8,12 +8,13 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from core_tests import _core_tests
 from lommel import _core
 from lommel.special import zernike
 
 UNIT = mp.mpf(2) ** -53
 # At 1, of the numbers that tables are made with; where these are doubles, that is counted.
-SPACING = mp.mpf(_core.window_bounds(1, 1.0)["spacing"])
+SPACING = mp.mpf(_core_tests.window_bounds(1, 1.0)["spacing"])
 TERMS = [(n, m) for n in range(1, 13) for m in range(-n, n + 1, 2)] + [(60, 0), (59, -3), (40, 38)]
 few = settings(max_examples=25)
 edges = st.dictionaries(
@@ -23,7 +24,7 @@ obscurations = st.one_of(st.floats(0.01, 0.99), st.sampled_from([1e-6, 0.5]))
 
 
 def stack_of(edge, obscuration=0.0, row=0.0, column=0.0, step=1.0, moved=False):
-    return _core.disk_stack(
+    return _core_tests.disk_stack(
         np.array(list(edge), np.int64), np.array(list(edge.values())), obscuration, row, column, step, moved
     )
 

@@ -11,21 +11,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel import _core
+from core_tests import _core_tests
 from lommel.core.answers import Images, Slopes, Wanted
 from lommel.core.engine import DiskStack, Window, chordal_images
 from lommel.methods.pixels.averaging import _shared_by, averaged, averaged_images
 from lommel.special import zernike
 
 UNIT, SINGLE = 2.0**-53, 2.0**-24
-WIDER = _core.window_bounds(1, 1.0)["spacing"] < 2 * UNIT
+WIDER = _core_tests.window_bounds(1, 1.0)["spacing"] < 2 * UNIT
 CURVES = [0.002 * 2000.0 ** (k / 63) for k in range(64)]
 
 
 @settings(max_examples=30)
 @given(st.booleans(), st.integers(0, 63), st.floats(-3, 60), st.integers(8, 200), st.integers(0, 40))
 def test_a_factor_of_degree_n_grows_like_its_hyperbolic_cosine(nodes, curve, exponent, size, degree):
-    found = _core.chordal_line(nodes, curve, exponent, size, 1e-6, degree)["bound"]
+    found = _core_tests.chordal_line(nodes, curve, exponent, size, 1e-6, degree)["bound"]
     b = mp.mpf(CURVES[curve])
     expected = mp.exp(exponent - 2 * size * b) * mp.cosh(degree * b)
     expected /= 1 if nodes else 1 - mp.exp(-2 * (size + 1) * b)
@@ -55,7 +55,7 @@ def test_terms_on_the_curves_are_at_most_that(nodes, b):
 
 @pytest.mark.parametrize("degree", [0, 1, 7])
 def test_what_a_factor_rounds(degree):
-    found = _core.chordal_rounding(30, 20, 4, degree)
+    found = _core_tests.chordal_rounding(30, 20, 4, degree)
     expected = UNIT * (6 + (0 if WIDER else 6 * degree**2)) if degree else 0.0
     assert found["factor"] == pytest.approx(expected, rel=1e-12, abs=0.0)
     assert found["single_factor"] == pytest.approx(expected + (4 * SINGLE if degree else 0.0), rel=1e-12, abs=0.0)
@@ -81,7 +81,7 @@ def test_the_bound_of_a_derivative_is_made_of_those_of_both_fields(tol, kind, ob
     found = {}
     for n, (cosine, sine) in zip(degrees, made.slopes.error.reshape(2, 2), strict=True):
         wrong = sine * exact / (2 * (u + error))
-        factor = _core.chordal_rounding(8, 8, 1, n)["single_factor" if kind == np.float32 else "factor"]
+        factor = _core_tests.chordal_rounding(8, 8, 1, n)["single_factor" if kind == np.float32 else "factor"]
         assert error <= wrong - (1 - 1e-6) * (1 + share) * factor <= error + asked
         fields = [_field(n, 2, v, obscuration) for v in step * (np.arange(9) - center)]
         rounding = storing + (2 * SINGLE if kind == np.float32 else 0.0)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from lommel import _core
+from core_tests import _core_tests
 
 KERNELS = [
     (10, 3.0),
@@ -29,13 +29,15 @@ NONE = np.array([])
 
 @pytest.fixture(params=["avx512", "avx2", "portable"])
 def level(request):
-    _core.limit_instructions(request.param)
+    _core_tests.limit_instructions(request.param)
     yield
-    _core.limit_instructions("avx512")
+    _core_tests.limit_instructions("avx512")
 
 
 @pytest.mark.parametrize("length", [48, 64, 96, 128, 144, 192, 384, 432, 512, 768])
-@pytest.mark.parametrize(("transform", "kind"), [(_core.row_fft, np.float64), (_core.row_fft_single, np.float32)])
+@pytest.mark.parametrize(
+    ("transform", "kind"), [(_core_tests.row_fft, np.float64), (_core_tests.row_fft_single, np.float32)]
+)
 @pytest.mark.usefixtures("level")
 def test_transforms_are_those_of_numpy_within_their_bound(transform, kind, length):
     rng = np.random.default_rng(length)
@@ -73,8 +75,8 @@ def transform(omega, taps, beta):
 @pytest.mark.parametrize(("taps", "oversampling"), KERNELS)
 def test_the_transform_of_a_kernel_is_its_integral(taps, oversampling):
     omegas = np.linspace(0.0, np.pi, 7)
-    beta = _core.gridding_bounds(taps, oversampling, 1.0, NONE, NONE)["beta"]
-    found = _core.gridding_bounds(taps, oversampling, 1.0, np.linspace(-0.6, 0.6, 9) * taps, omegas)
+    beta = _core_tests.gridding_bounds(taps, oversampling, 1.0, NONE, NONE)["beta"]
+    found = _core_tests.gridding_bounds(taps, oversampling, 1.0, np.linspace(-0.6, 0.6, 9) * taps, omegas)
     assert found["values"] == pytest.approx([float(shape(x, taps, beta)) for x in np.linspace(-0.6, 0.6, 9) * taps])
     for omega, value in zip(omegas, found["transforms"], strict=True):
         cells = np.linspace(0, 0.5 * taps, 9).tolist()
@@ -85,7 +87,7 @@ def test_the_transform_of_a_kernel_is_its_integral(taps, oversampling):
 @pytest.mark.parametrize(("taps", "oversampling"), KERNELS)
 def test_the_bound_on_aliases_is_that_of_the_certificate(taps, oversampling):
     omegas = np.array([0.0, 0.7, np.pi / oversampling])
-    found = _core.gridding_bounds(taps, oversampling, 1.0, NONE, omegas)
+    found = _core_tests.gridding_bounds(taps, oversampling, 1.0, NONE, omegas)
     beta = mp.mpf(found["beta"])
     scale = taps * beta / bessel(beta)
 
@@ -109,7 +111,7 @@ def test_the_bound_on_aliases_is_that_of_the_certificate(taps, oversampling):
 def test_aliases_sum_to_no_more_than_their_bound(taps, oversampling):
     omegas = np.array([0.0, 0.4, 1.0, np.pi / oversampling])
     step = np.pi / oversampling
-    found = _core.gridding_bounds(taps, oversampling, step, NONE, omegas)
+    found = _core_tests.gridding_bounds(taps, oversampling, step, NONE, omegas)
     beta = found["beta"]
     for omega, bound in zip(omegas, found["aliases"], strict=True):
         total = mp.fsum(
@@ -119,7 +121,7 @@ def test_aliases_sum_to_no_more_than_their_bound(taps, oversampling):
         assert total <= bound <= 6.0 * total
 
     def squares(s):
-        aliases = _core.gridding_bounds(taps, oversampling, step, NONE, np.array([step * abs(s)]))["aliases"][0]
+        aliases = _core_tests.gridding_bounds(taps, oversampling, step, NONE, np.array([step * abs(s)]))["aliases"][0]
         return 2.0 / np.pi * np.sqrt(1.0 - s * s) * aliases**2
 
     exact = np.sqrt(2.0 * quad(squares, 0.0, 1.0, limit=60)[0])
@@ -128,7 +130,7 @@ def test_aliases_sum_to_no_more_than_their_bound(taps, oversampling):
 
 @pytest.mark.parametrize(("taps", "oversampling"), KERNELS)
 def test_polynomials_are_the_kernel_and_taps_weigh_no_more_than_their_bounds(taps, oversampling):
-    found = _core.gridding_bounds(taps, oversampling, 1.0, NONE, NONE)
+    found = _core_tests.gridding_bounds(taps, oversampling, 1.0, NONE, NONE)
     beta = found["beta"]
     worst = dict.fromkeys([("taps", "tap_error"), *([("coarse_taps", "coarse_error")] if taps <= 4 else [])], 0.0)
     for t in np.linspace(0.0, 1.0, 23):

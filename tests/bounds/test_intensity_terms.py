@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from scipy.special import j0
 
 import lommel as lm
+from core_tests import _core_tests
 from lommel import _core
 from lommel.methods.method import annulus, normalized_error, relative_error
 from lommel.special.legendre import gauss_legendre
@@ -35,7 +36,7 @@ def over_peak(m: mp.mpf, e: mp.mpf) -> mp.mpf:
 def test_the_error_of_the_intensity_over_its_exact_peak(root, share):
     peak, e = root * root, root * share
     m = mp.sqrt(mp.mpf(peak))
-    compiled = _core.intensity_bounds(peak, e)
+    compiled = _core_tests.intensity_bounds(peak, e)
     ours = float(relative_error(np.array([[0.1 * peak, peak]]), np.array([e]))[0])
     if share < 0.999:
         expected = over_peak(m, mp.mpf(e))
@@ -60,7 +61,7 @@ def test_what_storing_adds(relative, single, twice):
     """Six roundings to double, and one to float, or two of values that are divided after they were stored."""
     rounding = 6 * mp.mpf(2) ** -53 + (mp.mpf(2) ** -24 * (2 if twice else 1) if single else 0)
     expected = mp.mpf(relative) + (1 + mp.mpf(relative)) * rounding
-    assert _core.stored_bound(relative, single, twice) == pytest.approx(float(expected), rel=1e-12, abs=0.0)
+    assert _core_tests.stored_bound(relative, single, twice) == pytest.approx(float(expected), rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
@@ -71,14 +72,14 @@ def test_the_kind_of_an_image_is_counted(kind, divided):
         made = rendered(phase, 0.2, [0.0], (6, 9), 0.8, 1e-5, divided=divided, dtype=dtype)
         assert made.unmet == 0.0
         bounds.append(made.bounds[0])
-    whole = [_core.stored_bound(0.0, single, divided) for single in (False, kind == np.float32)]
+    whole = [_core_tests.stored_bound(0.0, single, divided) for single in (False, kind == np.float32)]
     assert bounds[1] - bounds[0] == pytest.approx(whole[1] - whole[0], rel=1e-4, abs=0.0)
 
 
 @given(st.floats(1e-9, 1e-3))
 def test_a_field_that_is_wrong_by_that_much_everywhere_reaches_the_bounds(e):
     # Computed 1 where the field is 1 - e, and 1 - e where it is 1 - 2 e.
-    bound = _core.intensity_bounds(1.0, e)
+    bound = _core_tests.intensity_bounds(1.0, e)
     true = (1.0 - (1.0 - e) ** 2) / (1.0 - e) ** 2
     assert true <= bound["relative"] * (1 + 1e-6)
     assert bound["relative"] <= 1.01 * true
@@ -100,7 +101,7 @@ def field(phase: list[float], light: list[float], obscuration: float, v: np.ndar
 @given(phases, lights, obscurations, st.sampled_from([1e-4, 1e-7]))
 @few
 def test_the_first_error_and_the_scan_for_the_peak(phase, light, obscuration, tol):
-    found = _core.peaks(np.array(phase), np.array(light), obscuration, tol)
+    found = _core_tests.peaks(np.array(phase), np.array(light), obscuration, tol)
     low = mp.mpf(obscuration) ** 2
     bright = mp.quad(lambda t: mp.exp(-sum(mp.mpf(g) * t**k for k, g in enumerate(light))), [low, 1])
     likely = bright / (4 * sum(map(abs, map(mp.mpf, phase))) + 1)
@@ -121,7 +122,7 @@ def test_the_scan_finds_a_ring_of_light_that_the_window_misses():
     values = np.abs(lm.Hankel().field(pupil, v)) ** 2
     assert values[0] < 1e-12
     assert v[values.argmax()] > 0.01 * (blur + 4.0)
-    scanned = _core.peaks(pupil.radial_terms()[0], np.zeros(1), 0.0, 1e-6)["scanned"]
+    scanned = _core_tests.peaks(pupil.radial_terms()[0], np.zeros(1), 0.0, 1e-6)["scanned"]
     assert scanned == pytest.approx(values.max(), rel=0.02)
     answer = lm.psf(pupil, 1, 0.5, dtype=np.float64)
     assert answer.error_bound <= 1e-6 + UNIT
@@ -137,12 +138,14 @@ def test_the_bound_of_an_image_is_that_of_its_field(phase, light, obscuration, t
         return
     reach = math.sqrt(3**2 + 4**2) * step
     peak = 1.0 / scales[0] if divided else float(images.max())
-    about = _core.peaks(np.array(phase), np.array(light), obscuration, tol)
+    about = _core_tests.peaks(np.array(phase), np.array(light), obscuration, tol)
     error, expected = about["first_error"], []
     while error > 0.8 * UNIT:
-        u = _core.field_bound(np.array(phase), np.array(light), 0, obscuration, reach, error)
-        inside = _core.intensity_bounds(peak, u)
-        expected.append(_core.stored_bound(inside["normalized"] if divided else inside["relative"], False, divided))
+        u = _core_tests.field_bound(np.array(phase), np.array(light), 0, obscuration, reach, error)
+        inside = _core_tests.intensity_bounds(peak, u)
+        expected.append(
+            _core_tests.stored_bound(inside["normalized"] if divided else inside["relative"], False, divided)
+        )
         error *= 0.1
     # The first that meets the tolerance, in the window or, failing that, over the peak wherever it is.
     if expected[0] <= tol or divided:
@@ -156,7 +159,7 @@ def test_the_bound_of_an_image_is_that_of_its_field(phase, light, obscuration, t
 def test_errors_are_tightened_as_far_as_rounding_allows(tol):
     # A thousandth of a turn from darkness on the axis, by which the window is divided.
     pupil = lm.Pupil(lm.Wavefront(3 * math.pi * 1.001))
-    about = _core.peaks(pupil.radial_terms()[0], np.zeros(1), 0.0, tol)
+    about = _core_tests.peaks(pupil.radial_terms()[0], np.zeros(1), 0.0, tol)
     exact = abs(2 * math.sin(3 * math.pi * 1.001) / (6 * math.pi * 1.001))
     assert 2 * about["first_error"] / exact > tol
     answer = lm.psf(pupil, 1, 0.5, method=lm.NijboerZernike(tol), normalize="peak", dtype=np.float64)
@@ -188,11 +191,11 @@ def test_the_bound_of_a_derivative(phase, light, obscuration, power, tol):
     reach = math.sqrt(8) * step
     radii = step * np.sqrt([0, 1, 2, 4, 5, 8])
     largest = mp.mpf(float(np.abs(field(phase, light, obscuration, radii, power)).max()))
-    peaks = {float(images.max()), _core.peaks(np.array(phase), np.array(light), obscuration, tol)["scanned"]}
-    error, expected = _core.peaks(np.array(phase), np.array(light), obscuration, tol)["first_error"], []
+    peaks = {float(images.max()), _core_tests.peaks(np.array(phase), np.array(light), obscuration, tol)["scanned"]}
+    error, expected = _core_tests.peaks(np.array(phase), np.array(light), obscuration, tol)["first_error"], []
     while error > 0.8 * UNIT:
-        u = mp.mpf(_core.field_bound(np.array(phase), np.array(light), 0, obscuration, reach, error))
-        own = mp.mpf(_core.field_bound(np.array(phase), np.array(light), power, obscuration, reach, error))
+        u = mp.mpf(_core_tests.field_bound(np.array(phase), np.array(light), 0, obscuration, reach, error))
+        own = mp.mpf(_core_tests.field_bound(np.array(phase), np.array(light), power, obscuration, reach, error))
         for m in map(mp.sqrt, map(mp.mpf, peaks)):
             # Six roundings of what is stored.
             kept = m * largest * 6 * mp.mpf(UNIT)
@@ -230,7 +233,7 @@ def test_the_bounds_of_two_disks_add_up_the_inner_one_by_its_area():
 def test_the_bound_of_a_field_counts_what_makes_its_phase_0_in_the_middle(phase, light, obscuration, tol):
     v = np.linspace(0.0, 20.0, 200)
     found = _core.field(np.array([phase]), obscuration, np.array(light), v, tol)[1][0]
-    error = _core.peaks(np.array(phase), np.array(light), obscuration, tol)["first_error"]
-    expanded = _core.field_bound(np.array(phase), np.array(light), 0, obscuration, 20.0, error)
+    error = _core_tests.peaks(np.array(phase), np.array(light), obscuration, tol)["first_error"]
+    expanded = _core_tests.field_bound(np.array(phase), np.array(light), 0, obscuration, 20.0, error)
     turned = UNIT * (len(phase) * sum(abs(mp.mpf(c)) for c in phase) + 8)
     assert float(found) == pytest.approx(float(expanded + turned), rel=1e-12, abs=0.0)

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel import _core
+from core_tests import _core_tests
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods import bounds
 from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
@@ -208,7 +208,7 @@ def test_a_spectrum_adds_the_errors_of_its_parts_by_their_weight():
 
 @given(st.floats(0.0, 0.5), st.sampled_from([np.float32, np.float64]))
 def test_what_storing_adds_is_what_the_compiled_core_takes_it_for(relative, kind):
-    expected = _core.stored_bound(relative, kind == np.float32, False)
+    expected = _core_tests.stored_bound(relative, kind == np.float32, False)
     assert stored(np.array([relative]), kind)[0] == pytest.approx(expected, rel=1e-12, abs=0.0)
 
 
@@ -271,7 +271,7 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
         own += 1.01 * 0.1 * (0.4 if normalize else 1.0) * tol * lowest * top * (1 - asked[-1])
     found = made.values.max() if normalize else max(made.values.max(), lowest * top * (1 - asked[-1]))
     relative = (taps.gain**2 * asked[-1] * top + own) / found
-    whole = _core.stored_bound(2 * relative / (1 - relative) if normalize else relative, False, False)
+    whole = _core_tests.stored_bound(2 * relative / (1 - relative) if normalize else relative, False, False)
     assert made.error[0, 0] == pytest.approx(whole, rel=1e-7, abs=0.0)
     assert made.error[0, 0] <= tol
 

@@ -15,11 +15,11 @@ from scipy.special import j1
 import edge_light
 import lommel as lm
 import rendering
-from lommel import _core
+from core_tests import _core_tests
 from lommel.core.answers import Intensities
 from pixel_tables import Table, U, Window, lebesgue
 
-WIDER = _core.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
+WIDER = _core_tests.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
 SINGLE = mp.mpf(2) ** -24
 few = settings(max_examples=12)
 phases = st.lists(st.floats(-12, 12), min_size=1, max_size=3)
@@ -220,7 +220,7 @@ Way = type[Pieces] | type[Tabulated]
 
 def table_of(window: Window, level: int) -> Table:
     """Return the terms of a table, each of which test_pixel_terms.py computes again."""
-    made: dict[str, Any] = _core.pixel_bounds(*window, level)
+    made: dict[str, Any] = _core_tests.pixel_bounds(*window, level)
     return Table(*(mp.mpf(made[name]) for name in Table._fields))
 
 
@@ -248,7 +248,7 @@ class Lens(NamedTuple):
     def field(self, power: int, radii: np.ndarray, error: float) -> tuple[np.ndarray, mp.mpf]:
         """Return U as it is computed, and the bound of sections 1 to 5, which has tests of its own."""
         args = (np.array(self.phase), np.array([0.0, self.gaussian]), power, self.obscuration)
-        found: dict[str, Any] = _core.field_values(*args, radii, error)
+        found: dict[str, Any] = _core_tests.field_values(*args, radii, error)
         return np.array(found["re"]) + 1j * np.array(found["im"]), mp.mpf(found["error"])
 
 
@@ -534,11 +534,11 @@ def test_the_bounds_of_a_stack(window, rows, tol, divided):
     plans: list[tuple[int, int, mp.mpf]] = []
     for terms in range(1, 80):
         ends = [
-            _core.ellipse_bounds(box, np.array([0.0, gaussian]), 0, terms, 400)["tail"],
-            _core.window_bounds(terms, v[-1])["legendre"],
+            _core_tests.ellipse_bounds(box, np.array([0.0, gaussian]), 0, terms, 400)["tail"],
+            _core_tests.window_bounds(terms, v[-1])["legendre"],
         ]
         for nodes in range(16, 113, 16):
-            missed = _core.ellipse_bounds(box, np.array([0.0, gaussian]), 0, terms, nodes)["quadrature"]
+            missed = _core_tests.ellipse_bounds(box, np.array([0.0, gaussian]), 0, terms, nodes)["quadrature"]
             if missed <= 0.1 * error:
                 plans += [(terms, nodes, mp.mpf(end) + missed) for end in ends if end <= 0.5 * error]
                 break

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.special import j0
 
+from core_tests import _core_tests
 from lommel import _core
 from pixel_tables import Table, U, Window, averages, fewest, gauss, harmonics, interpolation, lebesgue
 
@@ -27,7 +28,7 @@ def same(found: float, expected: mp.mpf) -> bool:
 
 @given(st.floats(1e-3, 1.3), st.integers(1, 900))
 def test_interpolation(share, n):
-    assert same(_core.interpolation_error(share * n, n), interpolation(share * n, n))
+    assert same(_core_tests.interpolation_error(share * n, n), interpolation(share * n, n))
 
 
 @given(st.floats(1e-3, 300.0), st.integers(1, 300))
@@ -37,16 +38,21 @@ def test_gauss_rules_over_a_square(side, q):
 
 @given(st.floats(1e-3, 300.0), st.integers(1, 150))
 def test_harmonics(side, angles):
-    assert same(_core.harmonics_error(side, angles), harmonics(side, angles))
+    assert same(_core_tests.harmonics_error(side, angles), harmonics(side, angles))
 
 
 def test_pixels_that_sample_have_nothing_to_average():
-    assert _core.interpolation_error(0.0, 1) == _core.gauss_error(0.0, 1) == _core.harmonics_error(0.0, 1) == 0.0
+    assert (
+        _core_tests.interpolation_error(0.0, 1)
+        == _core.gauss_error(0.0, 1)
+        == _core_tests.harmonics_error(0.0, 1)
+        == 0.0
+    )
 
 
 def table_of(window: Window, level: int) -> Table:
     """Return what the certificate says of a table, from the rings, nodes and harmonics that the core chose."""
-    return expected_of(_core.pixel_bounds(*window, level), window.side)
+    return expected_of(_core_tests.pixel_bounds(*window, level), window.side)
 
 
 def expected_of(made: dict[str, Any], a: float) -> Table:
@@ -84,7 +90,7 @@ def test_every_kind_of_table():
     rng, seen = np.random.default_rng(9), set()
     for i in range(160):
         window, level = some_window(rng, 120 if i % 2 else 12), int(rng.integers(3, 15))
-        made: dict[str, Any] = _core.pixel_bounds(*window, level)
+        made: dict[str, Any] = _core_tests.pixel_bounds(*window, level)
         expected = table_of(window, level)
         for name, one in expected._asdict().items():
             assert made[name] == pytest.approx(float(one), rel=1e-9, abs=0.0), name
@@ -133,7 +139,7 @@ def test_rings_around_any_axis():
     for _ in range(60):
         pitch, level = 10.0 ** rng.uniform(-1.2, 1.1), int(rng.integers(3, 15))
         farthest = float(rng.integers(1, max(2, int(10.0 ** rng.uniform(0.5, 3.2) / pitch))))
-        made: dict[str, Any] = _core.ring_bounds(pitch, farthest, level)
+        made: dict[str, Any] = _core_tests.ring_bounds(pitch, farthest, level)
         expected, rings = expected_of(made, pitch), made["rings"]
         for name, one in expected._asdict().items():
             assert made[name] == pytest.approx(float(one), rel=1e-9, abs=0.0), name
@@ -162,7 +168,7 @@ def test_rings_around_any_axis():
 )
 def test_the_rounding_of_harmonics_is_that_of_their_coefficients(window, level):
     """The coefficients again, from averages at the Chebyshev points of a ring and of cos 4 theta."""
-    kappa, made = 1.9, _core.pixel_bounds(*window, level)
+    kappa, made = 1.9, _core_tests.pixel_bounds(*window, level)
     _, found = window.values(level, j0(kappa * window.radii(level)))
     j, worst = made["harmonics"], 0.0
     assert j >= 1

@@ -13,15 +13,15 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.special import j1, spherical_jn
 
+from core_tests import _core_tests
 from log_amplitudes import log_amplitude
-from lommel import _core
 from lommel.special.bessel import legendre_transforms
 from lommel.special.legendre import gauss_legendre
 from rendering import rendered
 
 U = mp.mpf(2) ** -53
 # At 1, of the numbers that tables are made with; where these are doubles, that is counted.
-SPACING = mp.mpf(_core.window_bounds(1, 1.0)["spacing"])
+SPACING = mp.mpf(_core_tests.window_bounds(1, 1.0)["spacing"])
 WIDER = SPACING < 2 * U
 ETAS = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(i) / 39) for i in range(40)]
 WIDTHS = [12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2]
@@ -145,7 +145,7 @@ def of_rule(nodes: int) -> mp.mpf:
 
 def expansion(phase: list[float], light: list[float], power: int, reach: float, error: float) -> tuple[int, mp.mpf]:
     """Return the terms of a disk and the bound on its error, each term of it from the choice that the core made."""
-    made = _core.series_bounds(np.array(phase), np.array(light), power, reach, error)
+    made = _core_tests.series_bounds(np.array(phase), np.array(light), power, reach, error)
     growths = [growth(phase, light, power, eta) for eta in ETAS]
     n, nodes = made["terms"], made["nodes"]
     ends = [tail(growths, n)] + ([window_tail(n, reach)] if 2 * n + 1 > reach else [])
@@ -162,7 +162,7 @@ def expansion(phase: list[float], light: list[float], power: int, reach: float, 
 @few
 @given(pupils, lights, powers, st.integers(1, 400), st.integers(1, 400))
 def test_truncation_and_quadrature_by_the_phase(phase, light, power, terms, nodes):
-    found = _core.ellipse_bounds(np.array([phase]), np.array(light), power, terms, nodes)
+    found = _core_tests.ellipse_bounds(np.array([phase]), np.array(light), power, terms, nodes)
     growths = [growth(phase, light, power, eta) for eta in ETAS]
     for name, expected in (("tail", tail(growths, terms)), ("quadrature", quadrature(growths, nodes, terms))):
         assert same(found[name], expected)
@@ -176,7 +176,7 @@ def test_a_box_of_pupils_has_the_growth_of_its_corners(sides, terms):
         corners = [[*corner, c] for corner in corners for c in side]
     growths = [max(growth(corner, [0.2, -0.4, 0.5], 0, eta) for corner in corners) for eta in ETAS]
     low, high = zip(*map(sorted, sides), strict=True)
-    found = _core.ellipse_bounds(np.array([low, high]), np.array([0.2, -0.4, 0.5]), 0, terms, terms)
+    found = _core_tests.ellipse_bounds(np.array([low, high]), np.array([0.2, -0.4, 0.5]), 0, terms, terms)
     assert same(found["tail"], tail(growths, terms))
     assert same(found["quadrature"], quadrature(growths, terms, terms))
 
@@ -187,7 +187,7 @@ def test_a_box_of_pupils_has_the_growth_of_its_corners(sides, terms):
 def test_truncation_by_the_window(terms, share):
     reach = share * (2 * terms + 1)
     expected, (_, rate) = window_tail(terms, reach), kapteyn(2 * terms + 1, reach)
-    found = _core.window_bounds(terms, reach)["legendre"]
+    found = _core_tests.window_bounds(terms, reach)["legendre"]
     m = 2 * terms + 1
     # Before that K_m / v does not yet rise with v; a hair's breadth is left to rounding.
     if rate * m > 1.2001 and mp.exp(-2 * rate) * mp.sqrt(mp.mpf(m + 2) / m) < 0.9999:
@@ -198,8 +198,8 @@ def test_truncation_by_the_window(terms, share):
 
 @given(st.integers(0, 200), st.floats(1.0, 3.0))
 def test_nothing_is_promised_of_terms_below_the_window_nor_lost_of_an_empty_one(terms, times):
-    assert _core.window_bounds(terms, times * (2 * terms + 1))["legendre"] == 1e300
-    assert _core.window_bounds(terms, 0.0)["legendre"] == (0.0 if terms else 1.0)
+    assert _core_tests.window_bounds(terms, times * (2 * terms + 1))["legendre"] == 1e300
+    assert _core_tests.window_bounds(terms, 0.0)["legendre"] == (0.0 if terms else 1.0)
 
 
 @few
@@ -215,7 +215,7 @@ def test_the_whole_of_a_disk(phase, light, power, reach, digits):
 @example([1.0, -3.0], [0.0], 0, 0.2, 20.0, 15.0)
 def test_the_whole_of_a_pupil(phase, light, power, obscuration, reach, digits):
     error = 10.0**-digits
-    found = _core.field_bound(np.array(phase), np.array(light), power, obscuration, reach, error)
+    found = _core_tests.field_bound(np.array(phase), np.array(light), power, obscuration, reach, error)
     terms, expected = expansion(phase, light, power, reach, 0.5 * error)
     expected += radius_rounding(reach)
     area, weight = mp.mpf(obscuration) ** 2, mp.mpf(0)
@@ -239,7 +239,7 @@ def test_the_whole_of_a_pupil(phase, light, power, obscuration, reach, digits):
         expected += U * (1 + weight) * (terms + 16)
     else:
         # Shared tables are those of the largest call so far.
-        table = _core.piece_bounds(fitting[0], int(reach / WIDTHS[fitting[0]]), min(terms, 999), 0)
+        table = _core_tests.piece_bounds(fitting[0], int(reach / WIDTHS[fitting[0]]), min(terms, 999), 0)
         assume(terms <= 999)
         expected += (1 + weight) * (
             piece_error(WIDTHS[fitting[0]]) + U * mp.mpf(table["largest_magnitude"]) * (mp.mpf(terms) / 2 + 40)
@@ -274,7 +274,7 @@ def interpolant(values: list[mp.mpf]) -> list[mp.mpf]:
 @pytest.mark.usefixtures("many_digits")
 @pytest.mark.parametrize(("width", "piece", "parity"), [(0, 0, 0), (0, 2, 1), (3, 1, 0), (6, 0, 1), (6, 5, 0)])
 def test_the_pieces_and_the_size_of_their_coefficients(width, piece, parity):
-    found = _core.piece_bounds(width, piece, 8, parity)
+    found = _core_tests.piece_bounds(width, piece, 8, parity)
     h = WIDTHS[width]
     assert found["width"] == h
     assert same(found["error"], piece_error(h))
@@ -293,13 +293,13 @@ def test_the_pieces_and_the_size_of_their_coefficients(width, piece, parity):
     assert found["largest_magnitude"] >= found["magnitude"]
     assert found["largest_azimuthal"] >= found["azimuthal"]
     # What has no row adds less than 1e-19 to any pupil.
-    assert len(rows) >= 8 or _core.window_bounds(len(rows), h * (piece + 1))["legendre"] <= 1e-19
+    assert len(rows) >= 8 or _core_tests.window_bounds(len(rows), h * (piece + 1))["legendre"] <= 1e-19
 
 
 @pytest.mark.parametrize("piece", [0, 1, 6])
 def test_the_largest_size_is_that_of_the_largest_piece(piece):
-    _core.piece_bounds(5, 6, 40, 0)
-    each = [_core.piece_bounds(5, s, 40, 0) for s in range(7)]
+    _core_tests.piece_bounds(5, 6, 40, 0)
+    each = [_core_tests.piece_bounds(5, s, 40, 0) for s in range(7)]
     assert each[piece]["largest_magnitude"] == max(one["magnitude"] for one in each)
     assert each[piece]["largest_azimuthal"] == max(one["azimuthal"] for one in each)
 
@@ -316,15 +316,17 @@ def test_the_whole_of_a_stack(rows, tol, divided):
     assert unmet == 0.0
     reach = float(np.hypot(4, 3)) * 0.7
     worst = np.abs(pupils).max(axis=0)
-    error = _core.peaks(worst, np.array([0.0, 0.3]), 0.0, tol)["first_error"]
+    error = _core_tests.peaks(worst, np.array([0.0, 0.3]), 0.0, tol)["first_error"]
     low, high = pupils.min(axis=0), pupils.max(axis=0)
     # What terms that serve the whole box leave out, and quadrature with nodes in steps of 16.
     plans = []
     for terms in range(1, 60):
-        box = _core.ellipse_bounds(np.array([low, high]), np.array([0.0, 0.3]), 0, terms, 400)["tail"]
-        ends = [end for end in (box, _core.window_bounds(terms, reach)["legendre"]) if end <= 0.5 * error]
+        box = _core_tests.ellipse_bounds(np.array([low, high]), np.array([0.0, 0.3]), 0, terms, 400)["tail"]
+        ends = [end for end in (box, _core_tests.window_bounds(terms, reach)["legendre"]) if end <= 0.5 * error]
         for nodes in range(16, 97, 16):
-            missed = _core.ellipse_bounds(np.array([low, high]), np.array([0.0, 0.3]), 0, terms, nodes)["quadrature"]
+            missed = _core_tests.ellipse_bounds(np.array([low, high]), np.array([0.0, 0.3]), 0, terms, nodes)[
+                "quadrature"
+            ]
             if missed <= 0.1 * error:
                 plans += [(terms, nodes, end + missed) for end in ends]
                 break
@@ -341,10 +343,10 @@ def test_the_whole_of_a_stack(rows, tol, divided):
                 + 8
                 + math.sqrt(terms) * float(of_rule(nodes))
             )
-            whole = _core.intensity_bounds(
+            whole = _core_tests.intensity_bounds(
                 peak, left + float(U) * (rounding + terms + 16) + float(radius_rounding(reach))
             )
-            expected.append(_core.stored_bound(whole["normalized" if divided else "relative"], False, False))
+            expected.append(_core_tests.stored_bound(whole["normalized" if divided else "relative"], False, False))
         assert any(bounds[i] == pytest.approx(e, rel=1e-9, abs=0.0) for e in expected)
 
 
@@ -384,7 +386,7 @@ def test_a_linear_phase_ends_no_sooner_than_promised():
     for c, n in ((1.0, 4), (1.0, 9), (10.0, 14), (10.0, 25), (100.0, 140), (100.0, 160)):
         orders = np.arange(n, n + 80)
         exact = (np.sqrt(2 * orders + 1) * np.abs(spherical_jn(orders, c))).sum()
-        bound = _core.ellipse_bounds(np.array([[c]]), np.zeros(1), 0, n, 1)["tail"]
+        bound = _core_tests.ellipse_bounds(np.array([[c]]), np.zeros(1), 0, n, 1)["tail"]
         assert exact <= bound <= 5 * (n + 1) * exact
 
 

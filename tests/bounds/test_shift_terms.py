@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.special import j0, j1
 
-from lommel import _core
+from core_tests import _core_tests
 from pixel_tables import U, fewest, gauss, interpolation, lebesgue
 
 
@@ -31,8 +31,8 @@ def odd_harmonics(side: float, angles: int) -> mp.mpf:
 
 def test_what_a_table_leaves_and_magnifies():
     for pitch, farthest, level in questions(40):
-        made: dict[str, Any] = _core.anywhere_bounds(pitch, True, farthest, level)
-        j, k, error, of_grid, rounding, growth, penalty = _core.shift_bounds(pitch, farthest, level)
+        made: dict[str, Any] = _core_tests.anywhere_bounds(pitch, True, farthest, level)
+        j, k, error, of_grid, rounding, growth, penalty = _core_tests.shift_bounds(pitch, farthest, level)
         reach, allowed, n = farthest * pitch, mp.mpf(10) ** -level, len(made["radii"])
         far, by_angle = reach + pitch / math.sqrt(2), lebesgue(2 * j)
         assert fewest(j, 0.2 * allowed, odd_harmonics, pitch)
@@ -60,18 +60,18 @@ def test_what_a_table_leaves_and_magnifies():
 
 @pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
 def test_windows_of_a_function_of_the_same_type_are_within_it(level):
-    _core.limit_instructions(level)
+    _core_tests.limit_instructions(level)
     nodes, weights = np.polynomial.legendre.leggauss(24)
     try:
         rng = np.random.default_rng(8)
         for pitch, farthest, digits in questions(50):
             side = max(1, int(farthest / 1.5))
-            made: dict[str, Any] = _core.anywhere_bounds(pitch, True, farthest, digits)
-            *_, error, of_grid, rounding, _, _ = _core.shift_bounds(pitch, farthest, digits)
+            made: dict[str, Any] = _core_tests.anywhere_bounds(pitch, True, farthest, digits)
+            *_, error, of_grid, rounding, _, _ = _core_tests.shift_bounds(pitch, farthest, digits)
             center, kappa = (side - 1) * rng.uniform(0.45, 0.55, 2), rng.uniform(0.5, 2.0)
             out = np.empty((2, side, side))
             profile = j0(kappa * np.array(made["radii"]))
-            units = _core.shift_values(profile, *center, pitch, farthest, digits, out)
+            units = _core_tests.shift_values(profile, *center, pitch, farthest, digits, out)
             y, x = np.meshgrid(*(pitch * (np.arange(side) - c) for c in center), indexing="ij")
 
             def along(x, y, s=0.5 * pitch * nodes, kappa=kappa):
@@ -82,18 +82,18 @@ def test_windows_of_a_function_of_the_same_type_are_within_it(level):
             most = error + float(U) * (rounding + units) + 2 * of_grid * made["of_nodes"] * 4e-15
             assert np.abs(out - exact).max() <= most + 40 * float(U) * farthest * pitch
     finally:
-        _core.limit_instructions("avx512")
+        _core_tests.limit_instructions("avx512")
 
 
 def test_what_grows_errs_as_is_said():
     nodes, weights = np.polynomial.legendre.leggauss(24)
     for pitch, farthest, digits in questions(40):
-        made: dict[str, Any] = _core.anywhere_bounds(pitch, True, farthest, digits)
-        growth = _core.shift_bounds(pitch, farthest, digits)[5]
+        made: dict[str, Any] = _core_tests.anywhere_bounds(pitch, True, farthest, digits)
+        growth = _core_tests.shift_bounds(pitch, farthest, digits)[5]
         side, kappa, radii = max(1, int(farthest / 1.5)), 2.0, np.array(made["radii"])
         center, out = (side - 1) / 2 + 0.1, np.empty((side, side))
         profile = -kappa * radii * j1(kappa * radii)
-        units = _core.anywhere_values(profile, center, center, pitch, True, farthest, digits, out)
+        units = _core_tests.anywhere_values(profile, center, center, pitch, True, farthest, digits, out)
         y, x = np.meshgrid(*2 * [pitch * (np.arange(side) - center)], indexing="ij")
         s = 0.5 * pitch * nodes
         far = np.hypot(x[..., None, None] + s, y[..., None, None] + s[:, None])

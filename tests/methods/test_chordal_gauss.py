@@ -10,6 +10,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
+from core_tests import _core_tests
 from disk_questions import disk_question
 from lommel import _core
 from lommel.special import zernike
@@ -110,12 +111,12 @@ def test_the_bound_is_above_the_error_even_where_the_error_is_large():
     terms = [(2, 2), (3, 1), (4, 0)]
     coefficients = np.array([2.0, -1.5, 1.0])
     exact = rule_field(terms, coefficients, 6.0, *chordal_rule(90, 90))
-    exponents = _core.chordal_bounds(np.array(terms), coefficients, np.zeros(1), -6.0, 6.0)
+    exponents = _core_tests.chordal_bounds(np.array(terms), coefficients, np.zeros(1), -6.0, 6.0)
     for nodes in (False, True):
         seen = 0
         for size in range(8, 40, 4):
             lines = enumerate(exponents["nodes" if nodes else "chords"])
-            bound = min(_core.chordal_line(nodes, k, e, size, 1.0)["bound"] for k, e in lines)
+            bound = min(_core_tests.chordal_line(nodes, k, e, size, 1.0)["bound"] for k, e in lines)
             rule = chordal_rule(90, size) if nodes else chordal_rule(size, 90)
             true = abs(rule_field(terms, coefficients, 6.0, *rule) - exact)
             assert true <= bound + 1e-14
@@ -294,7 +295,9 @@ def test_a_few_pupils_have_the_values_they_have_among_many(level, dtype):
 def test_a_smaller_disk_has_the_same_phase_in_terms_of_its_own():
     wavefront = random_wavefront(np.random.default_rng(9), 2.0)
     eps = 0.37
-    stack = _core.disk_stack(wavefront.indices.astype(np.int64), wavefront.edge, eps, 0.0, 0.0, 1.0, moved=False)
+    stack = _core_tests.disk_stack(
+        wavefront.indices.astype(np.int64), wavefront.edge, eps, 0.0, 0.0, 1.0, moved=False
+    )
     terms = stack["terms"]
     assert set(wavefront.terms) - {(2, 0), (4, 0)} <= set(terms)
     rho, theta = np.linspace(0.0, 1.0, 40)[:, None], np.linspace(0.0, 6.0, 30)

@@ -10,7 +10,7 @@ from numpy.polynomial.legendre import legval, legvander
 from numpy.typing import NDArray
 from scipy import special
 
-from lommel import _core
+from core_tests import _core_tests
 from lommel.special.bessel import legendre_transforms
 from lommel.special.legendre import gauss_legendre
 
@@ -36,7 +36,7 @@ def test_the_series_ends_as_promised_with_few_terms_to_spare(
     coefficients: NDArray[np.float64], power: int, v: float, digits: int
 ) -> None:
     error = 10.0**-digits
-    made = _core.series_bounds(coefficients, np.zeros(1), power, v, error)
+    made = _core_tests.series_bounds(coefficients, np.zeros(1), power, v, error)
     terms, promised = made["terms"], made["truncation"]
     many = terms + 60
     beta = _coefficients(coefficients, power, many, 2 * many + 200)
@@ -55,7 +55,7 @@ def test_the_coefficients_are_as_accurate_as_promised(
     coefficients: NDArray[np.float64], power: int, v: float, digits: int
 ) -> None:
     error = 10.0**-digits
-    made = _core.series_bounds(coefficients, np.zeros(1), power, v, error)
+    made = _core_tests.series_bounds(coefficients, np.zeros(1), power, v, error)
     terms, nodes, promised = made["terms"], made["nodes"], made["quadrature"]
     assert promised <= error
     ours = _coefficients(coefficients, power, terms, nodes)
@@ -66,7 +66,7 @@ def test_the_coefficients_are_as_accurate_as_promised(
 
 @pytest.mark.parametrize("size", [1e-163, 1e-300, 5e-324])
 def test_phases_whose_squares_vanish_are_no_phases(size: float) -> None:
-    assert _core.series_bounds(np.array([size, -size]), np.zeros(1), 0, 10.0, 1e-6)["nodes"] < 32
+    assert _core_tests.series_bounds(np.array([size, -size]), np.zeros(1), 0, 10.0, 1e-6)["nodes"] < 32
 
 
 @given(st.floats(0.01, 700), st.integers(0, 400))

@@ -316,7 +316,12 @@ def configured(faults: list[Fault], place: Path, *options: str) -> Path:
     write(source / "switch.hpp", SWITCH.encode())
     configure = [programs.cmake(), "-S", source, "-B", build, "-G", "Ninja"]
     configure += [f"-DCMAKE_MAKE_PROGRAM={programs.ninja()}"]
-    configure += [f"-DPython_EXECUTABLE={sys.executable}", "-DCMAKE_BUILD_TYPE=Release", "-DLOMMEL_PYTHON=ON"]
+    configure += [
+        f"-DPython_EXECUTABLE={sys.executable}",
+        "-DCMAKE_BUILD_TYPE=Release",
+        "-DLOMMEL_PYTHON=ON",
+        "-DLOMMEL_TESTS=ON",
+    ]
     configure += [f"-DCMAKE_CXX_FLAGS=-include {source / 'switch.hpp'}", *options]
     _run(*configure)
     return build

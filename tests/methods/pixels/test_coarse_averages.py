@@ -10,6 +10,7 @@ import pytest
 from scipy.special import j0
 
 import lommel as lm
+from core_tests import _core_tests
 from lommel import _core
 from lommel.core.engine import filters_pay
 from lommel.methods.nijboer_zernike import radial_stack, window_of
@@ -202,7 +203,7 @@ def test_the_light_beyond_a_circle_is_its_mean_within_the_bound(phase, obscurati
     shares = []
     for r in np.geomspace(40, reach - 4, 60):
         k = int(r / 2)
-        bound = _core.tail_bounds(np.array(phase), np.array([0.0, gaussian]), obscuration, 2.0 * k)
+        bound = _core_tests.tail_bounds(np.array(phase), np.array([0.0, gaussian]), obscuration, 2.0 * k)
         left = abs(2 * light - inside[k - 1] - bound["mean"] / (2.0 * k))
         most = bound["rings"] + (2.0 * k) ** 2 * bound["curved"]
         assert left <= most + 1e-11
@@ -224,7 +225,7 @@ def test_what_the_mean_leaves_out_of_the_light_without_its_rings(phase, obscurat
     )
     x = np.linspace(-1.0, 1.0, 4001)[1:-1]
     r, window = 160.0 + 100.0 * x, np.exp(-1.0 / (1.0 - x * x))
-    bounds = [_core.tail_bounds(np.array(phase), np.array([0.0, gaussian]), obscuration, at) for at in r]
+    bounds = [_core_tests.tail_bounds(np.array(phase), np.array([0.0, gaussian]), obscuration, at) for at in r]
     left = window @ (profile(pupil, 261.0)(r) * r**3 - bounds[0]["mean"])
     assert left == pytest.approx(window @ (r**3 * [each["curved"] for each in bounds]), rel=0.01)
 

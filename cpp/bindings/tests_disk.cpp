@@ -10,7 +10,7 @@
 #include "lommel/special/gridding.hpp"
 #include "lommel/zernike/image.hpp"
 
-#include "bounds.hpp"
+#include "tests.hpp"
 
 using namespace bindings;
 
@@ -224,7 +224,7 @@ Named tilted_stack(Terms terms, Doubles1 edge, In<double, 1> center, double row,
 
 }  // namespace
 
-void bindings::define_disk_bounds(nb::module_& m) {
+void bindings::define_disk_tests(nb::module_& m) {
     m.def("disk_bounds", &disk_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "count"_a,
           "Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.");
     m.def("zernike_bounds", &zernike_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "reach"_a, "error"_a,

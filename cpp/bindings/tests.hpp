@@ -1,5 +1,5 @@
-// Test-only functions that return each term of the error bounds, so that tests can compare them with the formulas of
-// docs/certificate.md. No image is computed from them.
+// Functions that only tests call: each term of the error bounds, so that tests can compare them with the formulas of
+// docs/certificate.md. No image is computed from them, and users do not compile them.
 #pragma once
 
 #include <nanobind/stl/vector.h>
@@ -12,6 +12,11 @@
 #include "pupils.hpp"
 
 namespace bindings {
+
+// One file each.
+void define_radial_tests(nb::module_& m);
+void define_disk_tests(nb::module_& m);
+void define_table_tests(nb::module_& m);
 
 using Doubles1 = In<double, 1>;
 using Terms = In<std::int64_t, 2>;

@@ -1,16 +1,15 @@
-// Error bounds for radially symmetric pupils and for windows.
+// Error bounds for radially symmetric pupils and for windows, and Fresnel integrals.
 #include <limits>
 #include <vector>
 
 #include "lommel/base/wide.hpp"
-#include "lommel/pixels/own_axes.hpp"
-#include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_images.hpp"
 #include "lommel/radial/field.hpp"
 #include "lommel/special/bessel_table.hpp"
+#include "lommel/special/fresnel.hpp"
 #include "lommel/zernike/rings.hpp"
 
-#include "bounds.hpp"
+#include "tests.hpp"
 
 using namespace bindings;
 
@@ -123,65 +122,21 @@ Named tail_bounds(Doubles1 coefficients, Doubles1 amplitude, double obscuration,
     return named("mean"_a = tail.mean(), "rings"_a = tail.rings(r), "curved"_a = tail.curved(r));
 }
 
-// Of a table for the averages over the pixels of a window, its axis at (center_y, center_x); each ring as (the least
-// and the largest distance of its pixels, the same of its nodes, their count, whether they are of an even function, whether
-// pixels have their own weights).
-Named rings_of(const lommel::PixelRings& table) {
-    nb::list rings;
-    for (const auto& ring : table.rings) {
-        rings.append(nb::make_tuple(ring.middle - ring.half, ring.middle + ring.half, ring.nodes.low, ring.nodes.high,
-                                    ring.nodes.count, ring.nodes.even, ring.direct));
-    }
-    return named("gauss"_a = table.gauss, "harmonics"_a = table.harmonics, "rings"_a = rings, "error"_a = table.error,
-                 "of_nodes"_a = table.of_nodes, "of_grid"_a = table.of_grid, "rounding"_a = table.rounding,
-                 "penalty"_a = listed(table.penalty));
-}
-
-Named pixel_bounds(std::size_t height, std::size_t width, double center_y, double center_x, double step, bool integrate,
-                   int level) {
-    require(height > 0 && height <= 1000 && width > 0 && width <= 1000, "windows must have 1 to 1000 pixels a side");
-    require(step > 0.0 && level >= 1 && level <= 15, "step must be positive, level from 1 to 15");
-    return rings_of(*lommel::PixelTable::get({height, width, center_y, center_x, step, integrate}, level, 1));
-}
-
-Named ring_bounds(double pitch, double farthest, int level) {
-    require(pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AverageRings::most_reach && level >= 1 && level <= 15,
-            "pitch must be positive, farthest 1 at least and within reach, level from 1 to 15");
-    return rings_of(*lommel::AverageRings::get(pitch, farthest, level, 1));
-}
-
-lommel::PixelWindow anywhere_window(double pitch, bool averages, double farthest, int level) {
-    require(
-        pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AnywhereTable::most_reach && level >= 1 && level <= 15,
-        "pitch must be positive, farthest 1 at least and within reach, level from 1 to 15");
-    return {1, 1, 0.0, 0.0, pitch, averages};
-}
-
-Named anywhere_bounds(double pitch, bool averages, double farthest, int level) {
-    anywhere_window(pitch, averages, farthest, level);
-    const auto table = lommel::AnywhereTable::get(pitch, averages, farthest, level);
-    return named("gauss"_a = table->gauss, "harmonics"_a = table->harmonics, "degree"_a = table->degree,
-                 "error"_a = table->error, "of_nodes"_a = table->of_nodes, "of_grid"_a = table->of_grid,
-                 "rounding"_a = table->rounding, "penalty"_a = listed(table->penalty),
-                 "radii"_a = std::vector<double>(table->radii.data(), table->radii.data() + table->count));
-}
-
-// Pixels around an axis from I at these radii, and what evaluating the polynomials may be off by.
-double anywhere_values(In<double, 1> profile, double center_y, double center_x, double pitch, bool averages, double farthest,
-                       int level, Out<double, 2> out) {
-    lommel::PixelWindow window = anywhere_window(pitch, averages, farthest, level);
-    window = {out.shape(0), out.shape(1), center_y, center_x, pitch, averages};
-    const auto table = lommel::AnywhereTable::get(pitch, averages, farthest, level);
-    require(profile.shape(0) == table->count, "the profile must be at the radii");
-    lommel::WindowValues made;
-    made.make(*table, window, profile.data(), 1);
-    std::copy_n(made.values.data(), made.count, out.data());
-    return made.penalty;
+Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
+    auto out = new_array<complex, 1>({s.shape(0)});
+    released([&] {
+        const auto fresnel = lommel::FresnelAuxiliary::get();
+        for (std::size_t i = 0; i < s.shape(0); ++i) {
+            require(s.data()[i] >= 0.0, "s must be at least 0");
+            out.data()[i] = fresnel->at(s.data()[i]);
+        }
+    });
+    return out;
 }
 
 }  // namespace
 
-void bindings::define_radial_bounds(nb::module_& m) {
+void bindings::define_radial_tests(nb::module_& m) {
     m.def("amplitude_bounds", &amplitude_bounds, "powers"_a, "cosh"_a, "t"_a, "obscuration"_a, "raised"_a, "area"_a,
           "Of the amplitude exp(-(g_0 + g_1 t + ...)), to a power and on an inner disk.");
     m.def("series_bounds", &series_bounds, "coefficients"_a, "amplitude"_a, "power"_a, "reach"_a, "error"_a,
@@ -204,12 +159,5 @@ void bindings::define_radial_bounds(nb::module_& m) {
           "The mean of I times r^3 far from the axis, and bounds on what is left out of the light beyond r and of I.");
     m.def("peaks", &peaks, "coefficients"_a, "amplitude"_a, "obscuration"_a, "tol"_a,
           "The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.");
-    m.def("anywhere_bounds", &anywhere_bounds, "pitch"_a, "averages"_a, "farthest"_a, "level"_a,
-          "Degree, harmonics and radii of windows around any axis, and bounds on what they leave and magnify.");
-    m.def("anywhere_values", &anywhere_values, "profile"_a, "center_y"_a, "center_x"_a, "pitch"_a, "averages"_a, "farthest"_a,
-          "level"_a, "out"_a.noconvert(), "The pixels of one, and the units of roundoff that their sums may be off by.");
-    m.def("pixel_bounds", &pixel_bounds, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
-          "Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.");
-    m.def("ring_bounds", &ring_bounds, "pitch"_a, "farthest"_a, "level"_a,
-          "Rings of a window whose pixels average around any axis, and bounds on what they leave and magnify.");
+    m.def("fresnel_auxiliary", &fresnel_auxiliary, "s"_a, "exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0.");
 }

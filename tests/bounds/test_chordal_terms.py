@@ -469,6 +469,7 @@ def test_the_sampled_mean_and_its_margin_are_above_the_mean_anywhere_in_the_wind
 # The theorems are reached to within a factor of 2, where they can be.
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("chords", [8, 13])
 def test_the_sum_over_chords_takes_the_first_wave_that_it_does_not_know_for_a_constant(chords):
     angle = math.pi * np.arange(2 * chords + 2) / (chords + 1)
@@ -476,6 +477,7 @@ def test_the_sum_over_chords_takes_the_first_wave_that_it_does_not_know_for_a_co
     assert abs(np.cos(2 * chords * angle).mean()) < 1e-12
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("nodes", [4, 8, 40])
 def test_the_sum_over_nodes_is_off_by_most_of_what_is_allowed(nodes):
     """T_2K is taken for its value at the nodes, which is at most 32/15 away from its integral, and more than 1."""
@@ -488,6 +490,7 @@ def test_the_sum_over_nodes_is_off_by_most_of_what_is_allowed(nodes):
     assert (np.diff(w[: nodes // 2]) > 0).all()
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("b", [0.2, 0.7])
 @pytest.mark.parametrize("v", [3.0, 12.0])
 def test_a_wave_across_chords_has_an_error_close_to_its_bound(b, v):
@@ -505,6 +508,7 @@ def test_a_wave_across_chords_has_an_error_close_to_its_bound(b, v):
     assert error <= bound + 1e-15
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("tilt", [3.0, -7.0])
 def test_a_tilt_reaches_its_growth(tilt):
     """exp(i c x) at x = cos(a + ib) is exp(c sinh b) at most."""

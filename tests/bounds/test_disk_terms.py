@@ -393,6 +393,7 @@ def test_the_bound_of_an_image_is_its_error_over_its_peak(shares, scale, obscura
 # The theorems are reached to within a factor of 2, where they can be.
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize(("n", "b"), [(2, 0.3), (5, 0.1), (9, 1.0)])
 def test_a_term_at_the_edge_reaches_its_growth(n, b):
     """Z_n^n on the chords through the edge is cos(n phi), whose imaginary part at a + ib is at most sinh(n b)."""
@@ -400,6 +401,7 @@ def test_a_term_at_the_edge_reaches_its_growth(n, b):
     assert np.abs(np.cos(n * (a + 1j * b)).imag).max() == pytest.approx(math.sinh(n * b), rel=1e-4)
 
 
+@pytest.mark.theorem
 def test_the_gaussian_reaches_its_growth_on_the_middle_chord():
     b, g = 0.7, 1.5
     # Where eta = 0 and a is a quarter turn, rho^2 = cos(a + ib)^2.
@@ -407,6 +409,7 @@ def test_the_gaussian_reaches_its_growth_on_the_middle_chord():
     assert (-g * square.real).max() == pytest.approx(g * (math.cosh(2 * b) - 1) / 2, rel=1e-6)
 
 
+@pytest.mark.theorem
 @given(st.integers(0, 400), st.floats(0.2, 4.0))
 def test_the_sum_over_the_degrees_of_the_remainder_is_bounded_closely(d, b):
     n = np.arange(d + 1, d + 1 + math.ceil(80 / b))
@@ -418,6 +421,7 @@ def test_the_sum_over_the_degrees_of_the_remainder_is_bounded_closely(d, b):
         assert bound <= 2 * exact
 
 
+@pytest.mark.theorem
 def test_no_transform_exceeds_what_is_taken_for_its_size():
     """|2 (n+1) J_(n+1)(v) / v| <= 1, reached on the axis, and |J_n(v)| < 0.7858 v^(-1/3) (Landau), closely."""
     assert 2 * jv(1, 1e-6) / 1e-6 == pytest.approx(1.0, rel=1e-9)

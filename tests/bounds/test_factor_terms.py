@@ -33,6 +33,7 @@ def test_a_factor_of_degree_n_grows_like_its_hyperbolic_cosine(nodes, curve, exp
         assert found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("nodes", [False, True], ids=["chords", "nodes"])
 @pytest.mark.parametrize("b", [0.05, 0.4, 1.1])
 def test_terms_on_the_curves_are_at_most_that(nodes, b):

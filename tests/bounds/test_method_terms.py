@@ -148,6 +148,7 @@ def test_an_average_of_the_fastest_intensity_there_is_reaches_its_bound(q, width
     assert missed <= pixel_error(width, q) <= 2 * missed
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("h", [0.01, 0.1, 0.2])
 def test_cubic_interpolation_of_the_fastest_intensity_there_is_reaches_its_bound(h):
     """Between the middle two of four samples h apart: 3 h^4 / 16, and a Lebesgue constant of 1.25."""

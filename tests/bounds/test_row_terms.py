@@ -26,6 +26,7 @@ def of_interval(z):
     return np.arccosh(np.maximum(1.0, 0.5 * (abs(z - 1.0) + abs(z + 1.0))))
 
 
+@pytest.mark.theorem
 @given(complexes, complexes)
 def test_growth_off_the_disc_is_the_largest_of_those_of_intervals(x, y):
     # Baran: convex where below a limit, since each is.
@@ -35,6 +36,7 @@ def test_growth_off_the_disc_is_the_largest_of_those_of_intervals(x, y):
     assert along.max() <= growth(x, y) + 1e-7
 
 
+@pytest.mark.theorem
 @given(st.floats(-0.999, 0.999), complexes)
 def test_growth_along_a_row_is_that_of_its_chord_at_most(y, xi):
     h = math.sqrt(1.0 - y * y)
@@ -43,11 +45,13 @@ def test_growth_along_a_row_is_that_of_its_chord_at_most(y, xi):
     assert growth(h * xi, y) <= b1 + 1e-7
 
 
+@pytest.mark.theorem
 @given(complexes, complexes, complexes, st.floats(0, 1))
 def test_between_two_points_growth_is_at_most_that_of_the_worse(first, second, y, part):
     assert growth((1 - part) * first + part * second, y) <= max(growth(first, y), growth(second, y)) + 1e-7
 
 
+@pytest.mark.theorem
 @given(st.integers(0, 12), st.integers(0, 24), st.floats(-1.5, 1.5), st.floats(-1.5, 1.5), st.floats(0, 1))
 def test_polynomials_grow_no_faster(degree, m, real, imaginary, size):
     n = m + 2 * min(degree, (24 - m) // 2)
@@ -60,6 +64,7 @@ def test_polynomials_grow_no_faster(degree, m, real, imaginary, size):
     assert float(mpmath.log(value + mpmath.mpf(10) ** -300)) <= n * growth(x, y) + 1e-6
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("nodes", [1, 2, 3, 7, 20])
 def test_gauss_errs_by_at_most_the_constant(nodes):
     x, w = np.polynomial.legendre.leggauss(nodes)
@@ -68,6 +73,7 @@ def test_gauss_errs_by_at_most_the_constant(nodes):
         assert 2.0 * error <= 64.0 / 15.0 + 1e-12
 
 
+@pytest.mark.theorem
 @given(st.floats(0.05, 3), st.floats(-3.1, 3.1), st.floats(0.01, 4), st.floats(0, 1), st.floats(-3.2, 3.2))
 def test_the_root_of_a_disc_holds_roots(size, angle, radius, part, turn):
     centre = size * np.exp(1j * angle)

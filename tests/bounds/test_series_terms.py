@@ -364,12 +364,14 @@ def test_the_pupil_function_reaches_its_bound_on_the_ellipse(phase, i):
     assert sizes.max() >= 0.95 * bound
 
 
+@pytest.mark.theorem
 @given(st.floats(2e-3, 4.0))
 def test_the_perimeter_is_bounded_closely(eta):
     exact = 4 * mp.cosh(eta) * mp.ellipe(1 / mp.cosh(eta) ** 2)
     assert 1 <= mp.pi * mp.sqrt(2 * mp.cosh(2 * eta)) / exact <= 1.12
 
 
+@pytest.mark.theorem
 @given(st.integers(0, 300), st.floats(0.01, 4.0))
 def test_the_sum_over_the_terms_left_out_is_bounded_closely(n, eta):
     q = math.exp(-eta)
@@ -400,6 +402,7 @@ def test_gauss_quadrature_of_a_chebyshev_polynomial_reaches_its_bound(n):
     assert missed <= bound <= 2 * missed
 
 
+@pytest.mark.theorem
 @pytest.mark.usefixtures("many_digits")
 @pytest.mark.parametrize(("width", "count"), [(3.2, 16), (6.4, 16), (12.0, 16), (1.0, 8), (3.0, 8)])
 def test_interpolation_of_a_wave_on_a_piece_reaches_its_bound(width, count):
@@ -411,6 +414,7 @@ def test_interpolation_of_a_wave_on_a_piece_reaches_its_bound(width, count):
     assert missed <= bound <= 2 * missed
 
 
+@pytest.mark.theorem
 def test_interpolation_at_eight_points_magnifies_by_at_most_2_3():
     points = np.cos(np.pi * (np.arange(8) + 0.5) / 8)
     x = np.linspace(-1, 1, 4001)

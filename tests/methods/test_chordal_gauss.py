@@ -149,6 +149,7 @@ def test_images_that_are_dimmer_than_was_guessed_are_computed_again_for_the_peak
     assert np.max(found.error_bound) <= tol
 
 
+@pytest.mark.theorem
 @pytest.mark.parametrize("chords", [8, 20])
 def test_the_rule_integrates_polynomials_up_to_its_degree_and_no_further(chords):
     x, y, weights = chordal_rule(chords, chords)

@@ -89,9 +89,12 @@ sys.path.insert(0, sys.argv[1])
 import lommel
 from lommel.base import forks
 
+begun, go_on = threading.Event(), threading.Event()  # of the import of slow
+
 def fork():
     child = os.fork()
     if child == 0:
+        go_on.set()
         sys.stdout.flush()
         import slow
         os._exit(0 if slow.done else 3)
@@ -100,24 +103,25 @@ def fork():
 way = sys.argv[2]
 if way == "waits":
     threading.Thread(target=__import__, args=("slow",)).start()
-    time.sleep(0.2)
+    begun.wait()
+    threading.Timer(0.3, go_on.set).start()
     child = fork()
     assert sys.modules["slow"].done
 elif way == "patience":  # one that ends too late, which the child begins anew
     forks.PATIENCE = 0.1
     threading.Thread(target=__import__, args=("slow",)).start()
-    time.sleep(0.2)
+    begun.wait()
     child = fork()
     assert not hasattr(sys.modules["slow"], "done")
+    go_on.set()
 else:  # one that needs the one that forks
+    forks.PATIENCE = 1e9
     threading.Thread(target=lambda: (time.sleep(0.1), __import__("needs"))).start()
-    began = time.monotonic()
     import forking
     child = forking.child
-    assert time.monotonic() - began < 5.0
 print(os.waitpid(child, 0)[1])
 """
-SLOW = "import time\ntime.sleep(1.0)\ndone = True\n"
+SLOW = "from __main__ import begun, go_on\nbegun.set()\ngo_on.wait()\ndone = True\n"
 FORKING = """
 import os, sys, time
 time.sleep(0.3)

@@ -166,7 +166,7 @@ Named chordal_rounding(std::size_t chords, std::size_t nodes, std::size_t terms,
 // Cosines and sines of multiples of 2^-32 turns, in turn.
 std::vector<double> turned_waves(In<std::uint32_t, 1> turns) {
     std::vector<double> found;
-    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+    lommel::dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using I = decltype(isa);
         constexpr std::size_t lanes = 2 * I::lanes;
         for (std::size_t i = 0; i + lanes <= turns.size(); i += lanes) {
@@ -191,7 +191,7 @@ Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool n
     lommel::ChordBound bound(pairs, lommel::even_light, box);
     bound.prepare(coefficients.data());
     float top[2 * lommel::row_lanes], mean[2 * lommel::row_lanes];
-    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+    lommel::dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t lanes = 2 * decltype(isa)::lanes;
         const std::size_t apart = lone ? 1 : lanes;
         lommel::Floats given(list.size() * apart), room(table.room() * lanes);

@@ -85,7 +85,8 @@ class ChordLines {
                        [&](std::size_t p) { return std::make_pair(disk(p).of(sum).curve, p); });
         std::sort(order.begin(), order.end());
         std::transform(order.begin(), order.end(), worth.begin(), [](const auto& each) { return each.second; });
-        const std::size_t lanes = 2 * vector_lanes(), batches = (worth.size() + lanes - 1) / lanes;
+        const Level level = processor_level();
+        const std::size_t lanes = 2 * widest_lanes(level), batches = (worth.size() + lanes - 1) / lanes;
         const std::size_t terms = stack_.terms.size();
         std::vector<std::shared_ptr<const SharpTable>> tables(batches);
         for (std::size_t b = 0; b < batches; ++b) {
@@ -114,7 +115,7 @@ class ChordLines {
             const bool lone = 2 * here <= lanes;
             for (std::size_t from = 0; from < here; from += lone ? 1 : here) {
                 laid(from, lone ? 1 : here, lone ? 1 : lanes);
-                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
                     float top[2 * row_lanes], mean[2 * row_lanes];
                     if (lone) {
                         sharp_means<true>(isa, table, given.data(), room.data(), top, mean);

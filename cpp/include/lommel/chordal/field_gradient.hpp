@@ -124,7 +124,7 @@ void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_
     constexpr std::size_t block = 16;
     parallel_for((rows + block - 1) / block, threads, [&](std::size_t, std::size_t b) {
         const std::size_t last = std::min(rows, (b + 1) * block);
-        dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             std::size_t c = 0;
             for (; c + 4 <= vectors; c += 4) {
                 for (std::size_t j = b * block; j < last; ++j) {
@@ -203,7 +203,7 @@ inline void node_gradient(const NodeSeries& given, const DiskWindow& window, int
         for (std::size_t i = 0; i < half; ++i) {
             look();
             Kernels::rows_transposed(level, *kernel, i, chords.data(), adjoint.data());
-            dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+            dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
                 multiply_nodes(isa, within, pupil.data() + i * chord, adjoint.data(), room.data());
             });
             for (std::size_t lane = 0; lane < here; ++lane) {
@@ -225,7 +225,7 @@ inline void node_gradient(const NodeSeries& given, const DiskWindow& window, int
     parallel_for(given.planes, threads, [&](std::size_t, std::size_t plane) {
         const std::size_t low = plane * fields / lanes, high = (plane * fields + fields - 1) / lanes;
         double* total = nullptr;
-        dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             for (std::size_t b = low; b <= high; ++b) {
                 double* share = shares.data() + (b * span + plane - b * lanes / fields) * each;
                 total = b == low ? share : total;

@@ -67,7 +67,7 @@ struct NodeSeries {
 // W above 0, i W exp(i W) over it likewise, `apart` numbers on. W is a sum of `count` terms, [term][node], each of a parity.
 inline void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                        const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t apart) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
         // Of even and odd parts, from four images to four parities and back: the first two odd in y, then in x.
@@ -346,7 +346,7 @@ inline void part_fields(Level level, const NodeSeries& given, const FieldParts& 
                         amplitudes.data() + from * given.parts_size(), re, re + nodes);
         }
         std::fill(own.begin() + static_cast<std::ptrdiff_t>(2 * here * nodes), own.end(), 0.0);
-        dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t side = decltype(isa)::lanes;
             double* put = at.data();
             for (std::size_t k = 0; k < nodes; ++k) {
@@ -465,7 +465,7 @@ struct PlaneLight {
             there[x] = 1.0;
             there[width + x] = columns.minus[x] == WindowAxis::none ? 0.0 : 1.0;
         }
-        dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             for (std::size_t y = 0; y < rows.at.size(); ++y) {
                 for (std::size_t side = 0; side < 4; ++side) {
                     const bool below = side / 2 == 1, left = side % 2 == 1;

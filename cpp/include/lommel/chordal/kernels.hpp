@@ -18,7 +18,7 @@ constexpr std::size_t most_pupils = 2 * row_lanes;  // side by side
 template <class Real>
 struct ChordKernels {
     static constexpr double unit = Waves<Portable, Real>::unit;
-    static constexpr std::size_t lanes(Level level) { return vector_lanes(level) * sizeof(double) / sizeof(Real); }
+    static constexpr std::size_t lanes(Level level) { return widest_lanes(level) * sizeof(double) / sizeof(Real); }
     // Whether so many pupils take less time one by one.
     static bool lone(Level level, std::size_t pupils) { return 2 * pupils <= lanes(level); }
     static ChordLanes chord_lanes(Level level, bool lone) { return {lone ? lanes(level) : 1, sizeof(Real) == sizeof(float)}; }
@@ -55,7 +55,7 @@ struct ChordKernels {
     template <class T>
     static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
                             T* const* to) {
-        dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t apart = Waves<decltype(isa), Real>::lanes;
             for (std::size_t lane = 0; lane < used; ++lane) {
                 for (std::size_t x = 0; x < columns; ++x) {
@@ -68,7 +68,7 @@ struct ChordKernels {
 
 template <class Real>
 void ChordKernels<Real>::nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         table.lanes.side > 1 ? pair_of_chords<true>(isa, table, chord, coefficients, to)
                              : pair_of_chords<false>(isa, table, chord, coefficients, to);
     });
@@ -76,65 +76,66 @@ void ChordKernels<Real>::nodes(Level level, const TermTable& table, std::size_t 
 template <class Real>
 void ChordKernels<Real>::rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes,
                               Real* chords) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         kernel.lanes.side > 1 ? rows_of_chords<true>(isa, kernel, chord, nodes, chords)
                               : rows_of_chords<false>(isa, kernel, chord, nodes, chords);
     });
 }
 template <class Real>
 void ChordKernels<Real>::columns(Level level, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         kernel.lanes.side > 1 ? lone_columns_of_row(isa, kernel, chords, row) : columns_of_row(isa, kernel, chords, row);
     });
 }
 template <class Real>
 void ChordKernels<Real>::parity_rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, bool odd,
                                      const Real* nodes, Real* chords) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { rows_of_parity(isa, kernel, chord, odd, nodes, chords); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { rows_of_parity(isa, kernel, chord, odd, nodes, chords); });
 }
 template <class Real>
 void ChordKernels<Real>::parity_columns(Level level, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { columns_of_parity(isa, kernel, odd, chords, row); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { columns_of_parity(isa, kernel, odd, chords, row); });
 }
 template <class Real>
 void ChordKernels<Real>::intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { intensities_of_row(isa, u, columns, values, top); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { intensities_of_row(isa, u, columns, values, top); });
 }
 template <class Real>
 void ChordKernels<Real>::subtract(Level level, const Real* inner, std::size_t count, Real* u) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract(isa, inner, count, u); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract(isa, inner, count, u); });
 }
 template <class Real>
 void ChordKernels<Real>::scale(Level level, const Real* u, Real area, std::size_t count, Real* inner) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::scale(isa, u, area, count, inner); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::scale(isa, u, area, count, inner); });
 }
 template <class Real>
 void ChordKernels<Real>::times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,
                                        Real* to) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::times_factors(isa, given, chord, nodes, room, to); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::times_factors(isa, given, chord, nodes, room, to); });
 }
 template <class Real>
 void ChordKernels<Real>::slopes(Level level, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { slopes_of_row(isa, u, d, columns, values, top); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { slopes_of_row(isa, u, d, columns, values, top); });
 }
 template <class Real>
 void ChordKernels<Real>::weigh(Level level, const Real* weights, std::size_t pixels, Real* u) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { weigh_pixels(isa, weights, pixels, u); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { weigh_pixels(isa, weights, pixels, u); });
 }
 template <class Real>
 void ChordKernels<Real>::columns_transposed(Level level, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::columns_transposed(isa, kernel, pixels, chords); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::columns_transposed(isa, kernel, pixels, chords); });
 }
 template <class Real>
 void ChordKernels<Real>::rows_transposed(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords,
                                          Real* nodes) {
-    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::rows_transposed(isa, kernel, chord, chords, nodes); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::rows_transposed(isa, kernel, chord, chords, nodes); });
 }
 template <class Real>
 void ChordKernels<Real>::add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil,
                                       const Real* adjoint, Real share, Real* room, Real* sums) {
-    dispatch(level, [&](auto isa)
-                        LOMMEL_INLINE_LAMBDA { lommel::add_products(isa, table, chord, pupil, adjoint, share, room, sums); });
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        lommel::add_products(isa, table, chord, pupil, adjoint, share, room, sums);
+    });
 }
 
 #if defined(LOMMEL_COMPILED)

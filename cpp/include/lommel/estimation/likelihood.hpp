@@ -34,7 +34,7 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
     const std::size_t slopes = images.size() - 1, rows = images.size() + 2;
     Doubles all((rows + most_together) * block), sums;  // rows beyond the last are 0
     StarLikelihood found;
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+    dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         // As many products at once as registers hold.
         constexpr std::size_t lanes = decltype(isa)::lanes, together = lanes == Avx512::lanes ? most_together : 3;

@@ -90,7 +90,7 @@ class Spreader {
     }
 
     void collect_strip(std::size_t top, std::size_t bottom, const T* image, T* out) const {
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
             static constexpr T whole = T(1);
             const auto one = [](std::size_t, std::size_t) -> const T& { return whole; };
             pixels(isa, top, bottom, 0, width_, one, Taking<decltype(isa), T>{out, screen_.seen, image, width_});

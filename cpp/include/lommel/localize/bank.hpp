@@ -57,7 +57,7 @@ class Bank {
     void products(std::size_t channel, const float* images, float* to) const {
         const Templates& all = channels_[channel];
         const std::size_t length = all.pixels, count = padded();
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using V = typename decltype(isa)::floats;
             constexpr std::size_t lanes = 2 * decltype(isa)::lanes;
             for (std::size_t t = 0; t < count; t += 2) {

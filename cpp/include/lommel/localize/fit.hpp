@@ -79,7 +79,7 @@ LOMMEL_INLINE double total(V v) {
 // The mean of a pixel is photons * images[value] + background + read. Of floats: a deviance is exact to some 1e-7 of the electrons.
 inline void add_up(const float* images, std::size_t pixels, const Counts& counts, double photons, double background,
                    Sums& sums) {
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+    dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using I = decltype(isa);
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes;
@@ -125,7 +125,7 @@ struct Pearson {
 
 inline void compare(const float* images, std::size_t pixels, const Counts& counts, double photons, double background,
                     Pearson& found) {
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+    dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using I = decltype(isa);
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes;

@@ -53,7 +53,7 @@ class MoleculeImages {
 
     // Writes the four images, each of `pixels()` floats, at a place within the table.
     void write(const Place& place, float* images) {
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { write<decltype(isa)>(place, images); });
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { write<decltype(isa)>(place, images); });
     }
 
    private:

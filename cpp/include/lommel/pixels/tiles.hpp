@@ -123,7 +123,7 @@ class Tiles {
             std::size_t i = 0;
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)
             if constexpr (std::is_same_v<T, float> && std::is_same_v<Real, float>) {
-                using V = typename Vector<(I::lanes < 4 ? I::lanes : 4)>::floats;
+                using V = typename I::floats;
                 for (; i + 4 <= count; i += 4) {
                     for (std::size_t first = 0; first < directions; first += sizeof(V) / sizeof(float)) {
                         V turned[4];

@@ -24,7 +24,7 @@ struct RowPack<I, double> {
 };
 template <class I>
 struct RowPack<I, float> {
-    using type = typename Vector<(I::lanes < 4 ? I::lanes : 4)>::floats;
+    using type = typename I::floats;
 };
 
 template <class V>

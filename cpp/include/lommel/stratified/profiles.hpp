@@ -182,7 +182,7 @@ LOMMEL_ONCE void Profiles::run(int threads, const Take& take) const {
         im.assign(group * apart, 0.0);
         values.resize((group * outputs() + 1) * stride());
         sizes.assign(group * kinds(), {});
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
             for (std::size_t p = 0; p < here; ++p) {
                 coefficients(isa, first + p, re.data() + p * apart, im.data() + p * apart, sizes.data() + p * kinds());
             }

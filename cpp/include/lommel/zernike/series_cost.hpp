@@ -70,7 +70,7 @@ struct SeriesCost {
 
    private:
     // What narrower vectors than those of eight doubles take, over these.
-    static double widths() { return std::pow(0.125 * static_cast<double>(vector_lanes(processor_level())), -0.91); }
+    static double widths() { return std::pow(0.125 * static_cast<double>(widest_lanes(processor_level())), -0.91); }
 
     void expand(const ZernikePhase& phase, double reach, double error) {
         const DiskExpansion::Size size = DiskExpansion::likely(phase, reach, error);

@@ -49,7 +49,7 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
 
 ROOT = Path(__file__).resolve().parent.parent
 TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COLUMNS", "LINES")
-MEMORY = 900 * 2**20  # bytes, in a process that runs tests
+MEMORY = 800 * 2**20  # bytes, in a process that runs tests
 RESIDENT = {"after": 0}
 DESCRIBED: dict[bytes, object] = {}
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
@@ -137,7 +137,7 @@ def little_memory() -> Iterator[None]:
     """Free what packages keep, and cycles of large arrays, where a process has grown past `MEMORY`."""
     yield
     # What is left after that, such as compiled code, is not looked for again at once.
-    if resident() > max(MEMORY, RESIDENT["after"] + MEMORY // 4):
+    if resident() > max(MEMORY, RESIDENT["after"] + MEMORY // 6):
         if "jax" in sys.modules:
             sys.modules["jax"].clear_caches()
         gc.collect()

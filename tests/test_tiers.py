@@ -65,6 +65,7 @@ def test_a_hundredth_of_the_slow_tests_is_drawn_anew_by_each_commit(listed, monk
     assert len({*drawn} & {*others}) < 20
     assert not tiers.is_quick(Item("tests/live/test_page.py::test_x"), 1.0)
     assert not tiers.is_quick(Item("tests/a.py::test_x", "theorem"), 1.0)
+    assert tiers.is_quick(Item(names[0], "quick"), 0.0)
 
 
 def test_a_measured_test_replaces_its_line_and_tests_that_are_gone_lose_theirs():

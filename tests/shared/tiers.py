@@ -92,6 +92,8 @@ def is_quick(test: pytest.Item, share: float) -> bool:
     name = test.nodeid
     if name.startswith(ELSEWHERE) or test.get_closest_marker("theorem"):
         return False
+    if test.get_closest_marker("quick"):
+        return True
     drawn = int.from_bytes(hashlib.sha256(f"{commit()} {name}".encode()).digest()[:8]) / 2**64
     return drawn < share or not {name, name.partition("[")[0]} & slow_tests().keys()
 

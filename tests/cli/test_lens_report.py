@@ -101,6 +101,7 @@ def test_at_the_ends_of_the_depth_of_field_the_blur_is_of_two_pixels(phone, focu
     assert 2 * float(far.pupil(math.inf).geometric_radius()) == pytest.approx(IN_FOCUS * phone.pixel)
 
 
+@pytest.mark.quick
 def test_each_field_of_science_has_its_units(call_lommel, lenses, tmp_path):
     telescope, microscope, camera = (
         call_lommel("info", lenses[name], folder=tmp_path).stdout

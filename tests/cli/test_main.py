@@ -319,6 +319,7 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
         assert f"{row['fraction']:.1%}" in shown_energies[row["within"]]
 
 
+@pytest.mark.quick
 @pytest.mark.usefixtures("described_once")
 @pytest.mark.parametrize(
     ("aperture", "reason"),

@@ -56,9 +56,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure(config: pytest.Config) -> None:
     """Choose how random searches are seeded, before Hypothesis looks at its options."""
-    config.addinivalue_line(
-        "markers", "theorem: checks mathematics of the certificate that no line of the package computes"
-    )
+    for marker in (
+        "quick: is of the quick tier, whatever it takes: it alone notices what it tests",
+        "theorem: checks mathematics of the certificate that no line of the package computes",
+    ):
+        config.addinivalue_line("markers", marker)
     if config.option.thorough is not None:
         if config.option.thorough < 0:  # in the first process only: those of pytest-xdist are handed its options
             config.option.thorough = random.SystemRandom().randrange(2**32)

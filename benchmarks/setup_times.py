@@ -1,8 +1,9 @@
 """What it takes from a fresh clone to a first picture, and from an edit to a passing test: ``make setup-times``.
 
-The commit that is checked out is cloned into a temporary folder, and `make psf` runs there step by step, with no
-package in any cache. A figure over its limit is marked. The exit status is 1 if a count or a size is over, or a time
-although nothing else ran on the machine when the measurement began.
+The commit that is checked out, or ``--commit``, is cloned into a temporary folder, and `make psf` runs there step by
+step, with no package in any cache. Two commits are compared by seconds of processors. A figure over its limit is
+marked. The exit status is 1 if a count or a size is over, or a time although nothing else ran on the machine when the
+measurement began.
 """
 
 from __future__ import annotations
@@ -67,7 +68,7 @@ class Figure(NamedTuple):
 class Clone:
     """A clone of its own, and what runs in it with empty caches."""
 
-    def __init__(self, place: Path) -> None:
+    def __init__(self, place: Path, commit: str) -> None:
         self.root, self.log, self.compiled = place / "lommel", place / "log", place / "compiled"
         self.compiled.touch()
         launcher = place / "launcher.py"
@@ -77,7 +78,11 @@ class Clone:
         self.environment = os.environ | cold | {"CMAKE_CXX_COMPILER_LAUNCHER": launched}
         # It would have each test read and rewrite the modules of its plugins anew.
         self.environment.pop("PYTHONDONTWRITEBYTECODE", None)
-        subprocess.run(["git", "clone", "--quiet", ROOT, self.root], check=True)
+        subprocess.run(["git", "clone", "--quiet", "--no-checkout", ROOT, self.root], check=True)
+        # By its hash, for what is named in one clone need not be in another.
+        name = ["git", "rev-parse", "--verify", f"{commit}^{{commit}}"]
+        found = subprocess.run(name, cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
+        subprocess.run(["git", "checkout", "--quiet", "--detach", found], cwd=self.root, check=True)
 
     def run(self, *command: str) -> Cost:
         """Return what a command took, or end with what it wrote if it fails."""
@@ -165,12 +170,14 @@ def main() -> None:
     """Measure and judge."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--test", action="store_true", help="time make test as well")
+    parser.add_argument("--commit", default="HEAD", help="the commit to measure")
     options = parser.parse_args()
     busy = os.getloadavg()[0] / (os.cpu_count() or 1) > 0.25
-    if subprocess.run(["git", "diff", "--quiet", "HEAD"], cwd=ROOT, check=False).returncode:
+    changed = subprocess.run(["git", "diff", "--quiet", "HEAD"], cwd=ROOT, check=False).returncode
+    if changed and options.commit == "HEAD":
         print("What is not committed is left out.")
     with tempfile.TemporaryDirectory() as place:
-        clone = Clone(Path(place))
+        clone = Clone(Path(place), options.commit)
         figures = measure(clone)
         print(f"{'':45}{'':8}{'limit':>8}", *figures, sep="\n")
         if busy:

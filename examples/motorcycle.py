@@ -1,6 +1,6 @@
 """Write the motorcycle of the Middlebury benchmark, a photograph whose depth is known, for `lommel blur`.
 
-`make photo` runs this and the commands that follow it. The scene comes with scikit-image: the left view at quarter
+`make photo` runs this and `motorcycle.sh`. The scene comes with scikit-image: the left view at quarter
 size, 741 x 500, and its disparity. Source: D. Scharstein, H. Hirschmueller, Y. Kitajima, G. Krathwohl, N. Nesic,
 X. Wang, P. Westling, "High-resolution stereo datasets with subpixel-accurate ground truth", GCPR 2014,
 doi:10.1007/978-3-319-11752-2_3.

@@ -156,7 +156,7 @@ def tagged(release: documents.Release, wheel: Path, folder: Path) -> Path:
     """Put a wheel into a folder, on Linux with the manylinux tag that auditwheel finds, and with nothing grafted."""
     if sys.platform != "linux":
         return Path(shutil.copy(wheel, folder))
-    tools = TOOLS / "maintain" / "bin"
+    tools = Path(sys.executable).parent
     before = set(folder.iterdir())
     path = f"{tools}{os.pathsep}{os.environ['PATH']}"
     said = run(tools / "auditwheel", "repair", "--wheel-dir", folder, wheel, env=environment(release, PATH=path))
@@ -271,7 +271,7 @@ def arm_wheel(release: documents.Release, tree: Path, root: Path | None, folder:
 
 def checked(release: documents.Release, folder: Path) -> None:
     """Have other tools read the bill of materials and the conda recipe."""
-    python = TOOLS / "maintain" / "bin" / "python"
+    python = sys.executable
     read_bill = """
         import sys
         from pathlib import Path
@@ -383,7 +383,7 @@ def main() -> None:
     arm_wheel(release, tree, asked.arm and asked.arm.resolve(), made / "packages", report)
     draft = ""
     if list((ROOT / "changes").glob("*.*.md")):
-        towncrier = TOOLS / "maintain" / "bin" / "towncrier"
+        towncrier = Path(sys.executable).parent / "towncrier"
         words = ["build", "--draft", "--version", release.version, "--date", release.date]
         draft = run(towncrier, *words, cwd=ROOT).stdout
     documents.write(release, made, archive, draft)

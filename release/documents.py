@@ -60,11 +60,12 @@ def current() -> Release:
     return Release(project()["project"]["version"], commit, int(epoch))
 
 
-def locked(name: str, file: str = "requirements.lock") -> str:
-    """Return the version of a package in a file of pins."""
-    found = re.search(rf"^{re.escape(name)}==([^ ;]+)", (ROOT / file).read_text(encoding="utf-8"), re.MULTILINE)
+def locked(name: str) -> str:
+    """Return the version of a package in requirements.lock."""
+    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    found = re.search(rf"^{re.escape(name)}==([^ ;]+)", lock, re.MULTILINE)
     if not found:
-        raise ValueError(f"{file} does not pin {name}: run make lock")
+        raise ValueError(f"requirements.lock does not pin {name}: run make lock")
     return found[1]
 
 
@@ -117,7 +118,7 @@ def bill(release: Release) -> str:
     What is compiled into the wheels, the libraries of the system that they load, and the packages that are required,
     at the versions of the lock.
     """
-    zig = locked("ziglang", "web/requirements.lock")
+    zig = locked("ziglang")
     versions = {"nanobind": locked("nanobind"), "robin-map": robin_map(), "zig": zig}
     components = []
     for name, text, home, place, licence in notice_rows():

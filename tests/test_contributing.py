@@ -34,7 +34,7 @@ def faults(command: str) -> list[str]:
     first, *words = shlex.split(command)
     if first == "make":
         return [f"no target {word}" for word in words if "=" not in word and word not in TARGETS]
-    if first not in ("python", "pip", "uv", "pipx"):
+    if first not in ("python", ".tools/uv"):
         return [] if os.access(ROOT / first, os.X_OK) else [f"{first} cannot be run"]
     pairs = [*itertools.pairwise(words)]
     found = [f"no group {name}" for option, name in pairs if option == "--group" and name not in GROUPS]
@@ -48,7 +48,7 @@ def test_workflows_run_what_is_there():
     assert {line for _, line in lines} >= {".ci/run", "make lowest PYTHON=python3.11", "make tidy sanitize"}
     assert {f"{where}: {line}": found for where, line in lines if (found := faults(line))} == {}
     assert faults("make nothing") == ["no target nothing"]
-    assert faults("uv pip install --constraint x.txt --extra x --group y") == [
+    assert faults(".tools/uv pip install --constraint x.txt --extra x --group y") == [
         "no group y",
         "no extra x",
         "no file x.txt",
@@ -58,20 +58,40 @@ def test_workflows_run_what_is_there():
 def test_the_tests_run_on_three_systems_with_the_oldest_and_the_newest_python():
     tests = WORKFLOWS["tests.yml"]
     # YAML 1.1 reads the key `on` as true.
-    assert set(tests[True]) == {"push", "pull_request"}
+    assert set(tests[True]) == {"push", "pull_request", "schedule"}
     classifiers = " ".join(PROJECT["project"]["classifiers"])
     pythons = sorted(re.findall(r"Python :: (3\.\d+)", classifiers), key=lambda version: int(version[2:]))
     others = tests["jobs"]["others"]["strategy"]["matrix"]
     assert others["os"] == ["macos-latest", "windows-latest"]
     for job in ("linux", "others"):
         assert tests["jobs"][job]["strategy"]["matrix"]["python"] == [pythons[0], pythons[-1]]
-    (pytest_line,) = re.findall(r"\.venv/bin/(pytest .*?) \|\|", MAKEFILE)
-    assert f"python -m {pytest_line}" in [step.get("run") for step in tests["jobs"]["others"]["steps"]]
+    (pytest_line,) = re.findall(r"^pytest := \.venv/bin/(.*)$", MAKEFILE, re.MULTILINE)
+    assert f"python -m {pytest_line} --quick" in [step.get("run") for step in tests["jobs"]["others"]["steps"]]
+
+
+def test_all_tests_run_every_night_and_before_wheels_are_built():
+    nightly = WORKFLOWS["tests.yml"]["jobs"]["everything"]
+    assert nightly["if"] == "github.event_name == 'schedule'"
+    wheels = WORKFLOWS["wheels.yml"]["jobs"]
+    for steps in (nightly["steps"], wheels["everything"]["steps"]):
+        assert next(step["run"] for step in steps if "run" in step).split()[:2] == ["make", "test-all"]
+    assert {wheels[job]["needs"] for job in ("sources", "release")} == {"everything"}
+    assert wheels["wheels"]["needs"] == "sources"
+
+
+def test_workflows_install_packages_by_their_hashes_alone():
+    lines = [line for _, step in STEPS for line in step.get("run", "").splitlines() if "install" in line]
+    assert lines
+    for line in lines:
+        assert "--require-hashes" in line or "--no-deps" in line, line
+    assert not [line for line in lines if re.search("pipx|pip install uv", line)]
 
 
 def test_workflows_may_only_read_and_pin_what_they_use():
     for name, workflow in WORKFLOWS.items():
         assert workflow["permissions"] == {"contents": "read"}, name
+    checkouts = [step for _, step in STEPS if step.get("uses", "").startswith("actions/checkout@")]
+    assert all(step["with"]["persist-credentials"] is False for step in checkouts)
     used = [step["uses"] for _, step in STEPS if "uses" in step]
     assert used
     assert [use for use in used if not re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40}", use)] == []

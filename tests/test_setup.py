@@ -112,39 +112,69 @@ else:
     assert pictures.max() > 240
 
 
+# What recipes and the scripts in .ci call, beside compilers, uv and Python.
+UTILITIES = ("awk", "cat", "cp", "env", "find", "make", "mkdir", "mv", "printf", "rm", "sed", "sh", "touch")
+
+
 class Place:
-    """A project of a few files with the Makefile, and programs that only write down how they are called."""
+    """A project of a few files with the Makefile, and programs that only write down how they are called.
+
+    Nothing else is on PATH, so that a compiler or uv can be missing.
+    """
 
     def __init__(self, root: Path) -> None:
-        self.root, self.log, bin_folder = root / "project", root / "log", root / "bin"
+        self.root, self.log, self.bin = root / "project", root / "log", root / "bin"
         for name in ("Makefile", "pyproject.toml", "requirements.lock"):
             self.write(name, (ROOT / name).read_text(encoding="utf-8"))
+        shutil.copytree(ROOT / ".ci", self.root / ".ci")
         for name in ("CMakeLists.txt", "cpp/bindings/one.cpp", "src/lommel/__init__.py", "src/lommel/two.py"):
             self.write(name, "")
+        for name in (
+            "cpp/include/one.hpp",
+            "cpp/wasm/one.cpp",
+            "src/lommel/page/state.py",
+            "examples/lenses/one.toml",
+        ):
+            self.write(name, "")
+        self.write("web/build.py", "import pathlib, sys\npathlib.Path(sys.argv[2]).mkdir(parents=True)")
         self.log.touch()
-        bin_folder.mkdir()
+        self.bin.mkdir()
+        for name in UTILITIES:
+            found = shutil.which(name)
+            if found is None:
+                pytest.skip(f"no {name}")
+            (self.bin / name).symlink_to(found)
         (root / "missing").touch()
-        self.path = f"{bin_folder}:{os.environ['PATH']}"
-        cache = Path("build", sys.implementation.cache_tag, "CMakeCache.txt")
-        python = f"""case "$*" in *scikit_build_core*) cat {root}/missing;; *) exec {sys.executable} "$@";; esac"""
-        self.program(bin_folder / "cmake", f"echo cmake $* >>{self.log}")
+        self.core = Path("build", sys.implementation.cache_tag, "_core.so")
+        cache = self.core.with_name("CMakeCache.txt")
+        self.program("cmake", f"echo cmake $* >>{self.log}")
+        self.program("c++", "exit 0")
         self.program(
-            bin_folder / "uv",
+            "uv",
             f"""
-case "$*" in *--help) exit;; esac
+case "$*" in *--help) echo help; exit;; esac
 echo uv $* >>{self.log}
+env >{root}/environment
 case "$*" in
-venv*) mkdir -p .venv/bin && cp {root}/python .venv/bin;;
-*--editable*) mkdir -p {cache.parent}
-    printf '%s\\n' CMAKE_COMMAND:INTERNAL={bin_folder}/cmake SKBUILD_STATE:STRING=editable >{cache};;
+venv*) mkdir -p .venv/bin && cp {root}/bin/python3 .venv/bin/python;;
+*--editable*) mkdir -p {cache.parent} && echo CMAKE_COMMAND:INTERNAL={self.bin}/cmake >{cache};;
 esac""",
         )
-        self.program(root / "python", python)
-        self.cache = self.root / cache
+        self.program(
+            "python3",
+            f"""
+case "$*" in
+*_base_executable*) echo {self.bin}/python3;;
+*scikit_build_core*) cat {root}/missing;;
+*"-m pip --version") ;;
+*"-m pip install"*) echo pip $* >>{self.log}; mkdir -p .tools/tmp/bin; cp {root}/uv .tools/tmp/bin;;
+*) exec {sys.executable} "$@";;
+esac""",
+        )
 
-    def program(self, path: Path, script: str) -> None:
-        path.write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
-        path.chmod(0o755)
+    def program(self, name: str, script: str) -> None:
+        (self.bin / name).write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
+        (self.bin / name).chmod(0o755)
 
     def write(self, name: str, text: str) -> None:
         (self.root / name).parent.mkdir(parents=True, exist_ok=True)
@@ -158,18 +188,27 @@ esac""",
             os.utime(self.root / name, (1e9 + 10, 1e9 + 10))
         return self.make_again(target)
 
-    def make_again(self, target: str) -> list[str]:
+    def make_again(self, *words: str) -> list[str]:
         """Return which programs a target calls as the files are."""
-        self.log.write_text("")
-        environment = os.environ | {"PATH": self.path}
-        subprocess.run(["make", target], cwd=self.root, env=environment, check=True, capture_output=True)
+        run = self.run(*words)
+        assert run.returncode == 0, run.stderr
         return self.log.read_text().splitlines()
+
+    def run(self, *words: str, **more: str) -> subprocess.CompletedProcess[str]:
+        self.log.write_text("")
+        environment = {"PATH": str(self.bin), **more}
+        return subprocess.run(
+            ["make", *words], cwd=self.root, env=environment, check=False, capture_output=True, text=True
+        )
+
+    def environment(self) -> dict[str, str]:
+        """Return the environment that uv was last called in."""
+        lines = (self.root.parent / "environment").read_text().splitlines()
+        return dict(line.split("=", 1) for line in lines if "=" in line)
 
 
 @pytest.fixture
 def place(tmp_path) -> Place:
-    if shutil.which("make") is None:
-        pytest.skip("no make")
     return Place(tmp_path)
 
 
@@ -181,7 +220,7 @@ def has(line: str, *words: str) -> bool:
 
 
 def test_packages_are_installed_in_two_stages_and_only_by_their_hashes(place):
-    made, first, package = place.make("build")
+    made, first, package, _ = place.make("build")
     assert has(made, "uv venv")
     assert has(first, *LOCKED)
     assert first.endswith("--requirement pyproject.toml --extra images --group build")
@@ -191,58 +230,136 @@ def test_packages_are_installed_in_two_stages_and_only_by_their_hashes(place):
     assert second.endswith("--requirement pyproject.toml --extra all --group dev")
     # The second takes nothing back, and so nothing is compiled again.
     assert not place.make("env")
-    assert not place.make("build")
+    assert len(place.make("build")) == 1
     assert len(place.make("env", "requirements.lock")) == 3
+
+
+def test_an_environment_of_another_folder_or_python_is_made_anew(place):
+    place.make("env")
+    named = f"PYTHON={place.bin / 'python3'}"
+    assert len(place.make_again("env", named)) == 3
+    assert not place.make_again("env", named)
+    assert not place.make_again("env")
+    place.root = place.root.rename(place.root.with_name("moved"))
+    assert len(place.make_again("env")) == 3
 
 
 def test_what_builds_is_fetched_where_path_has_none(place):
     (place.root.parent / "missing").write_text("cmake>=3.26 ninja>=1.5\n")
-    *_, tools, _ = place.make("build")
-    assert has(tools, "--require-hashes", "--requirement", ".venv/tools.txt")
-    fetched = (place.root / ".venv" / "tools.txt").read_text()
-    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
-    assert re.findall(r"^([\w-]+)==", fetched, re.MULTILINE) == ["cmake", "ninja"]
-    for entry in re.split(r"(?<!\\)\n(?=ninja)", fetched.strip()):
-        assert f"\n{entry}\n" in lock
+    tools = place.make("build")[2:4]
+    for line, name in zip(tools, ("cmake", "ninja"), strict=True):
+        assert has(line, *LOCKED)
+        assert line.endswith(f"--group {name}")
+
+
+def test_uv_is_fetched_by_its_hashes_where_path_has_none(place):
+    (place.bin / "uv").rename(place.root.parent / "uv")
+    pip, *_ = place.make("build")
+    assert has(pip, "--require-hashes", "--no-deps")
+    assert pip.endswith("--requirement .tools/uv.txt")
+    text = (place.root / ".tools" / "uv.txt").read_text()
+    assert re.fullmatch(
+        r"uv==[\d.]+ \\\n(    --hash=sha256:[0-9a-f]{64} \\\n)+    --hash=sha256:[0-9a-f]{64}\n", text
+    )
+    assert not [line for line in place.make("env") + place.make("build") if line.startswith("pip")]
+
+
+@pytest.mark.parametrize(
+    ("name", "script", "words"),
+    [
+        ("c++", None, ["no C++17 compiler", "g++ or clang++", "CXX="]),
+        ("c++", "exit 1", ["no C++17 compiler", "g++ or clang++", "CXX="]),
+        ("python3", "echo /bare/python3; exit 1", ["Python.h", "/bare/python3", "python3-dev"]),
+        ("python3", "exit 1", ["no Python >= 3.11", "PYTHON="]),
+    ],
+)
+@pytest.mark.parametrize("uv", ["there", "missing"])
+def test_what_is_missing_is_said_before_anything_is_installed(name, script, words, uv, place):
+    (place.bin / name).unlink()
+    if script:
+        place.program(name, script)
+    if uv == "missing":
+        (place.bin / "uv").unlink()
+    run = place.run("psf")
+    assert run.returncode != 0
+    said = [line for line in run.stderr.splitlines() if "***" not in line]
+    assert all(line.startswith("make: ") for line in said)
+    assert all(word in " ".join(said) for word in words)
+    assert len(" ".join(said)) <= 300
+    assert place.log.read_text() == ""
+    assert not (place.root / ".venv").exists()
+    assert not (place.root / ".tools").exists()
+
+
+@pytest.mark.parametrize("name", ["g++", "clang++"])
+def test_a_compiler_of_any_name_is_the_one_that_compiles(name, place):
+    (place.bin / "c++").rename(place.bin / name)
+    place.make("build")
+    assert place.environment()["CXX"] == name
+    (place.bin / name).rename(place.bin / "mine")
+    assert place.run("lock", CXX="mine").returncode == 0
+    assert place.environment()["CXX"] == "mine"
+
+
+def test_of_another_environment_only_indexes_caches_and_certificates_count(place):
+    kept = (
+        "PIP_INDEX_URL", "PIP_CERT", "PIP_TRUSTED_HOST", "UV_DEFAULT_INDEX", "UV_INDEX_OWN_PASSWORD", "UV_CACHE_DIR",
+        "UV_NO_CACHE", "UV_OFFLINE", "UV_HTTP_TIMEOUT", "UV_INSECURE_HOST", "SSL_CERT_FILE", "HTTPS_PROXY",
+    )  # fmt: skip
+    lost = (
+        "PIP_TARGET", "PIP_CONSTRAINT", "UV_CONSTRAINT", "UV_NO_VERIFY_HASHES", "UV_PYTHON", "UV_EXCLUDE_NEWER",
+        "UV_PROJECT_ENVIRONMENT", "PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "CONDA_PREFIX",
+    )  # fmt: skip
+    run = place.run("env", **dict.fromkeys([*kept, *lost], "given"))
+    assert run.returncode == 0, run.stderr
+    seen = place.environment()
+    assert {name for name in kept if seen.get(name) != "given"} == set()
+    assert {name for name in lost if name in seen} == set()
+    assert seen["UV_SYSTEM_CERTS"] == "1"
+    assert seen["UV_PYTHON_DOWNLOADS"] == "never"
 
 
 def test_an_edit_of_the_core_is_compiled_without_a_new_install(place):
     place.make("build")
-    compiled, copied = place.make("build", "cpp/bindings/one.cpp")
-    assert has(compiled, "cmake", "--build", f"build/{sys.implementation.cache_tag}")
-    assert has(copied, "cmake", "--install", f"build/{sys.implementation.cache_tag}", "--strip", "--prefix")
-    assert not place.make_again("build")
-    assert not place.make("build", "src/lommel/two.py")
-    place.write("cpp/bindings/three.cpp", "")
-    assert len(place.make("build", "cpp/bindings/three.cpp")) == 2
+    folder = str(place.core.parent)
+    (compiled,) = place.make("build", "cpp/bindings/one.cpp")
+    assert has(compiled, "cmake", "--build", folder)
+    place.write(str(place.core), "")
+    compiled, copied = place.make("build", str(place.core))
+    assert has(copied, "cmake", "--install", folder, "--strip", "--prefix")
+    assert len(place.make_again("build")) == 1
+    assert len(place.make("build", "src/lommel/two.py")) == 1
 
 
-@pytest.mark.parametrize("what", ["a file is gone", "the project changed", "a wheel was built", "its cmake is gone"])
+@pytest.mark.parametrize("what", ["a file is gone", "the project changed", "a wheel was built"])
 def test_the_package_is_installed_anew_where(what, place):
     place.make("build")
-    changed = ["cpp/bindings/one.cpp"]
+    changed = []
     if what == "a file is gone":
         (place.root / "src" / "lommel" / "two.py").unlink()
     elif what == "the project changed":
         changed.append("pyproject.toml")
-    elif what == "a wheel was built":
-        place.cache.write_text(place.cache.read_text().replace("editable", "wheel"))
     else:
-        place.cache.write_text(place.cache.read_text().replace("/cmake", "/gone"))
-    (line,) = place.make("build", *changed)
+        assert has(place.make("wheel")[-1], "uv build --wheel")
+    line = place.make("build", *changed)[0]
     assert has(line, "--reinstall"), line
     assert has(line, "--editable", "."), line
 
 
 def test_a_core_that_does_not_compile_is_compiled_again(place):
     place.make("build")
-    cmake = Path(place.path.partition(":")[0]) / "cmake"
-    working = cmake.read_text()
-    place.program(cmake, "exit 1")
-    with pytest.raises(subprocess.CalledProcessError):
-        place.make("build", "cpp/bindings/one.cpp")
-    cmake.write_text(working)
-    assert len(place.make_again("build")) == 2
+    working = (place.bin / "cmake").read_text()
+    place.program("cmake", "exit 1")
+    assert place.run("build").returncode != 0
+    (place.bin / "cmake").write_text(working)
+    assert len(place.make_again("build")) == 1
+
+
+def test_everything_is_not_begun_where_there_is_no_browser_for_the_live_page(place):
+    run = place.run("test-all")
+    assert run.returncode != 0
+    assert "Chromium" in run.stderr
+    assert place.log.read_text() == ""
 
 
 @pytest.mark.parametrize("status", [0, 3])

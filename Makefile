@@ -10,12 +10,8 @@ SHELL := /bin/sh
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter, CXX=clang++ a compiler; otherwise the first that will do is used.
 PYTHON ?=
-ifeq ($(origin CXX),default)
-CXX := $(firstword $(foreach name,c++ g++ clang++,$(if $(shell command -v $(name) 2>/dev/null),$(name))) c++)
-endif
-export CXX
+export CXX := $(if $(filter default,$(origin CXX)),$(firstword $(foreach name,c++ g++ clang++,$(if $(shell command -v $(name) 2>/dev/null),$(name))) c++),$(CXX))
 find_python = .ci/python $(if $(PYTHON),"$(PYTHON)")
-
 # Settings of another environment must not reach this one; indexes, caches and certificates for uv and pip stay in force.
 network := %INDEX %INDEX_URL %FIND_LINKS %CACHE %CACHE_DIR %CERT %PROXY %TIMEOUT %RETRIES %OFFLINE %LINK_MODE %CONFIG_FILE \
 	%KEYRING_PROVIDER PIP_TRUSTED_HOST UV_INDEX_% UV_HTTP_% UV_INSECURE_HOST UV_TORCH_BACKEND
@@ -27,7 +23,6 @@ export UV_PYTHON_DOWNLOADS := never
 export UV_SYSTEM_CERTS := 1
 help: ## list these targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
-
 # The uv on PATH, where there is one that works, or else the locked one.
 uv := $(if $(shell uv pip install --group build --no-python-downloads --help 2>/dev/null),uv,.tools/uv)
 fetched := $(filter .tools/uv,$(uv))
@@ -55,7 +50,6 @@ install := pip install --python .venv $(locked) --requirement pyproject.toml
 	@$(uv) $(install) $(if $(filter dev,$*),--extra all) --group $*
 	touch $@
 env: .venv/dev.stamp ## make .venv with all that plots, tests and other formats take, as requirements.lock has it
-
 # Compiles the package in the folder $(2) and installs it, editable, in the environment $(1).
 package = PATH="$(CURDIR)/$(1)/bin:$$PATH" $(uv) pip install --quiet --python $(1) --reinstall --no-build-isolation --no-deps \
 	--config-settings=build-dir='$(2)' --editable .
@@ -85,7 +79,6 @@ psf: build ## compile, the first time, compute the PSF of Hubble in 1990 and dra
 photo: build env ## blur a photograph by its depth, near, far and from one to the other; undo it; find the depth; to out/motorcycle-*
 	@.venv/bin/python examples/motorcycle.py out
 	PATH="$(CURDIR)/.venv/bin:$$PATH" sh examples/motorcycle.sh
-
 pytest := .venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 test: core-tests lint ## build, lint, check the types and run all tests but the slowest
 	@.venv/bin/mypy & types=$$!
@@ -115,9 +108,8 @@ test-all: browser core-tests page lint ## run all tests: slow and random ones, t
 	$(call with,.tools/compat:.tools/lenses:.tools/peers:.tools/torch) --thorough $(peer_tests) $(torch_tests) || status=$$?
 	exit $${status:-0}
 browser:
-	@for name in "$${LOMMEL_BROWSER:-}" chromium chromium-browser google-chrome; do ! command -v "$$name" >/dev/null || exit 0; done
-	echo "make: tests of the live page need Chromium: install the package chromium, or set LOMMEL_BROWSER" >&2
-	exit 1
+	@command -v "$${LOMMEL_BROWSER:-chromium}" || command -v chromium-browser || command -v google-chrome || \
+		{ echo "make: tests of the live page need Chromium: install the package chromium, or set LOMMEL_BROWSER" >&2; exit 1; }
 test-c: build env ## build the C interface and test it from C, ctypes and, where there is a rustc, Rust: a minute or two
 	@LOMMEL_C=1 .venv/bin/pytest -n 0 tests/core/test_c_interface.py
 # On Debian and Ubuntu the packages xvfb and xauth, and the libraries of Qt: libegl1, libxkbcommon-x11-0, libxcb-cursor0 and others.

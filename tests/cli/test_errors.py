@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -261,10 +262,12 @@ def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     assert "LOMMEL_TRACEBACK=1" in line
 
 
+@pytest.mark.parametrize("unbuffered", ["", "1"])
 @pytest.mark.parametrize(("target", "code"), [(">&-", 0), (">/dev/full", 2), ("| true", 0)])
-def test_output_that_cannot_be_written_is_no_traceback(target, code, lenses, tmp_path):
-    command = f"{Path(sys.executable).with_name('lommel')} info {lenses['phone']} {target}"
-    result = subprocess.run(["/bin/sh", "-c", command], cwd=tmp_path, capture_output=True, text=True, check=False)
+def test_output_that_cannot_be_written_is_no_traceback(target, code, unbuffered, lenses, tmp_path):
+    command = ["/bin/sh", "-c", f"{Path(sys.executable).with_name('lommel')} info {lenses['phone']} {target}"]
+    environment = os.environ | {"PYTHONUNBUFFERED": unbuffered}
+    result = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
     assert result.returncode == code
     assert len(result.stderr.splitlines()) == (code > 0)
     assert "Traceback" not in result.stderr

@@ -11,6 +11,7 @@ import resource
 import signal
 import sys
 import traceback
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -47,7 +48,10 @@ def hunt() -> Callable[..., list[str]]:
 def _batch(case, first, count, seconds, memory):
     """Run cases in a child, which is killed where one takes too long; return the first not run, and the findings."""
     read, write = os.pipe()
-    child = os.fork()
+    with warnings.catch_warnings():
+        # Libraries that other tests have started warn of their threads; a child that reads files needs none of these.
+        warnings.simplefilter("ignore")
+        child = os.fork()
     if child == 0:
         try:
             os.close(read)

@@ -165,13 +165,16 @@ def command(
             except (click.ClickException, click.exceptions.Exit, click.Abort):
                 raise
             except BrokenPipeError:
-                # The reader of the pipe has left; Python must not write to it when it ends either.
-                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+                _discard_output()  # the reader of the pipe has left
                 sys.exit(1)
             except Exception as error:
                 if os.environ.get("LOMMEL_TRACEBACK"):
                     raise
                 click.echo(f"Error: {_message(error)}", err=True)
+                try:
+                    sys.stdout.flush()
+                except OSError:
+                    _discard_output()  # the error was one of writing
                 sys.exit(2 if isinstance(error, _CAUSED) else 1)
 
         # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
@@ -181,6 +184,11 @@ def command(
         return kind(function.__name__, params=list(params), help=text, callback=guarded)
 
     return made
+
+
+def _discard_output() -> None:
+    """Send what Python would write of its buffer when it ends to the null device: it could only fail again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 _WIDTH = 76  # of lines in help, which Click indents by two

@@ -65,6 +65,18 @@ list(FILTER test_bindings INCLUDE REGEX "/(tests_[a-z]*|process)\\.cpp$")
 nanobind_add_module(_core ${module_options} ${bindings} $<TARGET_OBJECTS:lommel_compiled>)
 set_core_options(_core)
 install(TARGETS _core LIBRARY DESTINATION lommel)
+# Nanobind, and bindings that convert arguments and no more, take a fifth less time to compile, and no longer to run.
+if(NOT MSVC)
+  set(light aperture estimation imaging localize module paper process special)
+  list(TRANSFORM light PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/bindings/")
+  list(TRANSFORM light APPEND .cpp)
+  set_source_files_properties(${light} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O1>")
+  get_target_property(linked _core LINK_LIBRARIES)
+  list(FILTER linked INCLUDE REGEX "^nanobind")
+  foreach(target ${linked})
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endforeach()
+endif()
 
 # What tests alone call, in a module of its own that is neither built nor installed by default. The target core_tests does both
 # in the environment of this Python; with LOMMEL_TESTS it is a part of the package.

@@ -1,10 +1,10 @@
-// Compiles the geometry and the quadrature of apertures of parts. Headers before LOMMEL_DEFINES are compiled by other units.
-#include "lommel/base/cache.hpp"
-#include "lommel/base/simd.hpp"
-#include "lommel/base/watch.hpp"
+// Compiles the geometry, the quadrature and the fields of apertures of parts. Headers before LOMMEL_DEFINES are compiled by other units.
+#include "lommel/base/parallel.hpp"
 #include "lommel/limits.hpp"
 #include "lommel/special/legendre.hpp"
+#include "lommel/special/wave_sums.hpp"
+#include "lommel/zernike/disk_stack.hpp"
 
 #define LOMMEL_DEFINES
 
-#include "lommel/aperture/row_rule.hpp"
+#include "lommel/aperture/row_field.hpp"

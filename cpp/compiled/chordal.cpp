@@ -2,6 +2,7 @@
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"
+#include "lommel/pixels/render.hpp"
 #include "lommel/special/bessel_table.hpp"
 #include "lommel/special/gridding.hpp"
 #include "lommel/zernike/disk_stack.hpp"

@@ -6,3 +6,6 @@
 #define LOMMEL_DEFINES
 
 #include "lommel/zernike/polar_image.hpp"
+
+template void lommel::PolarImage::paint<float>(double, float*);
+template void lommel::PolarImage::paint<double>(double, double*);

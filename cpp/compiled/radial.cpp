@@ -9,3 +9,7 @@
 #define LOMMEL_DEFINES
 
 #include "lommel/radial/average_images.hpp"
+
+template double lommel::SamplePieces::paint<float>(const lommel::PixelWindow&, const double*, double, float, int, float*) const;
+template double lommel::SamplePieces::paint<double>(const lommel::PixelWindow&, const double*, double, double, int,
+                                                    double*) const;

@@ -1,7 +1,8 @@
-// Compiles threads, bounds and the Bessel tables, which all engines share.
+// Compiles threads, matrix products, bounds and the Bessel tables, which all engines share.
 #define LOMMEL_DEFINES
 
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/product.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/special/bessel_table.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/tasks.hpp"
@@ -12,8 +13,11 @@
 namespace lommel {
 
 // out[row * sums + j] = sum over i of given[row * count + i] matrix[i * sums + j].
-inline void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
-                    int threads, double* out) {
+void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums, int threads,
+             double* out);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
+                         int threads, double* out) {
     constexpr std::size_t together = 8, step = 16;
     // For many rows a panel of columns is copied: read with the stride of the matrix, it takes a page for each row of that.
     const bool copied = rows > 2 * together;
@@ -68,5 +72,6 @@ inline void product(const double* given, std::size_t rows, std::size_t count, co
         }
     });
 }
+#endif
 
 }  // namespace lommel

@@ -116,58 +116,14 @@ struct ChordGrowth {
     }
 
     // Bound on the sum of coefficients from n on, each at most e^(size - n b).
-    double tail(std::size_t n) const {
-        double best = 0.0;
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            ChordCurves::Values sums;
-            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-                sums[k] = size[k] - static_cast<double>(n) * chord_curves.b[k] + chord_curves.closed[k];
-            }
-            best = sums[least_at(sums)];
-        });
-        return std::exp(std::min(best, 690.0));
-    }
+    double tail(std::size_t n) const;
 
     // About the least n for which tail() is of this logarithm.
-    double fewest(double logarithm) const {
-        double least = 0.0;
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            ChordCurves::Values degrees;
-            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-                degrees[k] = (size[k] + chord_curves.closed[k] - logarithm) * chord_curves.inverse[k];
-            }
-            least = degrees[least_at(degrees)];
-        });
-        return std::max(1.0, std::ceil(least));
-    }
+    double fewest(double logarithm) const;
 
     // Bound on the distance of the pupil function from a polynomial of degree d, everywhere on the disk: component n is
     // a mean of U_n(x . xi) b_n, at most (n+1)^(3/2) times its Chebyshev coefficient.
-    double distance(std::size_t d) const {
-        const double first = static_cast<double>(d) + 2.0;  // n + 1 of the first degree that is missing
-        const double next = (first + 1.0) / first, widening = next * std::sqrt(next);
-        ChordCurves::Values exponents;
-        std::size_t least = 0;
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-                const double exponent = size[k] - (first - 1.0) * chord_curves.b[k];
-                exponents[k] = chord_curves.decay[k] * widening < 1.0 ? exponent : 1e300;
-            }
-            least = least_at(exponents);
-        });
-        // A logarithm only where it may matter: first of the least exponent.
-        double best = 1e300;
-        const auto add = [&](std::size_t k) {
-            best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));
-        };
-        add(least);
-        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-            if (exponents[k] < best) {
-                add(k);
-            }
-        }
-        return first * std::sqrt(first) * std::exp(std::min(best, 690.0));
-    }
+    double distance(std::size_t d) const;
 };
 
 class DiskBounds {
@@ -222,5 +178,57 @@ class DiskBounds {
 
     ChordGrowth chords_, turns_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double ChordGrowth::tail(std::size_t n) const {
+    double best = 0.0;
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        ChordCurves::Values sums;
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            sums[k] = size[k] - static_cast<double>(n) * chord_curves.b[k] + chord_curves.closed[k];
+        }
+        best = sums[least_at(sums)];
+    });
+    return std::exp(std::min(best, 690.0));
+}
+
+LOMMEL_ONCE double ChordGrowth::fewest(double logarithm) const {
+    double least = 0.0;
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        ChordCurves::Values degrees;
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            degrees[k] = (size[k] + chord_curves.closed[k] - logarithm) * chord_curves.inverse[k];
+        }
+        least = degrees[least_at(degrees)];
+    });
+    return std::max(1.0, std::ceil(least));
+}
+
+LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
+    const double first = static_cast<double>(d) + 2.0;  // n + 1 of the first degree that is missing
+    const double next = (first + 1.0) / first, widening = next * std::sqrt(next);
+    ChordCurves::Values exponents;
+    std::size_t least = 0;
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            const double exponent = size[k] - (first - 1.0) * chord_curves.b[k];
+            exponents[k] = chord_curves.decay[k] * widening < 1.0 ? exponent : 1e300;
+        }
+        least = least_at(exponents);
+    });
+    // A logarithm only where it may matter: first of the least exponent.
+    double best = 1e300;
+    const auto add = [&](std::size_t k) {
+        best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));
+    };
+    add(least);
+    for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+        if (exponents[k] < best) {
+            add(k);
+        }
+    }
+    return first * std::sqrt(first) * std::exp(std::min(best, 690.0));
+}
+#endif
 
 }  // namespace lommel

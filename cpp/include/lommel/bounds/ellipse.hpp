@@ -192,35 +192,7 @@ class Ellipses {
         return *std::min_element(low, low + 8);
     }
 
-    void measure(const double* phase, std::size_t terms) {
-        if (terms <= 2) {
-            // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.
-            const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-                for (std::size_t i = 0; i < count; ++i) {
-                    g_[i] = largest(grid.sinh[i] * std::abs(a1), 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2));
-                }
-            });
-            return;
-        }
-        const auto polynomials = EllipsePolynomials::get();
-        for (std::size_t i = 0; i < count; ++i) {
-            std::array<double, EllipseGrid::steps + 1> sums{};
-            for (std::size_t k = 0; k < terms; ++k) {
-                const auto& imaginary = polynomials->imaginary[k][i];
-                for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
-                    sums[j] += phase[k] * imaginary[j];
-                }
-            }
-            double top = 0.0;
-            for (const double sum : sums) {
-                top = std::max(top, std::abs(sum));
-            }
-            // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
-            g_[i] =
-                top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
-        }
-    }
+    void measure(const double* phase, std::size_t terms);
 
     // max over c = cos of sqrt(1 - c^2) (a + b c), a, b >= 0: at 2 b c^2 + a c - b = 0.
     static LOMMEL_INLINE double largest(double a, double b) {
@@ -270,5 +242,36 @@ inline double disk_window_tail(std::size_t degrees, double reach) {
 inline std::size_t disk_window_degrees(double reach, double error) {
     return fewest(static_cast<std::size_t>(reach) + 2, [&](std::size_t n) { return disk_window_tail(n, reach) <= error; });
 }
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
+    if (terms <= 2) {
+        // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.
+        const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t i = 0; i < count; ++i) {
+                g_[i] = largest(grid.sinh[i] * std::abs(a1), 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2));
+            }
+        });
+        return;
+    }
+    const auto polynomials = EllipsePolynomials::get();
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<double, EllipseGrid::steps + 1> sums{};
+        for (std::size_t k = 0; k < terms; ++k) {
+            const auto& imaginary = polynomials->imaginary[k][i];
+            for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
+                sums[j] += phase[k] * imaginary[j];
+            }
+        }
+        double top = 0.0;
+        for (const double sum : sums) {
+            top = std::max(top, std::abs(sum));
+        }
+        // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
+        g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
+    }
+}
+#endif
 
 }  // namespace lommel

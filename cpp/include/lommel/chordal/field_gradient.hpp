@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
@@ -148,7 +149,9 @@ void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_
     });
 }
 
-inline void node_gradient(const NodeSeries& given, const DiskWindow& window, int threads, const NodeGradient& wanted) {
+void node_gradient(const NodeSeries& given, const DiskWindow& window, int threads, const NodeGradient& wanted);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window, int threads, const NodeGradient& wanted) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
     const std::size_t lanes = Kernels::lanes(level), pixels = window.height * window.width, nodes = given.nodes();
@@ -275,5 +278,6 @@ inline void node_gradient(const NodeSeries& given, const DiskWindow& window, int
         }
     }
 }
+#endif
 
 }  // namespace lommel

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
@@ -65,8 +66,12 @@ struct NodeSeries {
 
 // exp(i W) at the four images of each node of a quadrant, weighted, as sums of these by parity, [parity][node]; then, for a `largest`
 // W above 0, i W exp(i W) over it likewise, `apart` numbers on. W is a sum of `count` terms, [term][node], each of a parity.
-inline void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
-                       const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t apart) {
+void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
+                const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t apart);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities,
+                            std::size_t count, const double* edge, const double* weights, double largest,
+                            std::complex<double>* to, std::size_t apart) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
@@ -114,6 +119,7 @@ inline void fold_waves(Level level, std::size_t nodes, const double* terms, cons
         }
     });
 }
+#endif
 
 // Parts of the amplitudes of one plane by one series at some nodes: to[part][re, im][node].
 inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, std::size_t first,
@@ -568,7 +574,9 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
 
 // values[set][plane][row][column]: the sum of squares of the first set of fields, then its derivatives; largest[set][plane][field] is
 // the largest |E| or |F| in the window.
-inline void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
+void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     const Level level = processor_level();
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
@@ -601,5 +609,6 @@ inline void node_light(const NodeSeries& given, const DiskWindow& window, int th
         });
     });
 }
+#endif
 
 }  // namespace lommel

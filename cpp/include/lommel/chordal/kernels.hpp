@@ -44,26 +44,11 @@ struct ChordKernels {
 
     // A row of one pupil, times a number.
     template <class T>
-    static void store_row(Level level, const Real* values, double by, std::size_t columns, T* to) {
-        dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t x = 0; x < columns; ++x) {
-                to[x] = static_cast<T>(by * static_cast<double>(values[x]));
-            }
-        });
-    }
+    static void store_row(Level level, const Real* values, double by, std::size_t columns, T* to);
     // What stands in each of some lanes of a row, times a number each, to a row each.
     template <class T>
     static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
-                            T* const* to) {
-        dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-            constexpr std::size_t apart = Waves<decltype(isa), Real>::lanes;
-            for (std::size_t lane = 0; lane < used; ++lane) {
-                for (std::size_t x = 0; x < columns; ++x) {
-                    to[lane][x] = static_cast<T>(by[lane] * static_cast<double>(values[x * apart + lane]));
-                }
-            }
-        });
-    }
+                            T* const* to);
 };
 
 template <class Real>
@@ -138,9 +123,42 @@ void ChordKernels<Real>::add_products(Level level, const FactorTable& table, std
     });
 }
 
+template <class Real>
+template <class T>
+void ChordKernels<Real>::store_row(Level level, const Real* values, double by, std::size_t columns, T* to) {
+    dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t x = 0; x < columns; ++x) {
+            to[x] = static_cast<T>(by * static_cast<double>(values[x]));
+        }
+    });
+}
+
+template <class Real>
+template <class T>
+void ChordKernels<Real>::store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
+                                     T* const* to) {
+    dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t apart = Waves<decltype(isa), Real>::lanes;
+        for (std::size_t lane = 0; lane < used; ++lane) {
+            for (std::size_t x = 0; x < columns; ++x) {
+                to[lane][x] = static_cast<T>(by[lane] * static_cast<double>(values[x * apart + lane]));
+            }
+        }
+    });
+}
+
 #if defined(LOMMEL_COMPILED)
 extern template struct ChordKernels<float>;
 extern template struct ChordKernels<double>;
+extern template void ChordKernels<float>::store_row<float>(Level, const float*, double, std::size_t, float*);
+extern template void ChordKernels<float>::store_lanes<float>(Level, const float*, std::size_t, const double*, std::size_t,
+                                                             float* const*);
+extern template void ChordKernels<double>::store_row<double>(Level, const double*, double, std::size_t, double*);
+extern template void ChordKernels<double>::store_lanes<double>(Level, const double*, std::size_t, const double*, std::size_t,
+                                                               double* const*);
+extern template void ChordKernels<double>::store_row<float>(Level, const double*, double, std::size_t, float*);
+extern template void ChordKernels<double>::store_lanes<float>(Level, const double*, std::size_t, const double*, std::size_t,
+                                                              float* const*);
 #endif
 
 }  // namespace lommel

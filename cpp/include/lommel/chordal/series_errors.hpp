@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 
 namespace lommel {
@@ -21,69 +22,22 @@ struct SeriesSizes {
     // `powers` bound each term on each curve. Returns the least over the curves of what so many halved chords (0) or nodes (1) must
     // be: `chosen`, and the logarithm of the largest part times `rate`.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
-             const double* rate, const double* chosen, double (&needed)[2]) const {
-        const std::size_t total = ends.back();
-        std::vector<double> top(curves, 0.0);
-        dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t s = 0; s < series; ++s) {
-                for (std::size_t part = 0, term = 0; part < parts; ++part) {
-                    double *const to = on_curves + (s * parts + part) * curves, *const largest = top.data();
-                    double all = 0.0;
-                    std::fill_n(to, curves, 0.0);
-                    for (; term < ends[part]; ++term) {
-                        const std::complex<double> c = coefficients[s * total + term];
-                        const double size = std::sqrt(c.real() * c.real() + c.imag() * c.imag());
-                        const double* power = powers + term * curves;
-                        all += size;
-                        for (std::size_t b = 0; b < curves; ++b) {
-                            to[b] += size * power[b];
-                        }
-                    }
-                    moduli[s * parts + part] = all;
-                    for (std::size_t b = 0; b < curves; ++b) {
-                        largest[b] = to[b] > largest[b] ? to[b] : largest[b];
-                    }
-                }
-            }
-        });
-        needed[0] = needed[1] = std::numeric_limits<double>::infinity();
-        for (std::size_t b = 0; b < curves; ++b) {
-            const double grown = std::log(top[b] + 1e-300) * rate[b];
-            needed[0] = std::min(needed[0], grown + chosen[b]);
-            needed[1] = std::min(needed[1], grown + chosen[curves + b]);
-        }
-    }
+             const double* rate, const double* chosen, double (&needed)[2]) const;
 
     // wrong[set][plane][field], what sums over chords and over nodes are off by, each as a curve proves it, beside `left` and
     // `rounding` times the moduli. `shares` of parts, each of which may be off by `error`, add up to a field.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
-                double* wrong) const {
-        std::fill_n(wrong, sets * planes * fields, 0.0);
-        for (std::size_t set = 0; set < sets; ++set) {
-            for (std::size_t plane = 0; plane < planes; ++plane) {
-                const std::size_t from = (static_cast<std::size_t>(of[set]) * planes + plane) * parts;
-                for (std::size_t part = 0; part < parts; ++part) {
-                    const double* size = on_curves + (from + part) * curves;
-                    double by[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-                    for (std::size_t b = 0; b < curves; ++b) {
-                        by[0] = std::min(by[0], size[b] * chords[set * curves + b]);
-                        by[1] = std::min(by[1], size[b] * nodes[set * curves + b]);
-                    }
-                    const double off = by[0] + by[1] + left[set] + rounding[set] * moduli[from + part] + error;
-                    for (std::size_t field = 0; field < fields; ++field) {
-                        wrong[(set * planes + plane) * fields + field] += shares[field * parts + part] * off;
-                    }
-                }
-            }
-        }
-    }
+                double* wrong) const;
 };
 
 // From errors of fields and their largest moduli, [set][plane][field], what the sums of squares of the first set and the derivatives
 // by the others are off by, [set][plane].
-inline void light_errors(const double* wrong, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
-                         double* errors) {
+void light_errors(const double* wrong, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
+                  double* errors);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void light_errors(const double* wrong, const double* largest, std::size_t sets, std::size_t planes,
+                              std::size_t fields, double* errors) {
     constexpr double unit = 0x1p-53;
     for (std::size_t i = 0; i < sets * planes; ++i) {
         const double *const off = wrong + i * fields, *const top = largest + i * fields;
@@ -97,9 +51,12 @@ inline void light_errors(const double* wrong, const double* largest, std::size_t
         errors[i] = sum;
     }
 }
+#endif
 
 // Divides some values; returns the largest of these in modulus.
-inline double divide(Level level, double by, std::size_t count, double* values) {
+double divide(Level level, double by, std::size_t count, double* values);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* values) {
     double top = 0.0;
     dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
@@ -122,5 +79,65 @@ inline double divide(Level level, double by, std::size_t count, double* values) 
     });
     return top;
 }
+#endif
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void SeriesSizes::sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends,
+                                  const double* powers, const double* rate, const double* chosen, double (&needed)[2]) const {
+    const std::size_t total = ends.back();
+    std::vector<double> top(curves, 0.0);
+    dispatch(level, [&](auto) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t s = 0; s < series; ++s) {
+            for (std::size_t part = 0, term = 0; part < parts; ++part) {
+                double *const to = on_curves + (s * parts + part) * curves, *const largest = top.data();
+                double all = 0.0;
+                std::fill_n(to, curves, 0.0);
+                for (; term < ends[part]; ++term) {
+                    const std::complex<double> c = coefficients[s * total + term];
+                    const double size = std::sqrt(c.real() * c.real() + c.imag() * c.imag());
+                    const double* power = powers + term * curves;
+                    all += size;
+                    for (std::size_t b = 0; b < curves; ++b) {
+                        to[b] += size * power[b];
+                    }
+                }
+                moduli[s * parts + part] = all;
+                for (std::size_t b = 0; b < curves; ++b) {
+                    largest[b] = to[b] > largest[b] ? to[b] : largest[b];
+                }
+            }
+        }
+    });
+    needed[0] = needed[1] = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < curves; ++b) {
+        const double grown = std::log(top[b] + 1e-300) * rate[b];
+        needed[0] = std::min(needed[0], grown + chosen[b]);
+        needed[1] = std::min(needed[1], grown + chosen[curves + b]);
+    }
+}
+
+LOMMEL_ONCE void SeriesSizes::errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords,
+                                     const double* nodes, const double* left, const double* rounding, const double* shares,
+                                     std::size_t fields, double error, double* wrong) const {
+    std::fill_n(wrong, sets * planes * fields, 0.0);
+    for (std::size_t set = 0; set < sets; ++set) {
+        for (std::size_t plane = 0; plane < planes; ++plane) {
+            const std::size_t from = (static_cast<std::size_t>(of[set]) * planes + plane) * parts;
+            for (std::size_t part = 0; part < parts; ++part) {
+                const double* size = on_curves + (from + part) * curves;
+                double by[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+                for (std::size_t b = 0; b < curves; ++b) {
+                    by[0] = std::min(by[0], size[b] * chords[set * curves + b]);
+                    by[1] = std::min(by[1], size[b] * nodes[set * curves + b]);
+                }
+                const double off = by[0] + by[1] + left[set] + rounding[set] * moduli[from + part] + error;
+                for (std::size_t field = 0; field < fields; ++field) {
+                    wrong[(set * planes + plane) * fields + field] += shares[field * parts + part] * off;
+                }
+            }
+        }
+    }
+}
+#endif
 
 }  // namespace lommel

@@ -126,4 +126,11 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
     return found;
 }
 
+#if defined(LOMMEL_COMPILED)
+extern template StarLikelihood star_likelihood<float>(const StarCounts&, std::size_t, const std::vector<const float*>&, double,
+                                                      double, double*);
+extern template StarLikelihood star_likelihood<double>(const StarCounts&, std::size_t, const std::vector<const double*>&,
+                                                       double, double, double*);
+#endif
+
 }  // namespace lommel

@@ -58,7 +58,7 @@ class FieldSpreader {
     void run(std::size_t strip, const T* values, const T* image, T* out) const {
         const std::size_t top = strip * tall_, bottom = std::min(scene_.height, top + tall_);
         Aligned<T> across(bank_.across * bank_.row()), nodes(scene_.count * bank_.row()), windows(2 * (bank_.size + step));
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using I = decltype(isa);
             for (std::size_t y = top; y < bottom; ++y) {
                 look();

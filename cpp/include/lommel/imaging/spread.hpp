@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lommel/base/checkerboard.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/imaging/column.hpp"
@@ -25,7 +26,9 @@ struct Scene {
 };
 
 // Whether all are finite: what is not stays so times 0.
-inline bool all_finite(const double* values, std::size_t size) {
+bool all_finite(const double* values, std::size_t size);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
     double total = 0.0;
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
@@ -44,6 +47,7 @@ inline bool all_finite(const double* values, std::size_t size) {
     });
     return total == 0.0;
 }
+#endif
 
 // Points that hide others: of what one of layer l spreads, a pixel sees the share `seen - l`, from 0 to 1. That is all of the
 // layers before `seen`, a part of the one that it lies in, and nothing of those behind.

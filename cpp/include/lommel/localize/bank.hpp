@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/localize/fit.hpp"
 
@@ -116,40 +117,7 @@ class Localizer {
     // Fits of `count` molecules from one start each and, where that is in doubt, from up to `starts`; offsets are (count,
     // channels, 2).
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, int threads,
-             Fitted* fitted) const {
-        constexpr double microseconds = 20.0;
-        for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()),
-                   [&](std::size_t first, std::size_t last) {
-                       MoleculeFit fit(channels_, limits_);
-                       std::vector<std::vector<Counts>> counts;
-                       std::vector<Floats> centred, products;
-                       for (std::size_t k = 0; k < Bank::together; ++k) {
-                           counts.emplace_back();
-                           for (const Channel& channel : channels_) {
-                               counts.back().emplace_back(channel.table.pixels());
-                           }
-                       }
-                       for (const Channel& channel : channels_) {
-                           centred.emplace_back(Bank::together * channel.table.pixels());
-                           products.emplace_back(Bank::together * bank_.padded());
-                       }
-                       std::vector<double> mean(Bank::together * channels_.size());
-                       for (std::size_t i = first; i < last; i += Bank::together) {
-                           const std::size_t now = std::min(Bank::together, last - i);
-                           for (std::size_t c = 0; c < channels_.size(); ++c) {
-                               for (std::size_t k = 0; k < now; ++k) {
-                                   mean[k * channels_.size() + c] = take(channels_[c].table, stacks[c], i + k, counts[k][c],
-                                                                         &centred[c][k * channels_[c].table.pixels()]);
-                               }
-                               bank_.products(c, centred[c].data(), products[c].data());
-                           }
-                           for (std::size_t k = 0; k < now; ++k) {
-                               fitted[i + k] = best(fit, counts[k].data(), offsets + 2 * (i + k) * channels_.size(), products,
-                                                    k, &mean[k * channels_.size()], starts);
-                           }
-                       }
-                   });
-    }
+             Fitted* fitted) const;
 
    private:
     // Copies an image into rows of vectors, and less its mean; returns the mean.
@@ -251,5 +219,42 @@ class Localizer {
     Limits limits_;
     Bank bank_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void Localizer::fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts,
+                                int threads, Fitted* fitted) const {
+    constexpr double microseconds = 20.0;
+    for_blocks(count, threads, microseconds * static_cast<double>(channels_.size()), [&](std::size_t first, std::size_t last) {
+        MoleculeFit fit(channels_, limits_);
+        std::vector<std::vector<Counts>> counts;
+        std::vector<Floats> centred, products;
+        for (std::size_t k = 0; k < Bank::together; ++k) {
+            counts.emplace_back();
+            for (const Channel& channel : channels_) {
+                counts.back().emplace_back(channel.table.pixels());
+            }
+        }
+        for (const Channel& channel : channels_) {
+            centred.emplace_back(Bank::together * channel.table.pixels());
+            products.emplace_back(Bank::together * bank_.padded());
+        }
+        std::vector<double> mean(Bank::together * channels_.size());
+        for (std::size_t i = first; i < last; i += Bank::together) {
+            const std::size_t now = std::min(Bank::together, last - i);
+            for (std::size_t c = 0; c < channels_.size(); ++c) {
+                for (std::size_t k = 0; k < now; ++k) {
+                    mean[k * channels_.size() + c] =
+                        take(channels_[c].table, stacks[c], i + k, counts[k][c], &centred[c][k * channels_[c].table.pixels()]);
+                }
+                bank_.products(c, centred[c].data(), products[c].data());
+            }
+            for (std::size_t k = 0; k < now; ++k) {
+                fitted[i + k] = best(fit, counts[k].data(), offsets + 2 * (i + k) * channels_.size(), products, k,
+                                     &mean[k * channels_.size()], starts);
+            }
+        }
+    });
+}
+#endif
 
 }  // namespace lommel

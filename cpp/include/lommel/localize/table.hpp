@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lommel/base/aligned.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 
 namespace lommel {
@@ -52,9 +53,7 @@ class MoleculeImages {
           across_(3 * (table.height * line() + MoleculeTable::beyond)) {}
 
     // Writes the four images, each of `pixels()` floats, at a place within the table.
-    void write(const Place& place, float* images) {
-        dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { write<decltype(isa)>(place, images); });
-    }
+    void write(const Place& place, float* images);
 
    private:
     template <class I>
@@ -194,5 +193,11 @@ class MoleculeImages {
     MoleculeTable table_;
     Floats between_, across_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void MoleculeImages::write(const Place& place, float* images) {
+    dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA { write<decltype(isa)>(place, images); });
+}
+#endif
 
 }  // namespace lommel

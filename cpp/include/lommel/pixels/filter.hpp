@@ -28,14 +28,7 @@ struct PixelFilter {
     // precision would cost them the tolerance.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
-                 int threads) const {
-        // Rows that share most of their samples are summed together: these need not be loaded again.
-        if (2 * (rows_together - 1) * stride < pixels * taps) {
-            average<rows_together>(from, count, height, width, to, pitch, threads);
-        } else {
-            average<1>(from, count, height, width, to, pitch, threads);
-        }
-    }
+                 int threads) const;
 
    private:
     static constexpr std::size_t rows_together = 4;
@@ -189,5 +182,22 @@ struct PixelFilter {
         return largest;
     }
 };
+
+template <class T>
+void PixelFilter::average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to,
+                          std::size_t pitch, int threads) const {
+    // Rows that share most of their samples are summed together: these need not be loaded again.
+    if (2 * (rows_together - 1) * stride < pixels * taps) {
+        average<rows_together>(from, count, height, width, to, pitch, threads);
+    } else {
+        average<1>(from, count, height, width, to, pitch, threads);
+    }
+}
+#if defined(LOMMEL_COMPILED)
+extern template void PixelFilter::average<float>(const float*, std::size_t, std::size_t, std::size_t, double*, std::size_t,
+                                                 int) const;
+extern template void PixelFilter::average<double>(const double*, std::size_t, std::size_t, std::size_t, double*, std::size_t,
+                                                  int) const;
+#endif
 
 }  // namespace lommel

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/pixels/render.hpp"
 
 namespace lommel {
@@ -23,22 +24,7 @@ struct Radii {
 struct Layout : Radii {  // distinct radii in pixels
     FoldedSide rows, columns;
 
-    Layout(const FoldedSide& down, const FoldedSide& across) : rows(down), columns(across) {
-        const SquaredRadii squares(rows, columns);
-        count = squares.count();
-        const std::size_t pixels = rows.distances() * columns.distances();
-        if (count <= few) {
-            of_few_.resize(pixels);
-            squares.ranks(of_few_.data());
-        } else {
-            of_many_.resize(pixels);
-            squares.ranks(of_many_.data());
-        }
-        radii.resize(count + padding);
-        squares.each([&](std::size_t rank, std::size_t s) { radii[rank] = squares.square(s); });
-        std::transform(radii.begin(), radii.begin() + count, radii.begin(), [](double s) { return std::sqrt(s); });
-        std::fill(radii.begin() + count, radii.end(), radii[count - 1]);
-    }
+    Layout(const FoldedSide& down, const FoldedSide& across);
 
     static constexpr std::size_t padding = widest_step, few = std::size_t{1} << 16;
     std::size_t height() const { return rows.count; }
@@ -52,13 +38,7 @@ struct Layout : Radii {  // distinct radii in pixels
     }
     // Rows at distances [first, last), on both sides, of an image from its values at the radii.
     template <class T>
-    LOMMEL_INLINE void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const {
-        if (of_many_.empty()) {
-            scatter_rows(profile, of_few_.data(), rows, columns, first, last, image);
-        } else {
-            scatter_rows(profile, of_many_.data(), rows, columns, first, last, image);
-        }
-    }
+    void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const;
 
     bool is(const FoldedSide& down, const FoldedSide& across) const { return rows == down && columns == across; }
 
@@ -76,5 +56,37 @@ struct Layout : Radii {  // distinct radii in pixels
     std::vector<std::uint16_t> of_few_;
     std::vector<std::uint32_t> of_many_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE Layout::Layout(const FoldedSide& down, const FoldedSide& across) : rows(down), columns(across) {
+    const SquaredRadii squares(rows, columns);
+    count = squares.count();
+    const std::size_t pixels = rows.distances() * columns.distances();
+    if (count <= few) {
+        of_few_.resize(pixels);
+        squares.ranks(of_few_.data());
+    } else {
+        of_many_.resize(pixels);
+        squares.ranks(of_many_.data());
+    }
+    radii.resize(count + padding);
+    squares.each([&](std::size_t rank, std::size_t s) { radii[rank] = squares.square(s); });
+    std::transform(radii.begin(), radii.begin() + count, radii.begin(), [](double s) { return std::sqrt(s); });
+    std::fill(radii.begin() + count, radii.end(), radii[count - 1]);
+}
+#endif
+
+template <class T>
+void Layout::scatter(const T* profile, std::size_t first, std::size_t last, T* image) const {
+    if (of_many_.empty()) {
+        scatter_rows(profile, of_few_.data(), rows, columns, first, last, image);
+    } else {
+        scatter_rows(profile, of_many_.data(), rows, columns, first, last, image);
+    }
+}
+#if defined(LOMMEL_COMPILED)
+extern template void Layout::scatter<float>(const float*, std::size_t, std::size_t, float*) const;
+extern template void Layout::scatter<double>(const double*, std::size_t, std::size_t, double*) const;
+#endif
 
 }  // namespace lommel

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/watch.hpp"
 
@@ -108,13 +109,16 @@ class SquaredRadii {
 };
 
 // The squared radii around the middle of a pixel in rising order; `index` receives the rank of each pixel's.
-inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
+std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
     const SquaredRadii found(FoldedSide(2 * rows + 1), FoldedSide(2 * cols + 1));
     found.ranks(index);
     std::vector<std::int64_t> squares(found.count());
     found.each([&](std::size_t rank, std::size_t s) { squares[rank] = static_cast<std::int64_t>(s); });
     return squares;
 }
+#endif
 
 // The largest of values >= 0, in eight chains that compilers vectorise.
 LOMMEL_INLINE double largest(const double* values, std::size_t count) {
@@ -131,13 +135,40 @@ LOMMEL_INLINE double largest(const double* values, std::size_t count) {
     return *std::max_element(top, top + 8);
 }
 
+double largest_value(const double* values, std::size_t count);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double largest_value(const double* values, std::size_t count) {
+    double top = 0.0;
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(values, count); });
+    return top;
+}
+#endif
+
 // Values times a scale, as the answer stores them; they may be replaced.
 template <class From, class T>
-LOMMEL_INLINE void store_scaled(const From* values, double scale, std::size_t count, T* out) {
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] = static_cast<T>(scale * static_cast<double>(values[i]));
-    }
+void store_scaled(const From* values, double scale, std::size_t count, T* out) {
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t i = 0; i < count; ++i) {
+            out[i] = static_cast<T>(scale * static_cast<double>(values[i]));
+        }
+    });
 }
+// The same, none below `least`: no intensity is negative, and none less exact for being raised to 0.
+template <class T>
+void store_least(const double* values, double scale, std::size_t count, T least, T* out) {
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t i = 0; i < count; ++i) {
+            out[i] = std::max(static_cast<T>(scale * values[i]), least);
+        }
+    });
+}
+#if defined(LOMMEL_COMPILED)
+extern template void store_scaled<double, float>(const double*, double, std::size_t, float*);
+extern template void store_scaled<double, double>(const double*, double, std::size_t, double*);
+extern template void store_scaled<float, float>(const float*, double, std::size_t, float*);
+extern template void store_least<float>(const double*, double, std::size_t, float, float*);
+extern template void store_least<double>(const double*, double, std::size_t, double, double*);
+#endif
 
 // A row to both sides of its middle. Not inlined: where its callers have other things in registers, it loads its end from memory
 // for each pixel.

@@ -85,84 +85,13 @@ struct SamplePieces : Radii {  // where I is wanted, in v
 
     // The pixels of a window times a number, none below `least`, from I at the radii; returns the largest, not multiplied.
     template <class T>
-    double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const {
-        thread_local Doubles scratch;
-        scratch.resize((last - first) * parts->parts * terms);
-        double* const all = scratch.data();  // of this thread, whoever paints
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            double sizes[terms] = {};
-            cut(isa, *parts, intensity, 1.0, first, last, all, sizes);
-        });
-        const FoldedWindow folded(window);
-        const SampleRows rows(folded.part, width, zones(static_cast<double>(parts->parts)));
-        return largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, T* to) {
-            return evaluate(rows, all, by, static_cast<double>(least), begin, end,
-                            [&](std::size_t row, std::size_t start, std::size_t count, const double* values) {
-                                T* const made = to + (row - begin) * folded.part.width + start;
-                                for (std::size_t i = 0; i < count; ++i) {
-                                    made[i] = static_cast<T>(values[i]);
-                                }
-                            });
-        });
-    }
+    double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const;
 
     // The same, none below 0, by cubics in single precision on parts of the pieces and, far enough from the axis, by lines, each off by
     // about `room`, at places that are by about `places` in v; what they add to the error of I, with all roundings, is `off`. Bound by
     // loads.
     double paint_singly(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
-                        float* image, double& off) const {
-        thread_local Doubles curves;
-        thread_local Floats singles;
-        curves.resize(last - first);
-        double bent = 0.0;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { bent = measure(isa, intensity, curves.data()); });
-        const std::size_t count = parts_for_cubics(bent, room);
-        const double square = static_cast<double>(count * count);
-        std::size_t straight = last;
-        double curved = 0.0;
-        while (straight > first && curves[straight - 1 - first] <= 4.0 * square * room) {
-            --straight;
-            curved = std::max(curved, curves[straight - first]);
-        }
-        const auto cubics = Parts<4>::get(count);
-        const auto lines = Parts<2>::get(count);
-        const FoldedWindow folded(window);
-        SampleRows rows(folded.part, width, zones(static_cast<double>(count)));
-        const double astray = rows.by_integers(places), equal = equal_pieces(width);
-        const double end = rows.straight_from(distance_of(static_cast<double>(straight) + slack, equal));
-        const std::size_t bends = std::min(last, static_cast<std::size_t>(piece_of(end, equal) + slack) + 1);
-        singles.resize(count * (4 * (bends - first) + 2 * (last - straight)));
-        float *const scaled = singles.data(), *const beyond = scaled + 4 * count * (bends - first);
-        const float* const straights = beyond - 2 * count * (straight - first);
-        double sizes[4] = {}, others[4] = {};
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            cut(isa, *cubics, intensity, by, first, bends, scaled, sizes);
-            cut(isa, *lines, intensity + (straight - first) * points, by, straight, last, beyond, others);
-        });
-        off = std::max(bent / (192.0 * square * square) + rough(sizes, astray) / by,
-                       curved / (4.0 * square) + rough(others, astray) / by);
-        const double top = largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, float* to) {
-            alignas(64) float tops[SampleRows::most_lanes] = {};
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                rows.each<float, 4>(begin, end, [&](const SampleRows::Run<float>& run) LOMMEL_INLINE_LAMBDA {
-                    alignas(64) float made[SampleRows::longest];
-                    float* const there = to + (run.row - begin) * folded.part.width + run.start;
-                    const bool whole = run.count % SampleRows::most_lanes == 0;
-                    if (run.straight) {
-                        values_at<2>(isa, straights + run.base, run.at, run.x, run.count, whole ? there : made, tops);
-                    } else {
-                        values_at<4>(isa, scaled + run.base, run.at, run.x, run.count, whole ? there : made, tops);
-                    }
-                    if (!whole) {
-                        std::copy_n(made, run.count, there);
-                    }
-                });
-            });
-            return static_cast<double>(*std::max_element(tops, tops + SampleRows::most_lanes)) / by;
-        });
-        off += single_roundoff * top;  // of the largest value itself
-        return top;
-    }
+                        float* image, double& off) const;
 
    private:
     // Hands over the pixels of rows [begin, end) times a number, none below `least`; returns the largest, not multiplied. Bound by loads,
@@ -333,6 +262,90 @@ LOMMEL_ONCE SampleRows::Zones SamplePieces::zones(double parts) const {
         all[made++] = {from * from, 0.5 * parts / from, parts * (from - 0.5 * equal - begin) - 0.5};
     }
     return all;
+}
+#endif
+
+template <class T>
+double SamplePieces::paint(const PixelWindow& window, const double* intensity, double by, T least, int threads,
+                           T* image) const {
+    thread_local Doubles scratch;
+    scratch.resize((last - first) * parts->parts * terms);
+    double* const all = scratch.data();  // of this thread, whoever paints
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        double sizes[terms] = {};
+        cut(isa, *parts, intensity, 1.0, first, last, all, sizes);
+    });
+    const FoldedWindow folded(window);
+    const SampleRows rows(folded.part, width, zones(static_cast<double>(parts->parts)));
+    return largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, T* to) {
+        return evaluate(rows, all, by, static_cast<double>(least), begin, end,
+                        [&](std::size_t row, std::size_t start, std::size_t count, const double* values) {
+                            T* const made = to + (row - begin) * folded.part.width + start;
+                            for (std::size_t i = 0; i < count; ++i) {
+                                made[i] = static_cast<T>(values[i]);
+                            }
+                        });
+    });
+}
+#if defined(LOMMEL_COMPILED)
+extern template double SamplePieces::paint<float>(const PixelWindow&, const double*, double, float, int, float*) const;
+extern template double SamplePieces::paint<double>(const PixelWindow&, const double*, double, double, int, double*) const;
+#endif
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double SamplePieces::paint_singly(const PixelWindow& window, const double* intensity, double by, double room,
+                                              double places, int threads, float* image, double& off) const {
+    thread_local Doubles curves;
+    thread_local Floats singles;
+    curves.resize(last - first);
+    double bent = 0.0;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { bent = measure(isa, intensity, curves.data()); });
+    const std::size_t count = parts_for_cubics(bent, room);
+    const double square = static_cast<double>(count * count);
+    std::size_t straight = last;
+    double curved = 0.0;
+    while (straight > first && curves[straight - 1 - first] <= 4.0 * square * room) {
+        --straight;
+        curved = std::max(curved, curves[straight - first]);
+    }
+    const auto cubics = Parts<4>::get(count);
+    const auto lines = Parts<2>::get(count);
+    const FoldedWindow folded(window);
+    SampleRows rows(folded.part, width, zones(static_cast<double>(count)));
+    const double astray = rows.by_integers(places), equal = equal_pieces(width);
+    const double end = rows.straight_from(distance_of(static_cast<double>(straight) + slack, equal));
+    const std::size_t bends = std::min(last, static_cast<std::size_t>(piece_of(end, equal) + slack) + 1);
+    singles.resize(count * (4 * (bends - first) + 2 * (last - straight)));
+    float *const scaled = singles.data(), *const beyond = scaled + 4 * count * (bends - first);
+    const float* const straights = beyond - 2 * count * (straight - first);
+    double sizes[4] = {}, others[4] = {};
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        cut(isa, *cubics, intensity, by, first, bends, scaled, sizes);
+        cut(isa, *lines, intensity + (straight - first) * points, by, straight, last, beyond, others);
+    });
+    off = std::max(bent / (192.0 * square * square) + rough(sizes, astray) / by,
+                   curved / (4.0 * square) + rough(others, astray) / by);
+    const double top = largest_of(folded, threads, image, [&](std::size_t begin, std::size_t end, float* to) {
+        alignas(64) float tops[SampleRows::most_lanes] = {};
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            rows.each<float, 4>(begin, end, [&](const SampleRows::Run<float>& run) LOMMEL_INLINE_LAMBDA {
+                alignas(64) float made[SampleRows::longest];
+                float* const there = to + (run.row - begin) * folded.part.width + run.start;
+                const bool whole = run.count % SampleRows::most_lanes == 0;
+                if (run.straight) {
+                    values_at<2>(isa, straights + run.base, run.at, run.x, run.count, whole ? there : made, tops);
+                } else {
+                    values_at<4>(isa, scaled + run.base, run.at, run.x, run.count, whole ? there : made, tops);
+                }
+                if (!whole) {
+                    std::copy_n(made, run.count, there);
+                }
+            });
+        });
+        return static_cast<double>(*std::max_element(tops, tops + SampleRows::most_lanes)) / by;
+    });
+    off += single_roundoff * top;  // of the largest value itself
+    return top;
 }
 #endif
 

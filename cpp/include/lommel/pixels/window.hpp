@@ -150,22 +150,29 @@ struct PixelGroups {
 
     // Rows [first, last) of distances along y, of one image.
     template <class T>
-    LOMMEL_INLINE void paint(const T* values, std::size_t first, std::size_t last, T* out) const {
-        const std::size_t height = window.height, width = window.width;
-        if (window.folds()) {
-            return scatter_rows(values, index.data(), window.rows(), window.columns(), first, last, out);
+    void paint(const T* values, std::size_t first, std::size_t last, T* out) const;
+};
+
+template <class T>
+void PixelGroups::paint(const T* values, std::size_t first, std::size_t last, T* out) const {
+    const std::size_t height = window.height, width = window.width;
+    if (window.folds()) {
+        return scatter_rows(values, index.data(), window.rows(), window.columns(), first, last, out);
+    }
+    for (std::size_t y = 0; y < height; ++y) {
+        const std::size_t distance = static_cast<std::size_t>(rows.rank[y]);
+        if (distance < first || distance >= last) {
+            continue;
         }
-        for (std::size_t y = 0; y < height; ++y) {
-            const std::size_t distance = static_cast<std::size_t>(rows.rank[y]);
-            if (distance < first || distance >= last) {
-                continue;
-            }
-            const std::int32_t* from = index.data() + distance * columns.distances.size();
-            for (std::size_t x = 0; x < width; ++x) {
-                out[y * width + x] = values[from[columns.rank[x]]];
-            }
+        const std::int32_t* from = index.data() + distance * columns.distances.size();
+        for (std::size_t x = 0; x < width; ++x) {
+            out[y * width + x] = values[from[columns.rank[x]]];
         }
     }
-};
+}
+#if defined(LOMMEL_COMPILED)
+extern template void PixelGroups::paint<float>(const float*, std::size_t, std::size_t, float*) const;
+extern template void PixelGroups::paint<double>(const double*, std::size_t, std::size_t, double*) const;
+#endif
 
 }  // namespace lommel

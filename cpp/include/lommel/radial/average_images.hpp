@@ -214,7 +214,7 @@ class PixelRenderer {
             made.penalty = 0.0;
         } else {
             made.make(table, window, at_radii.data(), threads);
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { f.top = largest(made.values.data(), made.count); });
+            f.top = largest_value(made.values.data(), made.count);
         }
         f.off = window_bound(table, made.penalty, f.size, f.bound) + of_singles;
         f.by_field = table.magnification() * intensity_error(std::sqrt(f.size), f.bound);
@@ -448,18 +448,9 @@ class PixelRenderer {
         paint(table, values, count, scale, T{0}, answer_.images + pupil * pixels(), threads);
     }
 
-    // No average of an intensity is negative, and none less exact for being `least`.
-    static void store_clipped(const double* values, std::size_t count, double scale, T least, T* out) {
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            store_scaled(values, scale, count, out);
-            for (std::size_t i = 0; i < count; ++i) {
-                out[i] = std::max(out[i], least);
-            }
-        });
-    }
     template <class Table>
     static void paint(const Table&, const double* values, std::size_t count, double scale, T least, T* image, int) {
-        store_clipped(values, count, scale, least, image);
+        store_least(values, scale, count, least, image);
     }
     static void paint(const PixelTable& table, const double* values, std::size_t count, double scale, T least, T* image,
                       int threads) {
@@ -469,7 +460,7 @@ class PixelRenderer {
                              double scale, T least, T* image, int threads) {
         thread_local std::vector<T> kept;
         kept.resize(count);
-        store_clipped(values, count, scale, least, kept.data());
+        store_least(values, scale, count, least, kept.data());
         const T* from = kept.data();  // of this thread, whoever paints
         for_rows(groups.rows.distances.size(), width, threads,
                  [&](std::size_t first, std::size_t last) { groups.paint(from, first, last, image); });
@@ -546,11 +537,7 @@ class PixelRenderer {
                 plain ? 0.0 : make_together(table, windows_, first, here, at_radii, stride, made.data(), apart);
             for (std::size_t p = 0; p < here; ++p, at_radii += stride) {
                 const double* window = plain ? at_radii : made.data() + p * apart;
-                double size = 0.0, top = 0.0;
-                dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-                    size = largest(at_radii, table.count);
-                    top = largest(window, values);
-                });
+                const double size = largest_value(at_radii, table.count), top = largest_value(window, values);
                 const double off = window_bound(table, penalty, size, batch.error(first + p));
                 const double bound = relative(top, off, 0.0, answer_.scales[first + p] == 0.0);
                 if (bound <= tol_) {

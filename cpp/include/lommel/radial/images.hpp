@@ -56,7 +56,7 @@ class Renderer {
         profile.resize(layout_->count);
         T* const values = profile.data();  // of this thread, whoever computes them
         const auto take = [&](std::size_t first, std::size_t count, const double* intensity) {
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(intensity, scale, count, values + first); });
+            store_scaled(intensity, scale, count, values + first);
         };
         const Settled settled = settle_field<T>(field, phase, stack_.obscuration, places, tol_, divide,
                                                 [&] { return intensities(field, places, threads, take); });
@@ -85,8 +85,7 @@ class Renderer {
     void render_batch(const Batch& batch) {
         batch.run(threads_, [&](std::size_t first, std::size_t here, const double* intensity, std::size_t stride) {
             for (std::size_t p = 0; p < here; ++p, intensity += stride) {
-                double peak = 0.0;
-                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { peak = largest(intensity, layout_->count); });
+                const double peak = largest_value(intensity, layout_->count);
                 const double bound =
                     finished_error<T>(relative_error(peak, batch.error(first + p)), answer_.scales[first + p] == 0.0, false);
                 if (bound <= tol_) {

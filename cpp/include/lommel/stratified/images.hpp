@@ -105,9 +105,9 @@ class LayeredImages {
                  ++p, values += profiles.outputs() * profiles.stride(), sizes += profiles.kinds()) {
                 const Judged judged(planes_, first + p, *sizes);
                 double size = 0.0, top = 0.0;
-                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { size = largest(values, table->count); });
+                size = largest_value(values, table->count);
                 const double off = window_of(*table, windows_[first + p], values, judged, size, made);
-                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(made.values.data(), made.count); });
+                top = largest_value(made.values.data(), made.count);
                 // Of samples the peak is I at any radius.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
                 const double scale = note(first + p, top, peak, off);
@@ -134,10 +134,10 @@ class LayeredImages {
                     },
                     made, total.data());
                 double top = 0.0;
-                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(total.data(), pixels()); });
+                top = largest_value(total.data(), pixels());
                 const double scale = note(first + p, top, top - off, off);
                 T* const image = answer_.images + (first + p) * pixels();
-                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(total.data(), scale, pixels(), T{0}, image); });
+                store_least(total.data(), scale, pixels(), T{0}, image);
                 slopes.turned(first + p, {values, profiles.stride(), sizes, Judged(planes_, first + p, *sizes)}, scale, made,
                               total.data());
             }
@@ -152,16 +152,14 @@ class LayeredImages {
         if (!planes_.radial()) {
             all.resize(pixels());
             turned.sum(layout, values, stride, all.data());
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(all.data(), pixels()); });
+            top = largest_value(all.data(), pixels());
             const double scale = note(plane, top, top - off, off);
-            return dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-                store_least(all.data(), scale, pixels(), T{0}, answer_.images + plane * pixels());
-            });
+            return store_least(all.data(), scale, pixels(), T{0}, answer_.images + plane * pixels());
         }
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(values, layout.count); });
+        top = largest_value(values, layout.count);
         profile.resize(layout.count);
         const double scale = note(plane, top, top - off, off);
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(values, scale, layout.count, T{0}, profile.data()); });
+        store_least(values, scale, layout.count, T{0}, profile.data());
         layout.scatter(profile.data(), 0, layout.rows.distances(), answer_.images + plane * pixels());
     }
 

@@ -82,7 +82,7 @@ class WindowSlopes {
             const double wrong = turned_window(
                 *table_.anywhere, planes_, windows_[plane],
                 [&](std::size_t k) { return mix(*table_.anywhere, slopes_.asked[image], plane, of, k); }, made, total);
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(total, scale, pixels(), at(image, plane)); });
+            store_scaled(total, scale, pixels(), at(image, plane));
             note(image, plane, wrong, total, pixels());
         }
     }
@@ -181,7 +181,7 @@ class WindowSlopes {
             }
         }
         for (const Doubles* way : {&down, &across}) {
-            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(way->data(), scale, pixels(), at(image, plane)); });
+            store_scaled(way->data(), scale, pixels(), at(image, plane));
             note(image++, plane, wrong, way->data(), pixels());
         }
     }

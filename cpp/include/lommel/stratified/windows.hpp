@@ -8,6 +8,7 @@
 
 #include "lommel/base/simd.hpp"
 #include "lommel/pixels/own_axes.hpp"
+#include "lommel/pixels/render.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_values.hpp"
 #include "lommel/stratified/error_check.hpp"
@@ -71,25 +72,16 @@ double turned_window(const AnywhereTable& table, const Planes& planes, const Pix
     return off;
 }
 
-// No intensity is negative, and none less exact for being `least`.
-template <class Real>
-LOMMEL_INLINE void store_least(const double* values, double scale, std::size_t count, Real least, Real* out) {
-    store_scaled(values, scale, count, out);
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] = std::max(out[i], least);
-    }
-}
-
 template <class Real>
 void store_window(const AnywhereTable&, const WindowValues& made, double scale, Real least, Real* image) {
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(made.values.data(), scale, made.count, least, image); });
+    store_least(made.values.data(), scale, made.count, least, image);
 }
 
 template <class Real>
 void store_window(const PixelTable& table, const WindowValues& made, double scale, Real least, Real* image) {
     thread_local std::vector<Real> kept;
     kept.resize(made.count);
-    dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(made.values.data(), scale, made.count, least, kept.data()); });
+    store_least(made.values.data(), scale, made.count, least, kept.data());
     table.groups.paint(kept.data(), 0, table.groups.rows.distances.size(), image);
 }
 

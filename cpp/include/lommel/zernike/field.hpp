@@ -68,31 +68,7 @@ class ZernikeField {
     }
 
     // The largest I at some directions at the distance v, by the Bessel functions themselves.
-    double look(double v) const {
-        const std::vector<double>& orders = all_orders(v);
-        const double *const begin = orders.data(), *const end = begin + orders.size();
-        double top = 0.0;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            using I = decltype(isa);
-            using V = typename I::pack;
-            for (std::size_t first = 0; first < Directions::count; first += I::lanes) {
-                const V turn_c = load<V>(directions.cosine.data() + first), turn_s = load<V>(directions.sine.data() + first);
-                V c = splat<V>(1.0), s = splat<V>(0.0), re = s, im = s;
-                for (const double* order = begin; order < end; order += 4) {
-                    re = re + c * splat<V>(order[0]) + s * splat<V>(order[2]);
-                    im = im + c * splat<V>(order[1]) + s * splat<V>(order[3]);
-                    const V next = c * turn_c - s * turn_s;
-                    s = s * turn_c + c * turn_s;
-                    c = next;
-                }
-                const V square = re * re + im * im;
-                for (std::size_t i = 0; i < I::lanes; ++i) {
-                    top = std::max(top, square[i]);
-                }
-            }
-        });
-        return top;
-    }
+    double look(double v) const;
 
     // Makes ready for evaluation; what it leaves out adds no more than about `error` to U. base() is then the error that
     // every piece has. Of so many pieces `lit` tells those that are wanted, rising.
@@ -241,63 +217,11 @@ class ZernikeField {
     }
 
     // Adds weight times A_m(v) and B_m(v).
-    static void add_orders(const ZernikeSeries& series, double v, double weight, double* orders) {
-        thread_local std::vector<double> bessel, transforms[2];
-        // Orders far above v vanish.
-        const std::size_t reached = std::min(series.degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 12.0));
-        for (std::size_t parity = 0; parity < 2; ++parity) {
-            transforms[parity].assign((series.degrees + 2) / 2, 0.0);
-            zernike_transforms(parity, v, (reached + 2) / 2, transforms[parity].data(), bessel);
-        }
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            using I = decltype(isa);
-            using V = typename I::pack;
-            for (std::size_t m = 0; m < std::min(reached, series.orders); ++m) {
-                const double* row = transforms[m % 2].data() + m / 2;
-                const std::size_t count = std::min(series.used[m], (reached - m) / 2 + 1), at = series.start[m];
-                V sums[4] = {};
-                std::size_t j = 0;
-                for (; j + I::lanes <= count; j += I::lanes) {
-                    const V t = load<V>(row + j);
-                    for (std::size_t p = 0; p < 4; ++p) {
-                        sums[p] = sums[p] + t * load<V>(&series.parts[p][at + j]);
-                    }
-                }
-                for (std::size_t p = 0; p < 4; ++p) {
-                    double total = lane_sum(sums[p]);
-                    for (std::size_t i = j; i < count; ++i) {
-                        total += row[i] * series.parts[p][at + i];
-                    }
-                    orders[4 * m + p] += weight * total;
-                }
-            }
-        });
-    }
+    static void add_orders(const ZernikeSeries& series, double v, double weight, double* orders);
 
     // The coefficients of the pieces: [order kept][re A, im A, re B, im B][power, rising].
     void combine_all(const ZernikeSeries& series, const Tables& tables, const std::vector<std::size_t>& pieces,
-                     std::vector<Doubles>& rows, int threads) const {
-        parallel_for(pieces.size(), threads, [&](std::size_t, std::size_t task) {
-            const std::size_t s = pieces[task];
-            rows[s].resize(orders_.kept().size() * 4 * degree_count);
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                double* to = rows[s].data();
-                for (std::size_t i = 0; i < orders_.kept().size(); ++i, to += 4 * degree_count) {
-                    const std::size_t m = orders_.kept()[i];
-                    if (m >= series.orders) {
-                        std::fill(to, to + 4 * degree_count, 0.0);
-                        continue;
-                    }
-                    const Piece& piece = *tables[m % 2]->pieces[s];
-                    const std::size_t at = series.start[m], count = series.used[m];
-                    for (std::size_t p = 0; p < 4; p += 2) {
-                        combine(isa, piece, count, &series.parts[p][at], &series.parts[p + 1][at], to + p * degree_count,
-                                to + (p + 1) * degree_count, m / 2);
-                    }
-                }
-            });
-        });
-    }
+                     std::vector<Doubles>& rows, int threads) const;
 
     ZernikeSeries outer_, inner_;
     ZernikeAnalysis analysis_;
@@ -313,6 +237,92 @@ LOMMEL_ONCE double ZernikeField::expand(const ZernikePhase& phase, double reach,
     const DiskExpansion plan(phase, reach, error);
     analysis_.run(*plan.rule, phase, plan.degrees, plan.orders, threads, series);
     return plan.error(phase);
+}
+#endif
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double ZernikeField::look(double v) const {
+    const std::vector<double>& orders = all_orders(v);
+    const double *const begin = orders.data(), *const end = begin + orders.size();
+    double top = 0.0;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using I = decltype(isa);
+        using V = typename I::pack;
+        for (std::size_t first = 0; first < Directions::count; first += I::lanes) {
+            const V turn_c = load<V>(directions.cosine.data() + first), turn_s = load<V>(directions.sine.data() + first);
+            V c = splat<V>(1.0), s = splat<V>(0.0), re = s, im = s;
+            for (const double* order = begin; order < end; order += 4) {
+                re = re + c * splat<V>(order[0]) + s * splat<V>(order[2]);
+                im = im + c * splat<V>(order[1]) + s * splat<V>(order[3]);
+                const V next = c * turn_c - s * turn_s;
+                s = s * turn_c + c * turn_s;
+                c = next;
+            }
+            const V square = re * re + im * im;
+            for (std::size_t i = 0; i < I::lanes; ++i) {
+                top = std::max(top, square[i]);
+            }
+        }
+    });
+    return top;
+}
+
+LOMMEL_ONCE void ZernikeField::add_orders(const ZernikeSeries& series, double v, double weight, double* orders) {
+    thread_local std::vector<double> bessel, transforms[2];
+    // Orders far above v vanish.
+    const std::size_t reached = std::min(series.degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 12.0));
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+        transforms[parity].assign((series.degrees + 2) / 2, 0.0);
+        zernike_transforms(parity, v, (reached + 2) / 2, transforms[parity].data(), bessel);
+    }
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using I = decltype(isa);
+        using V = typename I::pack;
+        for (std::size_t m = 0; m < std::min(reached, series.orders); ++m) {
+            const double* row = transforms[m % 2].data() + m / 2;
+            const std::size_t count = std::min(series.used[m], (reached - m) / 2 + 1), at = series.start[m];
+            V sums[4] = {};
+            std::size_t j = 0;
+            for (; j + I::lanes <= count; j += I::lanes) {
+                const V t = load<V>(row + j);
+                for (std::size_t p = 0; p < 4; ++p) {
+                    sums[p] = sums[p] + t * load<V>(&series.parts[p][at + j]);
+                }
+            }
+            for (std::size_t p = 0; p < 4; ++p) {
+                double total = lane_sum(sums[p]);
+                for (std::size_t i = j; i < count; ++i) {
+                    total += row[i] * series.parts[p][at + i];
+                }
+                orders[4 * m + p] += weight * total;
+            }
+        }
+    });
+}
+
+LOMMEL_ONCE void ZernikeField::combine_all(const ZernikeSeries& series, const Tables& tables,
+                                           const std::vector<std::size_t>& pieces, std::vector<Doubles>& rows,
+                                           int threads) const {
+    parallel_for(pieces.size(), threads, [&](std::size_t, std::size_t task) {
+        const std::size_t s = pieces[task];
+        rows[s].resize(orders_.kept().size() * 4 * degree_count);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            double* to = rows[s].data();
+            for (std::size_t i = 0; i < orders_.kept().size(); ++i, to += 4 * degree_count) {
+                const std::size_t m = orders_.kept()[i];
+                if (m >= series.orders) {
+                    std::fill(to, to + 4 * degree_count, 0.0);
+                    continue;
+                }
+                const Piece& piece = *tables[m % 2]->pieces[s];
+                const std::size_t at = series.start[m], count = series.used[m];
+                for (std::size_t p = 0; p < 4; p += 2) {
+                    combine(isa, piece, count, &series.parts[p][at], &series.parts[p + 1][at], to + p * degree_count,
+                            to + (p + 1) * degree_count, m / 2);
+                }
+            }
+        });
+    });
 }
 #endif
 

@@ -102,17 +102,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
 
     // Computes the pieces that are not done, writing I times `scale`.
     template <class T>
-    void paint(double scale, T* image) {
-        parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t i) {
-            ZernikePart& part = parts_[i];
-            if (!part.done) {
-                const auto put = [&](std::size_t first, std::size_t here, std::size_t apart, const auto* values) {
-                    place(first, here, apart, values, scale, image, part.top);
-                };
-                paint(part, Put<float>(put), Put<double>(put));
-            }
-        });
-    }
+    void paint(double scale, T* image);
 
    private:
     // What takes I of some groups, those of each of the eight pixels of a group so many values apart.
@@ -249,5 +239,22 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
     int threads_ = 1;
     ZernikeField field_;
 };
+
+template <class T>
+void ZernikeImage::paint(double scale, T* image) {
+    parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t i) {
+        ZernikePart& part = parts_[i];
+        if (!part.done) {
+            const auto put = [&](std::size_t first, std::size_t here, std::size_t apart, const auto* values) {
+                place(first, here, apart, values, scale, image, part.top);
+            };
+            paint(part, Put<float>(put), Put<double>(put));
+        }
+    });
+}
+#if defined(LOMMEL_COMPILED)
+extern template void ZernikeImage::paint<float>(double, float*);
+extern template void ZernikeImage::paint<double>(double, double*);
+#endif
 
 }  // namespace lommel

@@ -60,16 +60,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
 
     // Computes the image, I times `scale`.
     template <class T>
-    void paint(double scale, T* image) {
-        parts_.assign(list_.size() * zones_.size(), PaintedPart());
-        parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
-            thread_local Tiles::Buffer<T> buffer;
-            tiles_->prefetch(list_[i], image);
-            const auto put = [&](const Tiles::Line& line, const auto* values) { buffer.put(list_[i], line, values); };
-            tile(i, scale, put, put);
-            tiles_->copy(list_[i], buffer, image);
-        });
-    }
+    void paint(double scale, T* image);
 
    private:
     // Takes the pixels of a line, [pixel][direction].
@@ -331,6 +322,22 @@ LOMMEL_ONCE void PolarImage::tile(std::size_t i, double scale, const Made<float>
         }
     }
 }
+#endif
+
+template <class T>
+void PolarImage::paint(double scale, T* image) {
+    parts_.assign(list_.size() * zones_.size(), PaintedPart());
+    parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
+        thread_local Tiles::Buffer<T> buffer;
+        tiles_->prefetch(list_[i], image);
+        const auto put = [&](const Tiles::Line& line, const auto* values) { buffer.put(list_[i], line, values); };
+        tile(i, scale, put, put);
+        tiles_->copy(list_[i], buffer, image);
+    });
+}
+#if defined(LOMMEL_COMPILED)
+extern template void PolarImage::paint<float>(double, float*);
+extern template void PolarImage::paint<double>(double, double*);
 #endif
 
 }  // namespace lommel

@@ -1,0 +1,10 @@
+// Compiles light of series by the chordal rule, and its derivatives. Headers before LOMMEL_DEFINES are compiled by other units.
+#include "lommel/base/parallel.hpp"
+#include "lommel/chordal/batch.hpp"
+#include "lommel/chordal/kernels.hpp"
+
+#define LOMMEL_DEFINES
+
+#include "lommel/chordal/field_gradient.hpp"
+#include "lommel/chordal/fields.hpp"
+#include "lommel/chordal/series_errors.hpp"

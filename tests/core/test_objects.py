@@ -1,0 +1,75 @@
+"""The objects that the core is linked from: each kernel is compiled once, and calls no code of the baseline."""
+
+from __future__ import annotations
+
+import platform
+import re
+import shutil
+import subprocess
+import sys
+from collections import Counter
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build" / str(sys.implementation.cache_tag) / "CMakeFiles"
+KERNEL = re.compile(r"_ZN6lommel\d+run_(avx512|avx2|portable)I")
+CALL = re.compile(r"R_X86_64_(?:PLT32\s+|PC32\s+\.text\.)(_Z\w+)")
+# What kernels call that computes nothing: memory, errors, and kernels themselves.
+NOT_ARITHMETIC = re.compile(r"_Zd[al]|_Zn[aw]|_ZS|_ZNS|_Z.*D[012]Ev$|_ZN6lommel\d+run_")
+# What computes little beside the kernels that call it: Bessel functions where no table serves, a table that is made once, the
+# coefficients of a ring from those of its piece.
+FEW = re.compile(r"_ZN6lommel5Field3sumE|_ZN6lommel5BendsC|_ZN6lommel8resampleI")
+
+
+@cache
+def objects() -> tuple[Path, ...]:
+    """Return the objects of the build in this tree whose sources are still there."""
+    made = (BUILD / place for place in ("lommel_compiled.dir/cpp/compiled", "_core.dir/cpp/bindings"))
+    found = [path for folder in made for path in sorted(folder.glob("*.o"))]
+    return tuple(path for path in found if (ROOT / "cpp" / path.parent.name / path.stem).exists())
+
+
+@pytest.fixture(autouse=True)
+def tools() -> None:
+    if sys.platform != "linux" or platform.machine() != "x86_64":
+        pytest.skip("kernels are compiled for several instruction sets on x86-64 alone; objects are read on Linux")
+    if missing := [name for name in ("nm", "objdump") if shutil.which(name) is None]:
+        pytest.skip(f"needs {' and '.join(missing)} of the binutils")
+    if not objects():
+        pytest.skip(f"no objects in {BUILD}: the core was compiled elsewhere")
+
+
+def output(*command: str | Path) -> str:
+    return subprocess.run(command, capture_output=True, check=True, encoding="utf-8").stdout
+
+
+def test_every_kernel_is_compiled_into_one_object_of_the_numerics():
+    found: Counter[str] = Counter()
+    for path in objects():
+        defined = [line.split()[-1] for line in output("nm", "--defined-only", path).splitlines()]
+        kernels = {name for name in defined if KERNEL.match(name)}
+        # Bindings are compiled with fewer optimisations.
+        assert path.parent.name == "compiled" or not kernels, path.name
+        found.update(kernels)
+    assert len(found) > 200
+    assert [name for name, times in found.items() if times > 1] == []
+
+
+def test_no_vector_kernel_calls_a_function_of_the_core():
+    """A function that was not inlined keeps the baseline instructions, and is slower by far."""
+    called, seen = set(), 0
+    for path in objects():
+        kernel = ""
+        for line in output("objdump", "--disassemble", "--reloc", "--no-show-raw-insn", path).splitlines():
+            if start := re.match(r"[0-9a-f]+ <(.+)>:$", line):
+                name = KERNEL.match(start[1])
+                kernel = start[1] if name and name[1] != "portable" else ""
+                seen += bool(kernel)
+            elif kernel and (target := CALL.search(line)):
+                called.add(target[1])
+    assert seen > 150
+    computing = {target for target in called if not NOT_ARITHMETIC.match(target)}
+    assert [target for target in computing if not FEW.match(target)] == []

@@ -89,6 +89,7 @@ def test_no_bit_depends_on_what_was_asked_for_before(pupil, strong, shape, pixel
 SERIES, CHORDS = lm.NijboerZernike(1e-7), lm.ChordalGauss(1e-7)
 
 
+@pytest.mark.quick
 @pytest.mark.parametrize("method", [SERIES, CHORDS], ids=["series", "chords"])
 def test_pupils_that_are_not_radial_ask_for_windows_around_any_axis_in_turn(method):
     shapes, centers = [(9, 11), (11, 11), (9, 9), (9, 11)], [(4.0, 5.0), (4.0, 3.0), (2.0, 5.0), (2.5, 4.25)]

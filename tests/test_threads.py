@@ -23,6 +23,7 @@ def helpers() -> dict[str, int]:
     return {task.name: int((task / "schedstat").read_text().split()[0]) for task in named}
 
 
+@pytest.mark.quick
 @watched
 def test_helpers_are_made_once_work_when_they_may_and_never_outnumber_the_processors():
     spare = len(os.sched_getaffinity(0)) - 1

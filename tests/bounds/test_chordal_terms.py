@@ -270,6 +270,7 @@ def first_error(terms: list[tuple[int, int]], phase: list[float], light: list[fl
 )
 @example([8.0, -3.0, 4.0, 7.0, -5.0, 6.0, 8.0, 5.0], [0.0, 1.5], 1e-6, False, 0.5, 3.0, 0.7)
 # Tables of samples for other windows and other terms.
+@pytest.mark.quick
 @example([8.0, -3.0, 4.0, 7.0, -5.0, 6.0, 8.0, 5.0], [0.0], 1e-6, False, 0.0, 3.0, 0.7)
 @example([8.0, -3.0, 4.0, 7.0, -5.0, 6.0, 8.0, 5.0], [0.0], 1e-6, False, 0.0, 4.0, 0.7)
 @example([8.0, -3.0, 4.0, 7.0, 0.0, 6.0, 8.0, 6.0], [0.0], 1e-6, False, 0.0, 4.0, 0.7)
@@ -313,6 +314,7 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
     assert bounds[0] <= tol
 
 
+@pytest.mark.quick
 @few
 @given(coefficients, st.sampled_from([1e-2, 1e-3]), st.booleans(), st.sampled_from([0.0, 0.5]))
 def test_the_bound_of_an_image_in_single_precision_has_its_rounding(c, tol, divided, obscuration):

@@ -10,7 +10,7 @@ import mpmath as mp
 import numpy as np
 from scipy.integrate import quad
 
-from lommel import _core
+from core_tests import _core_tests
 from pixel_tables import U, Window, gauss, interpolation, lebesgue
 
 # From radii and an error to U there, and the bound on its error.
@@ -47,7 +47,7 @@ def ringless(light: Light, step: float, asked: mp.mpf) -> tuple[float, mp.mpf]:
     """Return from where on pixels do without rings, and what they are off by then."""
 
     def left(r: float) -> mp.mpf:
-        tail: dict[str, Any] = _core.tail_bounds(*light.pupil, r)
+        tail: dict[str, Any] = _core_tests.tail_bounds(*light.pupil, r)
         return mp.mpf("3.1416") * tail["rings"] / (r * step) + mp.mpf("1.6") * tail["curved"]
 
     low, high = 1.0, 1e8
@@ -112,7 +112,7 @@ def sides(dx: float, dy: float) -> list[tuple[int, float, float]]:
 def averaged(light: Light, field: Field, window: Window, asked: Asked) -> Averages:
     step, square, swing = window.step, window.step**2, light.most**2 / 2
     high, left = ringless(light, step, asked.rings)
-    mean = _core.tail_bounds(*light.pupil, high)["mean"]
+    mean = _core_tests.tail_bounds(*light.pupil, high)["mean"]
     whole = 4 * mp.pi * light.passed / square
     y, x = np.arange(window.height) - window.row, np.arange(window.width) - window.column
     pixels = {(abs(float(across)), abs(float(down))) for down in y for across in x}

@@ -91,7 +91,7 @@ test: core-tests lint ## build, lint, check the types and run all tests but the 
 # UV_TORCH_BACKEND=cpu make test-torch TORCH="torch torchvision".
 GROUP ?= peers
 beside = TORCH="$(TORCH)" .ci/beside "$(uv)" $(1) $(2)
-with = PYTHONPATH=$(1) $(pytest) -p no:cacheprovider -W default::DeprecationWarning
+with = PYTHONPATH="$(CURDIR):$(subst .tools,$(CURDIR)/.tools,$(1))" $(pytest) -p no:cacheprovider -W default::DeprecationWarning
 torch_tests := tests/traced tests/imaging/test_traced_blur.py tests/imaging/test_traced_sensor.py tests/adapters/test_deepinv.py
 peer_tests := tests/adapters tests/compat tests/optics/layers/test_objective_peers.py tests/imaging/field/test_blur.py
 peers: build ## fetch other packages for make bench to compare with, or GROUP=lenses those of the adapters, into .tools/peers
@@ -116,7 +116,7 @@ test-c: build env ## build the C interface and test it from C, ctypes and, where
 test-napari: build env ## run the tests of the plugin in napari, under a virtual display (xvfb-run), in .tools/napari
 	@command -v xvfb-run >/dev/null || { echo "make: there is no xvfb-run on PATH: install xvfb and xauth" >&2; exit 1; }
 	$(call beside,napari,napari)
-	PYTHONPATH=.tools/napari xvfb-run -a .venv/bin/pytest -p no:cacheprovider -W default tests/napari_plugin
+	PYTHONPATH="$(CURDIR)/.tools/napari" xvfb-run -a .venv/bin/pytest -p no:cacheprovider -W default tests/napari_plugin
 fuzz: build env ## try what no user should: bad arguments, command lines and files
 	@LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz
 mutants: core-tests ## put faults into a copy of the code, one by one, and see that the tests notice: hours

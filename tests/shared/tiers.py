@@ -28,8 +28,8 @@ ROOT = Path(__file__).resolve().parents[2]
 LIST = ROOT / "tests" / "slow_tests.txt"
 SLOW = 0.2  # seconds of a processor
 DRAWN = 0.01  # the share of slow tests that is in the quick tier
-# Tests of the live page in a browser, whatever they take: they need what a contributor may not have.
-ELSEWHERE = ("tests/live/",)
+# Whatever each test takes: the live page needs a browser, the costs of hostile files are measured for all of them at once.
+ELSEWHERE = ("tests/live/", "tests/base/test_cost_of_reading.py")
 # Their first import is no cost of the test that happens to come first.
 COMMON = ("astropy.io.fits", "click", "dask.array", "h5py", "jax.numpy", "matplotlib.pyplot", "pydantic")
 HEADER = """# Tests that take more than 0.2 s of a processor, with the seconds that they took; a function stands for
